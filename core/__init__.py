@@ -1,0 +1,1 @@
+"""Motionscape's analysis package: numpy arrays in, small frozen dataclasses out."""

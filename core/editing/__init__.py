@@ -1,0 +1,1 @@
+"""Operations on motion: foot contacts, leg IK, transitions."""

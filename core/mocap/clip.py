@@ -1,0 +1,83 @@
+"""Clip and Segment: one recording, and an interval of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import NamedTuple
+
+import numpy as np
+
+from core.mocap.skeleton import Skeleton
+
+
+class Segment(NamedTuple):
+    """Half-open frame interval ``[start, end)`` of the clip called ``clip``, in frames of the clip's own rate."""
+
+    clip: str
+    start: int
+    end: int
+
+    @property
+    def n_frames(self) -> int:
+        """Number of frames in the segment."""
+        return self.end - self.start
+
+
+class Label(NamedTuple):
+    """An action that someone gave a segment; ``start`` and ``end`` as in :class:`Segment`."""
+
+    clip: str
+    start: int
+    end: int
+    action: str
+
+
+@dataclass(frozen=True, eq=False)
+class Clip:
+    """One recording of one person. Y up, right-handed, metres.
+
+    root_positions: (n_frames, 3) float32, metres, world.
+    rotations: (n_frames, n_joints, 4) float32 unit quaternions (w, x, y, z), local (from parent's frame to the joint's).
+    translations: joint index -> (n_frames, 3) float32, metres: positions in the parent's frame that replace the rest
+        offset of a joint (other than the root) whose position channels move.
+    notes: what the reader found odd, in plain words.
+    Arrays may be memory-mapped. Raises ValueError where shapes do not agree or fps is not positive.
+    """
+
+    name: str
+    skeleton: Skeleton
+    fps: float
+    root_positions: np.ndarray
+    rotations: np.ndarray
+    translations: Mapping[int, np.ndarray] = field(default_factory=dict)
+    notes: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        n, shape = len(self.root_positions), (len(self.root_positions), self.skeleton.n_joints, 4)
+        if self.root_positions.shape != (n, 3) or self.rotations.shape != shape:
+            raise ValueError(f"{self.name}: expected root positions ({n}, 3) and rotations {shape}")
+        if n == 0 or not self.fps > 0:
+            raise ValueError(f"{self.name}: a clip needs at least one frame and a positive frame rate")
+
+    @property
+    def n_frames(self) -> int:
+        """Number of frames."""
+        return len(self.root_positions)
+
+    @property
+    def seconds(self) -> float:
+        """Duration: frames over frames per second."""
+        return self.n_frames / self.fps
+
+    def cut(self, start: int, end: int, name: str | None = None) -> Clip:
+        """Frames ``[start, end)`` as a clip (views, not copies). Raises ValueError when out of range or empty."""
+        if not 0 <= start < end <= self.n_frames:
+            raise ValueError(f"{self.name} has frames 0 to {self.n_frames}; cannot cut {start} to {end}")
+        return replace(
+            self,
+            name=name or f"{self.name}:{start}-{end}",
+            root_positions=self.root_positions[start:end],
+            rotations=self.rotations[start:end],
+            translations={j: t[start:end] for j, t in self.translations.items()},
+        )

@@ -1,0 +1,74 @@
+"""Skeleton: joints, who hangs from whom, and the rest offsets."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass, field
+
+import numpy as np
+
+
+@dataclass(frozen=True, eq=False)
+class Skeleton:
+    """A tree of joints, parents first; the first joint is the root (the pelvis).
+
+    names: joint names, unique. End sites (tips of head, hands and feet) are joints too, marked in ``end_sites``,
+        named after their parent with ``_end``; they never rotate.
+    parents: index of each joint's parent, -1 for the root.
+    offsets: (n_joints, 3) float32, metres, from the parent in the parent's frame at rest; Y up, right-handed.
+    end_sites: (n_joints,) True for tips without channels of their own.
+    channels: per joint, the source's channel names in file order (BVH spelling: ``Zrotation``, ``Xposition`` ...).
+    unit: metres per length unit of the source file, so that a file can be written back.
+    Raises ValueError for cycles, a child before its parent, duplicate names or wrong shapes.
+    """
+
+    names: tuple[str, ...]
+    parents: tuple[int, ...]
+    offsets: np.ndarray
+    end_sites: tuple[bool, ...] = ()
+    channels: tuple[tuple[str, ...], ...] = ()
+    unit: float = 1.0
+    fingerprint: str = field(init=False, default="")
+
+    def __post_init__(self) -> None:
+        n = len(self.names)
+        offsets = np.ascontiguousarray(self.offsets, np.float32)
+        if offsets.shape != (n, 3) or len(self.parents) != n or n == 0:
+            raise ValueError(f"a skeleton of {n} joints needs {n} parents and offsets of shape ({n}, 3)")
+        if len(set(self.names)) != n:
+            raise ValueError("joint names must be unique")
+        if self.parents[0] != -1 or any(not 0 <= p < j for j, p in enumerate(self.parents) if j):
+            raise ValueError("the first joint must be the only root and parents must come before their children")
+        object.__setattr__(self, "offsets", offsets)
+        object.__setattr__(self, "end_sites", tuple(self.end_sites) or (False,) * n)
+        object.__setattr__(self, "channels", tuple(self.channels) or _default_channels(self.end_sites))
+        text = repr((self.names, tuple(map(int, self.parents)), self.end_sites)).encode() + offsets.tobytes()
+        object.__setattr__(self, "fingerprint", hashlib.blake2b(text, digest_size=8).hexdigest())
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Skeleton) and self.fingerprint == other.fingerprint
+
+    def __hash__(self) -> int:
+        return hash(self.fingerprint)
+
+    @property
+    def n_joints(self) -> int:
+        """Number of joints, end sites included."""
+        return len(self.names)
+
+    def index(self, name: str) -> int:
+        """Index of the joint called ``name``; raises KeyError where there is none."""
+        try:
+            return self.names.index(name)
+        except ValueError:
+            raise KeyError(f"no joint {name!r}; the joints are {', '.join(self.names)}") from None
+
+    def children(self, joint: int) -> list[int]:
+        """Indices of the joints that hang from ``joint``."""
+        return [j for j, p in enumerate(self.parents) if p == joint]
+
+
+def _default_channels(end_sites: tuple[bool, ...]) -> tuple[tuple[str, ...], ...]:
+    rotation = ("Zrotation", "Yrotation", "Xrotation")
+    root = ("Xposition", "Yposition", "Zposition", *rotation)
+    return tuple(() if end else root if j == 0 else rotation for j, end in enumerate(end_sites))

@@ -1,0 +1,1 @@
+"""Motion-motif graphs (Beaudoin, Coros, van de Panne, Poulin 2008)."""

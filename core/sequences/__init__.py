@@ -1,0 +1,1 @@
+"""Algorithms on any sequence: warping and repeats."""
