@@ -3,7 +3,7 @@
 usage: check_docstrings.py PACKAGE_FOLDER...
 
 Rules: every public module, class and function has a docstring; one that takes or returns a numpy array names a shape
-(something like ``(n_frames, 3)``) in it or in its class or module; one that raises by itself says so ("Raises", "raises",
+(something like ``(n_frames, 3)``) in it or in its class or module; one that raises by itself says so ("Raises",
 "Error"). Exit 1 lists what is missing, one line a finding.
 """
 

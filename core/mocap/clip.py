@@ -38,7 +38,7 @@ class Clip:
     """One recording of one person. Y up, right-handed, metres.
 
     root_positions: (n_frames, 3) float32, metres, world.
-    rotations: (n_frames, n_joints, 4) float32 unit quaternions (w, x, y, z), local (from parent's frame to the joint's).
+    rotations: (n_frames, n_joints, 4) float32 unit quaternions (w, x, y, z), local to the parent.
     translations: joint index -> (n_frames, 3) float32, metres: positions in the parent's frame that replace the rest
         offset of a joint (other than the root) whose position channels move.
     notes: what the reader found odd, in plain words.

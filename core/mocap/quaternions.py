@@ -39,12 +39,12 @@ def rotate(q: np.ndarray, v: np.ndarray) -> np.ndarray:
 
 
 def from_euler(order: str, angles: np.ndarray) -> np.ndarray:
-    """Intrinsic Euler angles ``(n, len(order))``, radians, to ``(n, 4)``; order such as ``"ZYX"`` (first axis first)."""
+    """Intrinsic Euler angles ``(n, len(order))``, radians, to ``(n, 4)``; order: such as ``"ZYX"``."""
     return np.roll(Rotation.from_euler(order.upper(), angles).as_quat(), 1, axis=-1)
 
 
 def to_euler(order: str, q: np.ndarray) -> np.ndarray:
-    """``(n, 4)`` to intrinsic Euler angles ``(n, 3)``, radians; inverse of :func:`from_euler` up to equivalent angles."""
+    """``(n, 4)`` to intrinsic Euler angles ``(n, 3)``, radians; inverse of :func:`from_euler`."""
     return _rotation(q).as_euler(order.upper(), suppress_warnings=True)
 
 
@@ -76,7 +76,7 @@ def continuous(q: np.ndarray) -> np.ndarray:
 
 
 def split_yaw(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Twist about the vertical Y axis and the rest: ``q = yaw * tilt``; ``(..., 4)`` to (angle ``(...)``, tilt ``(..., 4)``)."""
+    """Twist about the vertical Y axis and the rest, ``q = yaw * tilt``: ``(..., 4)`` to angle ``(...)``, tilt ``(..., 4)``."""
     angle = 2 * np.arctan2(q[..., 2], q[..., 0])
     return angle, multiply(conjugate(from_yaw(angle)), q)
 
