@@ -76,7 +76,7 @@ def continuous(q: np.ndarray) -> np.ndarray:
 
 
 def split_yaw(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Twist about the vertical Y axis and the rest, ``q = yaw * tilt``: ``(..., 4)`` to angle ``(...)``, tilt ``(..., 4)``."""
+    """Twist about vertical Y and the rest, ``q = yaw * tilt``: ``(..., 4)`` to angle ``(...)``, tilt ``(..., 4)``."""
     angle = 2 * np.arctan2(q[..., 2], q[..., 0])
     return angle, multiply(conjugate(from_yaw(angle)), q)
 
