@@ -1,0 +1,43 @@
+"""The house rules: who may import whom, how long a file may be, and that the docstring check bites."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from scripts.check_docstrings import findings
+
+REPOSITORY = Path(__file__).resolve().parents[1]
+SOURCES = [
+    p for folder in ("core", "webapp", "assets", "scripts", "benchmarks") for p in (REPOSITORY / folder).rglob("*")
+]
+
+
+def test_core_does_not_load_the_app_or_its_libraries():
+    code = (
+        "import pkgutil, sys, core\n"
+        "for m in pkgutil.walk_packages(core.__path__, 'core.'): __import__(m.name)\n"
+        "print([m for m in ('dash', 'plotly', 'flask', 'webapp', 'dash_cytoscape') if m in sys.modules])"
+    )
+    out = subprocess.run([sys.executable, "-c", code], cwd=REPOSITORY, capture_output=True, text=True, check=True)
+    assert out.stdout.strip() == "[]"
+
+
+@pytest.mark.parametrize("path", [p for p in SOURCES if p.suffix in {".py", ".js", ".css"}], ids=lambda p: p.name)
+def test_files_stay_readable(path):
+    assert len(path.read_text(encoding="utf-8").splitlines()) <= 420
+
+
+def test_the_docstring_check_finds_what_is_missing(tmp_path):
+    bad = tmp_path / "bad.py"
+    bad.write_text(
+        '"""A module."""\nimport numpy as np\n\n'
+        'def area(x: np.ndarray) -> float:\n    """The area."""\n    return x.sum()\n\n'
+        'def fail():\n    """Does nothing good."""\n    raise ValueError("no")\n\ndef silent():\n    pass\n'
+    )
+    found = list(findings(bad))
+    assert len(found) == 3
+    assert "no shape" in found[0] and "raises" in found[1] and "no docstring" in found[2]
