@@ -12,6 +12,10 @@ from scripts.check_docstrings import findings
 
 REPOSITORY = Path(__file__).resolve().parents[1]
 SOURCES = [
+    path
+    for folder in ("core", "webapp", "assets", "scripts", "benchmarks")
+    for path in (REPOSITORY / folder).rglob("*")
+]
     p for folder in ("core", "webapp", "assets", "scripts", "benchmarks") for p in (REPOSITORY / folder).rglob("*")
 ]
 
