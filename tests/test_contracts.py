@@ -16,8 +16,6 @@ SOURCES = [
     for folder in ("core", "webapp", "assets", "scripts", "benchmarks")
     for path in (REPOSITORY / folder).rglob("*")
 ]
-    p for folder in ("core", "webapp", "assets", "scripts", "benchmarks") for p in (REPOSITORY / folder).rglob("*")
-]
 
 
 def test_core_does_not_load_the_app_or_its_libraries():
