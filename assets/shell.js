@@ -1,0 +1,132 @@
+/* The frame: state into the URL, theme to the canvases, the splitter, the share button. */
+(function () {
+  "use strict";
+  const clientside = (window.dash_clientside = window.dash_clientside || {});
+  const WIDTH_KEY = "motionscape-stage-width";
+
+  const put = (pairs, values) => {
+    for (const [key, value] of Object.entries(values || {})) {
+      if (value !== null && value !== undefined && value !== "") pairs.set(key, String(value));
+    }
+  };
+
+  clientside.shell = {
+    // Everything that names what one sees goes into the address, without a new entry in the history.
+    address(pathname, dataset, parameters, selection, stage) {
+      if (!dataset) return clientside.no_update;
+      const pairs = new URLSearchParams();
+      put(pairs, { dataset });
+      put(pairs, parameters);
+      put(pairs, selection);
+      put(pairs, selection && Object.keys(selection).length ? stage : {});
+      const query = pairs.toString().replace(/%2C/g, ",").replace(/%3A/g, ":");
+      const address = location.pathname + (query ? "?" + query : "");
+      if (address !== location.pathname + location.search) history.replaceState(history.state, "", address);
+      return address;
+    },
+    // One link is the current page's.
+    current(pathname) {
+      const page = (pathname || "/").replace(/\//g, "") || "library";
+      for (const link of document.querySelectorAll(".nav-link")) {
+        if (link.id === "nav-" + page) link.setAttribute("aria-current", "page");
+        else link.removeAttribute("aria-current");
+      }
+      return clientside.no_update;
+    },
+    async share(clicks) {
+      if (!clicks) return clientside.no_update;
+      const done = await copy(location.href);
+      return [{
+        action: "show",
+        title: done ? "Link copied" : "Could not copy the link",
+        message: done ? "It opens this very view." : "Copy it from the address line.",
+        color: done ? "accent" : "orange",
+      }];
+    },
+  };
+
+  async function copy(text) {
+    try {
+      await navigator.clipboard.writeText(text);
+      return true;
+    } catch {
+      const field = document.createElement("textarea"); // the clipboard interface needs https or localhost
+      field.value = text;
+      field.style.position = "fixed";
+      field.style.opacity = "0";
+      document.body.append(field);
+      field.select();
+      const done = document.execCommand("copy");
+      field.remove();
+      return done;
+    }
+  }
+
+  function watchTheme() {
+    const root = document.documentElement;
+    let last = null;
+    const tell = () => {
+      const scheme = root.dataset.mantineColorScheme;
+      if ((scheme !== "dark" && scheme !== "light") || scheme === last || !clientside.set_props) return;
+      last = scheme;
+      clientside.set_props("theme", { data: scheme });
+    };
+    new MutationObserver(tell).observe(root, { attributes: true, attributeFilter: ["data-mantine-color-scheme"] });
+    tell();
+  }
+
+  function setStageWidth(pixels) {
+    const width = Math.round(Math.min(Math.max(pixels, 320), innerWidth - 84 - 367));
+    document.documentElement.style.setProperty("--stage-width", width + "px");
+    return width;
+  }
+
+  function remember(width) {
+    try { localStorage.setItem(WIDTH_KEY, width); } catch { /* private mode: then it is not remembered */ }
+  }
+
+  function watchSplitter() {
+    let dragging = null;
+    const width = () => document.querySelector(".stage-panel").getBoundingClientRect().width;
+    document.addEventListener("pointerdown", (event) => {
+      if (!event.target.classList || !event.target.classList.contains("splitter")) return;
+      dragging = event.target;
+      dragging.classList.add("dragging");
+      dragging.setPointerCapture(event.pointerId);
+      event.preventDefault();
+    });
+    document.addEventListener("pointermove", (event) => {
+      if (dragging) setStageWidth(innerWidth - event.clientX - 3);
+    });
+    document.addEventListener("pointerup", () => {
+      if (!dragging) return;
+      dragging.classList.remove("dragging");
+      dragging = null;
+      remember(width());
+    });
+    document.addEventListener("keydown", (event) => {
+      if (!event.target.classList || !event.target.classList.contains("splitter")) return;
+      const step = { ArrowLeft: 32, ArrowRight: -32 }[event.key];
+      if (!step) return;
+      event.preventDefault();
+      event.stopPropagation();
+      remember(setStageWidth(width() + step));
+    });
+    let stored = null;
+    try { stored = Number(localStorage.getItem(WIDTH_KEY)); } catch { /* nothing is remembered */ }
+    if (stored > 0) setStageWidth(stored);
+  }
+
+  function start() {
+    watchTheme();
+    watchSplitter();
+    // the theme may be settled before Dash can take it
+    const again = setInterval(() => {
+      if (!clientside.set_props || !document.getElementById("shell")) return;
+      clearInterval(again);
+      clientside.set_props("theme", { data: document.documentElement.dataset.mantineColorScheme || "light" });
+    }, 100);
+  }
+  if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", start);
+  else start();
+})();

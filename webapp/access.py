@@ -1,0 +1,58 @@
+"""Who may come in, and what a browser may load: an optional token, and headers that keep everything on this host."""
+
+from __future__ import annotations
+
+import hmac
+from urllib.parse import parse_qsl, urlencode
+
+from flask import Flask, Response, redirect, request
+
+from webapp.components.errors import error_page
+
+COOKIE = "motionscape-token"
+_POLICY = (
+    "default-src 'self'; script-src 'self' 'unsafe-inline' 'unsafe-eval'; style-src 'self' 'unsafe-inline'; "
+    "img-src 'self' data: blob:; font-src 'self' data:; connect-src 'self'; worker-src 'self' blob:; "
+    "object-src 'none'; base-uri 'self'; form-action 'self'; frame-ancestors 'none'"
+)
+
+
+def protect(server: Flask, token: str | None) -> None:
+    """Sends the safety headers with every answer and, with a ``token``, lets in only who knows it.
+
+    The token comes once as ``?token=...``, becomes a cookie, and is taken out of the address.
+    """
+
+    @server.after_request
+    def _headers(response: Response) -> Response:
+        response.headers.setdefault("Content-Security-Policy", _POLICY)
+        response.headers.setdefault("X-Content-Type-Options", "nosniff")
+        response.headers.setdefault("Referrer-Policy", "same-origin")
+        response.headers.setdefault("Cross-Origin-Resource-Policy", "same-origin")
+        return response
+
+    if token:
+
+        @server.before_request
+        def _check() -> Response | tuple[str, int] | None:
+            return _let_in(token)
+
+
+def _let_in(token: str) -> Response | tuple[str, int] | None:
+    offered = request.args.get("token")
+    if offered is not None and _same(offered, token):
+        rest = [(k, v) for k, v in parse_qsl(request.query_string.decode("utf-8", "replace")) if k != "token"]
+        response = redirect(request.path + (f"?{urlencode(rest)}" if rest else ""))
+        response.set_cookie(COOKIE, token, httponly=True, samesite="Strict", secure=request.is_secure)
+        return response
+    if _same(request.cookies.get(COOKIE, ""), token):
+        return None
+    return error_page(
+        401,
+        "This workspace asks for a token",
+        "Open the link that was printed when the server was started; it ends in ?token=… and is needed only once.",
+    )
+
+
+def _same(offered: str, token: str) -> bool:
+    return hmac.compare_digest(offered.encode(), token.encode())

@@ -1,0 +1,1 @@
+"""Flask routes: binary motion for the Stage, small pictures of motions."""

@@ -1,0 +1,109 @@
+"""The frame around every page: header, navigation, page, Stage, job bar, and the stores that say what is shown."""
+
+from __future__ import annotations
+
+import dash_mantine_components as dmc
+from dash import dcc, html
+from dash.development.base_component import Component
+
+from webapp import theme
+from webapp.components import job_bar
+from webapp.components.icons import icon
+
+PAGES = (("library", "Library", "library"), ("motifs", "Motifs", "graph"))  # path, label, icon
+
+
+def layout(stage: Component) -> Component:
+    """Everything that outlives a page change. ``stage`` is the one persistent player."""
+    return dmc.MantineProvider(
+        id="mantine",
+        theme=theme.MANTINE,
+        defaultColorScheme="auto",
+        children=[
+            *_stores(),
+            dmc.NotificationContainer(id="notices", position="bottom-right", limit=4, autoClose=6000),
+            html.A("Skip to the page", href="#page", className="skip-link"),
+            html.Div(
+                className="shell",
+                id="shell",
+                children=[
+                    _header(),
+                    _navigation(),
+                    html.Main(id="page", className="page", tabIndex="-1"),
+                    html.Div(
+                        id="splitter",
+                        className="splitter",
+                        role="separator",
+                        tabIndex="0",
+                        title="Drag, or use the arrow keys, to resize the stage",
+                        **{"aria-label": "Width of the stage", "aria-orientation": "vertical"},
+                    ),
+                    html.Aside(stage, className="stage-panel", **{"aria-label": "Stage"}),
+                    job_bar.layout(),
+                ],
+            ),
+        ],
+    )
+
+
+def _stores() -> list[Component]:
+    """State that names what one sees: ids only, and all of it is in the URL."""
+    return [
+        dcc.Location(id="url", refresh=False),
+        dcc.Store(id="dataset"),  # its name
+        dcc.Store(id="parameters", data={}),  # the method's, as text, defaults left out
+        dcc.Store(id="selection", data={}),  # see links.View.selection
+        dcc.Store(id="stage-restore", data={}),  # frame and camera a link asked for
+        dcc.Store(id="theme", data="light"),
+        dcc.Store(id="revision", data=0),  # counts changes to the list of datasets
+        dcc.Store(id="address"),  # written by assets/shell.js after it has put the state in the URL
+    ]
+
+
+def _header() -> Component:
+    return html.Header(
+        className="header",
+        children=[
+            dcc.Link(
+                [icon("logo", 22), html.Span("Motionscape", className="brand-name")], href="/library", className="brand"
+            ),
+            dmc.Select(
+                id="dataset-picker",
+                className="dataset-picker",
+                placeholder="No dataset yet",
+                searchable=True,
+                allowDeselect=False,
+                nothingFoundMessage="No dataset of this name",
+                leftSection=icon("stack", 16),
+                comboboxProps={"shadow": "md"},
+                **{"aria-label": "Dataset"},
+            ),
+            html.Div(className="header-space"),
+            dmc.Button(
+                "Share",
+                id="share",
+                variant="default",
+                leftSection=icon("link", 16),
+                **{"aria-label": "Copy a link to this view"},
+            ),
+            dmc.ColorSchemeToggle(
+                id="scheme-toggle",
+                lightIcon=icon("sun"),
+                darkIcon=icon("moon"),
+                variant="default",
+                size=36,
+                **{"aria-label": "Switch between light and dark"},
+            ),
+        ],
+    )
+
+
+def _navigation() -> Component:
+    return html.Nav(
+        className="navigation",
+        children=[
+            dcc.Link([icon(symbol, 22), html.Span(label)], href=f"/{path}", id=f"nav-{path}", className="nav-link")
+            for path, label, symbol in PAGES
+        ],
+        **{"aria-label": "Pages"},
+    )

@@ -1,0 +1,1 @@
+"""Library: datasets, clips, the import report, uploads."""

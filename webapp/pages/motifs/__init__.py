@@ -1,0 +1,1 @@
+"""Motifs: parameters, the motif graph, the motif table, metrics."""
