@@ -1,0 +1,31 @@
+"""Data sets, results and the job table on disk, addressed by content."""
+
+from core.workspace.datasets import DatasetInfo
+from core.workspace.errors import NameRefused, ResultDamaged, WorkspaceError, explain, plain_errors
+from core.workspace.files import atomic_file
+from core.workspace.jobs import Job, JobTable
+from core.workspace.names import check_name, clean_name
+from core.workspace.results import Result, ResultStore
+from core.workspace.uploads import Uploads, safe_parts
+from core.workspace.workspace import Workspace, is_workspace, shared_workspace
+
+__all__ = [
+    "DatasetInfo",
+    "Job",
+    "JobTable",
+    "NameRefused",
+    "Result",
+    "ResultDamaged",
+    "ResultStore",
+    "Uploads",
+    "Workspace",
+    "WorkspaceError",
+    "atomic_file",
+    "check_name",
+    "clean_name",
+    "explain",
+    "is_workspace",
+    "plain_errors",
+    "safe_parts",
+    "shared_workspace",
+]

@@ -1,0 +1,91 @@
+"""The workspace's SQLite file: one connection a thread, write-ahead logging, short transactions."""
+
+from __future__ import annotations
+
+import os
+import sqlite3
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from core.workspace.errors import plain_errors
+
+SCHEMA = """
+CREATE TABLE IF NOT EXISTS datasets (
+    id TEXT PRIMARY KEY, name TEXT NOT NULL, fingerprint TEXT NOT NULL, folder TEXT NOT NULL,
+    clips INTEGER NOT NULL, frames INTEGER NOT NULL, seconds REAL NOT NULL, labels INTEGER NOT NULL,
+    warnings INTEGER NOT NULL, errors INTEGER NOT NULL, imported REAL NOT NULL, trashed REAL
+);
+CREATE UNIQUE INDEX IF NOT EXISTS dataset_names ON datasets (name) WHERE trashed IS NULL;
+CREATE TABLE IF NOT EXISTS jobs (
+    id INTEGER PRIMARY KEY AUTOINCREMENT, key TEXT NOT NULL, request TEXT NOT NULL, title TEXT NOT NULL,
+    state TEXT NOT NULL DEFAULT 'queued', stage TEXT NOT NULL DEFAULT '', fraction REAL NOT NULL DEFAULT 0,
+    cancel REAL, created REAL NOT NULL, started REAL, finished REAL, heartbeat REAL NOT NULL,
+    pid INTEGER, born REAL, host TEXT, error TEXT NOT NULL DEFAULT '', died INTEGER NOT NULL DEFAULT 0
+);
+CREATE UNIQUE INDEX IF NOT EXISTS one_flight ON jobs (key) WHERE state IN ('queued', 'running') AND cancel IS NULL;
+CREATE INDEX IF NOT EXISTS jobs_by_state ON jobs (state, id);
+"""
+
+
+class Database:
+    """Transactions on the SQLite file at ``path``; safe from any thread and after a fork."""
+
+    def __init__(self, path: Path, patience: float = 10.0):
+        self.path, self.patience, self._local = path, patience, threading.local()
+        with self.transaction("open the job table") as table:
+            present = {row[0] for row in table.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
+            for statement in SCHEMA.split(";"):
+                table.execute(statement)
+        self.is_new = "datasets" not in present
+
+    @contextmanager
+    def transaction(self, doing: str) -> Iterator[sqlite3.Connection]:
+        """A write transaction, committed when the block ends well; raises WorkspaceError that begins with ``doing``."""
+        with plain_errors(doing):
+            connection = self._connection()
+            connection.execute("BEGIN IMMEDIATE")
+            try:
+                yield connection
+                connection.execute("COMMIT")
+            except BaseException:
+                if connection.in_transaction:
+                    connection.execute("ROLLBACK")
+                raise
+
+    def rows(self, query: str, *values: object) -> list[sqlite3.Row]:
+        """All rows of a reading query; raises WorkspaceError when the table is busy or damaged."""
+        with plain_errors("read the job table"):
+            return self._connection().execute(query, values).fetchall()
+
+    def close(self) -> None:
+        """Closes this thread's connection."""
+        connection = getattr(self._local, "connection", None)
+        if connection is not None and self._local.pid == os.getpid():
+            connection.close()
+        self._local.connection = None
+
+    def _connection(self) -> sqlite3.Connection:
+        local = self._local
+        if getattr(local, "connection", None) is None or local.pid != os.getpid():
+            # A connection must not cross a fork, nor be closed there: the child keeps the old one untouched.
+            local.inherited = getattr(local, "connection", None)
+            local.connection, local.pid = _connect(self.path, self.patience), os.getpid()
+        return local.connection
+
+
+def _connect(path: Path, patience: float) -> sqlite3.Connection:
+    connection = sqlite3.connect(path, timeout=patience, isolation_level=None)
+    connection.row_factory = sqlite3.Row
+    deadline = time.monotonic() + patience
+    while connection.execute("PRAGMA journal_mode").fetchone()[0] != "wal":
+        try:
+            connection.execute("PRAGMA journal_mode = WAL")
+        except sqlite3.OperationalError:  # two processes switch a new file at once: SQLite does not wait here
+            if time.monotonic() > deadline:
+                raise
+            time.sleep(0.02)
+    connection.execute("PRAGMA synchronous = NORMAL")
+    return connection

@@ -1,0 +1,269 @@
+"""Data sets on disk: a folder each under a random id; names, trash and counts are rows of the table.
+
+A folder never changes once it is there: renaming touches a row only, and a changed data set gets a new folder, so that
+running jobs keep reading what they have opened.
+"""
+
+from __future__ import annotations
+
+import json
+import secrets
+import shutil
+import sqlite3
+import threading
+import time
+from collections import OrderedDict
+from collections.abc import Mapping
+from contextlib import suppress
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from core.progress import Report, silent
+from core.workspace.database import Database
+from core.workspace.errors import NameRefused, WorkspaceError, plain_errors
+from core.workspace.files import atomic_file, atomic_folder, sweep_abandoned
+from core.workspace.names import check_name, check_token, inside
+
+if TYPE_CHECKING:
+    from core.mocap.dataset import Dataset
+
+_CARD = "motionscape.json"  # beside the data: what the table knows, should the table be lost
+_OPEN_AT_ONCE = 8
+
+
+@dataclass(frozen=True)
+class DatasetInfo:
+    """What the Library shows of a data set. ``seconds`` of motion; ``imported`` and ``trashed``: seconds since 1970.
+
+    ``warnings`` and ``errors`` count files of the import report; ``id`` stays the same when the data set is renamed.
+    """
+
+    id: str
+    name: str
+    fingerprint: str
+    folder: str
+    clips: int
+    frames: int
+    seconds: float
+    labels: int
+    warnings: int
+    errors: int
+    imported: float
+    trashed: float | None = None
+
+
+class DatasetStore:
+    """The data sets below one folder."""
+
+    def __init__(self, folder: Path, bin_folder: Path, database: Database):
+        self.folder, self._bin, self._database = folder, bin_folder, database
+        self._opened: OrderedDict[str, Dataset] = OrderedDict()
+        self._lock = threading.Lock()
+        if database.is_new:
+            self._adopt()
+
+    def list(self, *, trashed: bool = False) -> list[DatasetInfo]:
+        """The data sets by name; or those in the trash, newest first."""
+        order = (
+            "trashed IS NOT NULL ORDER BY trashed DESC" if trashed else "trashed IS NULL ORDER BY name COLLATE NOCASE"
+        )
+        return [DatasetInfo(*row) for row in self._database.rows(f"SELECT {_COLUMNS} FROM datasets WHERE {order}")]
+
+    def info(self, name: str) -> DatasetInfo:
+        """The data set called ``name``; raises WorkspaceError where there is none, naming those there are."""
+        row = self._one("name = ? AND trashed IS NULL", str(name))
+        if row is None:
+            names = [info.name for info in self.list()]
+            known = f"The data sets here are: {', '.join(names[:8])}" if names else "The workspace is empty"
+            more = f" and {len(names) - 8} more." if len(names) > 8 else "."
+            raise WorkspaceError(f"There is no data set {str(name)[:80]!r}. {known}{more}")
+        return row
+
+    def with_fingerprint(self, fingerprint: str) -> DatasetInfo:
+        """A data set with this content, also from the trash; raises WorkspaceError where there is none."""
+        row = self._one("fingerprint = ? ORDER BY trashed IS NOT NULL", str(fingerprint))
+        if row is None:
+            raise WorkspaceError("The data set was changed or removed since; start the analysis again.")
+        return row
+
+    def check_free(self, name: str) -> str:
+        """``name`` in its final form; raises NameRefused where it cannot be used or another data set has it."""
+        name = check_name(name)
+        if self._one("name = ? AND trashed IS NULL", name):
+            raise NameRefused(f"There is already a data set {name!r}; choose another name or delete that one first.")
+        return name
+
+    def open(self, info: DatasetInfo) -> Dataset:
+        """The data set itself, its arrays memory-mapped; raises WorkspaceError where its files are damaged."""
+        from core.mocap.storage import load_dataset  # numba comes with it: only who opens data pays
+
+        with self._lock:
+            if info.folder in self._opened:
+                self._opened.move_to_end(info.folder)
+                return self._opened[info.folder]
+        try:
+            dataset = load_dataset(self._path(info.folder))
+        except (OSError, ValueError, KeyError, EOFError) as error:
+            raise WorkspaceError(
+                f"The stored data set {info.name!r} cannot be opened, its files are damaged; import it again."
+            ) from error
+        with self._lock:
+            self._opened[info.folder] = dataset
+            while len(self._opened) > _OPEN_AT_ONCE:
+                self._opened.popitem(last=False)
+        return dataset
+
+    def add(self, name: str, dataset: Dataset, report: Report = silent) -> DatasetInfo:
+        """Stores ``dataset`` as ``name``, whole or not at all. Raises NameRefused, WorkspaceError (disk full ...)."""
+        name = self.check_free(name)
+        info = self._store(_card(secrets.token_hex(8), name, dataset), dataset, report)
+        try:
+            with self._database.transaction(f"enter the data set {name!r}") as table:
+                _insert(table, info)
+        except WorkspaceError as error:
+            shutil.rmtree(self._path(info.folder), ignore_errors=True)
+            if isinstance(error.__cause__, sqlite3.IntegrityError):  # someone was faster
+                self.check_free(name)
+            raise
+        return info
+
+    def replace(self, info: DatasetInfo, dataset: Dataset, report: Report = silent) -> DatasetInfo:
+        """Gives a data set new content in a new folder; the old folder goes to the bin. Raises WorkspaceError."""
+        new = self._store(_card(info.id, info.name, dataset, info.imported), dataset, report)
+        with self._database.transaction(f"change the data set {info.name!r}") as table:
+            table.execute("DELETE FROM datasets WHERE id = ?", (info.id,))
+            _insert(table, new)
+        self._discard(info)
+        return new
+
+    def rename(self, name: str, new_name: str) -> DatasetInfo:
+        """Renames a data set; raises NameRefused where the new name cannot be used or is taken."""
+        info = self.info(name)
+        new_name = check_name(new_name)
+        if new_name == info.name:
+            return info
+        new_name = self.check_free(new_name)
+        try:
+            with self._database.transaction("rename the data set") as table:
+                table.execute("UPDATE datasets SET name = ? WHERE id = ?", (new_name, info.id))
+        except WorkspaceError as error:
+            if isinstance(error.__cause__, sqlite3.IntegrityError):
+                self.check_free(new_name)
+            raise
+        info = self.info(new_name)
+        self._write_card(info)
+        return info
+
+    def trash(self, name: str) -> str:
+        """Puts a data set into the trash; the token to restore it. Raises WorkspaceError where there is none."""
+        info = self.info(name)
+        self._set_trashed(info.id, time.time())
+        return info.id
+
+    def restore(self, token: str) -> DatasetInfo:
+        """Takes a data set out of the trash; gets a number behind its name if that was taken meanwhile.
+
+        Raises WorkspaceError where the trash has no such data set.
+        """
+        info = self._one("id = ? AND trashed IS NOT NULL", check_token(token, "trash token"))
+        if info is None:
+            raise WorkspaceError("This data set is no longer in the trash.")
+        taken = {other.name for other in self.list()}
+        free = (n for n in [info.name, *(f"{info.name[:90]} {i}" for i in range(2, 10_000))] if n not in taken)
+        self._set_trashed(info.id, None, next(free))
+        return self.info_by_id(info.id)
+
+    def info_by_id(self, dataset_id: str) -> DatasetInfo:
+        """The data set with this id, also from the trash; raises WorkspaceError where there is none."""
+        info = self._one("id = ?", str(dataset_id))
+        if info is None:
+            raise WorkspaceError("This data set is no longer here.")
+        return info
+
+    def empty_trash(self) -> int:
+        """Deletes for good what is in the trash; how many data sets that were. Raises WorkspaceError."""
+        gone = self.list(trashed=True)
+        for info in gone:
+            with self._database.transaction("empty the trash") as table:
+                removed = table.execute(
+                    "DELETE FROM datasets WHERE id = ? AND trashed IS NOT NULL", (info.id,)
+                ).rowcount
+            if removed:
+                self._discard(info)
+        for path in self._bin.iterdir():
+            shutil.rmtree(path, ignore_errors=True)
+        return len(gone)
+
+    def _store(self, card: dict[str, Any], dataset: Dataset, report: Report) -> DatasetInfo:
+        from core.mocap.storage import save_dataset
+
+        report("storing", 0.0)
+        info = DatasetInfo(folder=secrets.token_hex(8), **card)
+        with plain_errors(f"store the data set {info.name!r}"):
+            sweep_abandoned(self.folder)
+            with atomic_folder(self._path(info.folder)) as folder:
+                save_dataset(folder, dataset)
+                (folder / _CARD).write_text(json.dumps(asdict(info)), encoding="utf-8")
+        report("storing", 1.0)
+        return info
+
+    def _discard(self, info: DatasetInfo) -> None:
+        with self._lock:
+            self._opened.pop(info.folder, None)
+        with suppress(OSError):  # first out of sight, then deleted: never half a data set among the others
+            target = self._bin / info.folder
+            self._path(info.folder).replace(target)
+            shutil.rmtree(target, ignore_errors=True)
+
+    def _set_trashed(self, dataset_id: str, when: float | None, name: str | None = None) -> None:
+        with self._database.transaction("move the data set to or from the trash") as table:
+            table.execute(
+                "UPDATE datasets SET trashed = ?, name = coalesce(?, name) WHERE id = ?", (when, name, dataset_id)
+            )
+        self._write_card(self.info_by_id(dataset_id))
+
+    def _write_card(self, info: DatasetInfo) -> None:
+        with suppress(OSError), atomic_file(self._path(info.folder) / _CARD) as file:
+            file.write(json.dumps(asdict(info)).encode())
+
+    def _one(self, condition: str, *values: object) -> DatasetInfo | None:
+        rows = self._database.rows(f"SELECT {_COLUMNS} FROM datasets WHERE {condition} LIMIT 1", *values)
+        return DatasetInfo(*rows[0]) if rows else None
+
+    def _path(self, folder: str) -> Path:
+        return inside(self.folder, check_token(folder, "data set folder"))
+
+    def _adopt(self) -> None:
+        """Finds the data sets again after the table was lost."""
+        with self._database.transaction("find the data sets") as table:
+            for card in sorted(self.folder.glob(f"*/{_CARD}")):
+                with suppress(OSError, ValueError, TypeError, sqlite3.IntegrityError):
+                    info = DatasetInfo(**json.loads(card.read_text(encoding="utf-8")))
+                    if card.parent.name == info.folder and check_name(info.name) == info.name:
+                        _insert(table, info)
+
+
+_FIELDS = tuple(DatasetInfo.__dataclass_fields__)
+_COLUMNS = ", ".join(_FIELDS)
+
+
+def _insert(table: sqlite3.Connection, info: DatasetInfo) -> None:
+    marks = ", ".join("?" * len(_FIELDS))
+    table.execute(f"INSERT INTO datasets ({_COLUMNS}) VALUES ({marks})", tuple(asdict(info).values()))
+
+
+def _card(dataset_id: str, name: str, dataset: Dataset, imported: float | None = None) -> Mapping[str, Any]:
+    verdicts = [file.verdict for file in dataset.report.files]
+    return {
+        "id": dataset_id,
+        "name": name,
+        "fingerprint": dataset.fingerprint,
+        "clips": len(dataset.clips),
+        "frames": int(sum(clip.n_frames for clip in dataset.clips)),
+        "seconds": float(sum(clip.seconds for clip in dataset.clips)),
+        "labels": len(dataset.labels),
+        "warnings": verdicts.count("warning"),
+        "errors": verdicts.count("error"),
+        "imported": time.time() if imported is None else imported,
+    }

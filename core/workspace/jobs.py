@@ -1,0 +1,268 @@
+"""The job table: what was asked for, how far it is, how it ended. All processes see the same rows.
+
+A job is ``queued``, ``running``, ``done``, ``failed`` or ``cancelled``. Among the living jobs (queued or running, not
+asked to stop) there is at most one per key, so that the same request is computed once. Times are seconds since 1970.
+"""
+
+from __future__ import annotations
+
+import json
+import socket
+import sqlite3
+import threading
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from typing import Any
+
+import psutil
+
+from core.progress import Cancelled
+from core.workspace.database import Database
+from core.workspace.errors import WorkspaceError
+
+STOPPED = "The worker stopped before it was finished (it may have been ended, or run out of memory); run it again."
+HEARTBEAT = 0.5  # seconds between two signs of life
+STALE_ELSEWHERE = 30.0  # a worker on another machine can only be judged by its heartbeat
+STALE_HERE = 900.0  # here we see whether the process exists; long kernels may keep it from its heartbeat
+CANCEL_PATIENCE = 10.0  # a worker that ignores a request to stop for this long is given up
+KEPT = 200  # finished jobs kept as history
+PROGRESS_EVERY = 0.2  # seconds
+
+
+@dataclass(frozen=True)
+class Job:
+    """A row of the job table. ``fraction`` is from 0 to 1 within ``stage``; ``died`` where its worker vanished."""
+
+    id: int
+    key: str
+    request: dict[str, Any]
+    title: str
+    state: str
+    stage: str
+    fraction: float
+    cancelling: bool
+    created: float
+    started: float | None
+    finished: float | None
+    heartbeat: float
+    pid: int | None
+    error: str
+    died: bool
+
+    @property
+    def alive(self) -> bool:
+        """Queued or running."""
+        return self.state in ("queued", "running")
+
+
+class JobTable:
+    """The jobs of one workspace. Every method may raise WorkspaceError when the table is busy or damaged."""
+
+    def __init__(self, database: Database):
+        self._database = database
+
+    def submit(self, key: str, request: dict[str, Any], title: str) -> Job:
+        """The living job for ``key``, or a new one, queued. ``request`` must be JSON."""
+        text, now = json.dumps(request, sort_keys=True), time.time()
+        with self._database.transaction("enter the job") as table:
+            _bury_dead(table)
+            row = table.execute(
+                "SELECT * FROM jobs WHERE key = ? AND state IN ('queued', 'running') AND cancel IS NULL", (key,)
+            ).fetchone()
+            if row is None:
+                entry = table.execute(
+                    "INSERT INTO jobs (key, request, title, created, heartbeat) VALUES (?, ?, ?, ?, ?)",
+                    (key, text, title, now, now),
+                )
+                row = table.execute("SELECT * FROM jobs WHERE id = ?", (entry.lastrowid,)).fetchone()
+                _prune(table)
+        return _job(row)
+
+    def claim(self, job_id: int) -> Job | None:
+        """Makes this process the worker of a queued job; None when it is no longer queued."""
+        with self._database.transaction("start the job") as table:
+            return _claim(table, table.execute("SELECT * FROM jobs WHERE id = ?", (job_id,)).fetchone())
+
+    def claim_next(self, limit: int) -> Job | None:
+        """Makes this process the worker of the oldest queued job; None when the queue is empty or ``limit`` run."""
+        with self._database.transaction("start the next job") as table:
+            _bury_dead(table)
+            if table.execute("SELECT count(*) FROM jobs WHERE state = 'running'").fetchone()[0] >= limit:
+                return None
+            return _claim(table, table.execute("SELECT * FROM jobs WHERE state = 'queued' ORDER BY id").fetchone())
+
+    def beat(self, job_id: int) -> bool:
+        """A sign of life from the worker; True when the job has been asked to stop."""
+        with self._database.transaction("note that the job is alive") as table:
+            table.execute("UPDATE jobs SET heartbeat = ? WHERE id = ? AND state = 'running'", (time.time(), job_id))
+            row = table.execute("SELECT state, cancel FROM jobs WHERE id = ?", (job_id,)).fetchone()
+        return row is None or row["cancel"] is not None or row["state"] == "cancelled"
+
+    def progress(self, job_id: int, stage: str, fraction: float) -> None:
+        """Notes how far a running job is; ``fraction`` from 0 to 1 within ``stage``."""
+        with self._database.transaction("note the progress") as table:
+            table.execute(
+                "UPDATE jobs SET stage = ?, fraction = ?, heartbeat = ? WHERE id = ? AND state = 'running'",
+                (stage, min(max(float(fraction), 0.0), 1.0), time.time(), job_id),
+            )
+
+    def finish(self, job_id: int) -> None:
+        """The work is done and stored (also where its worker had been given up too early)."""
+        self._end(job_id, "done", "", ("running", "failed"))
+
+    def fail(self, job_id: int, error: str, *, died: bool = False) -> None:
+        """The work ended with ``error``, plain words for the person who asked."""
+        self._end(job_id, "failed", error, ("queued", "running"), died)
+
+    def stopped(self, job_id: int) -> None:
+        """The worker has stopped as it was asked to."""
+        self._end(job_id, "cancelled", "", ("queued", "running"))
+
+    def cancel(self, job_id: int) -> Job | None:
+        """Asks a job to stop: a queued one is cancelled at once, a running one by its worker. None where unknown."""
+        now = time.time()
+        with self._database.transaction("cancel the job") as table:
+            table.execute(
+                "UPDATE jobs SET cancel = ?, finished = ?, state = 'cancelled' WHERE id = ? AND state = 'queued'",
+                (now, now, job_id),
+            )
+            table.execute(
+                "UPDATE jobs SET cancel = ? WHERE id = ? AND state = 'running' AND cancel IS NULL", (now, job_id)
+            )
+            row = table.execute("SELECT * FROM jobs WHERE id = ?", (job_id,)).fetchone()
+        return _job(row) if row else None
+
+    def get(self, job_id: int) -> Job | None:
+        """The job, or None where there is none. A dead worker has been noticed."""
+        return next(iter(self._read("WHERE id = ?", job_id)), None)
+
+    def latest(self, key: str) -> Job | None:
+        """The newest job for ``key``, or None."""
+        return next(iter(self._read("WHERE key = ? ORDER BY id DESC LIMIT 1", key)), None)
+
+    def list(self, limit: int = 50) -> list[Job]:
+        """The newest jobs, newest first; dead workers have been noticed."""
+        return self._read("ORDER BY id DESC LIMIT ?", limit)
+
+    def queued(self) -> int:
+        """Number of jobs that wait."""
+        return self._database.rows("SELECT count(*) FROM jobs WHERE state = 'queued'")[0][0]
+
+    def running(self) -> int:
+        """Number of jobs that run; dead workers have been noticed."""
+        self.bury_dead()
+        return self._database.rows("SELECT count(*) FROM jobs WHERE state = 'running'")[0][0]
+
+    def bury_dead(self) -> None:
+        """Marks running jobs as failed whose worker is gone; they may be submitted again."""
+        rows = self._database.rows("SELECT * FROM jobs WHERE state = 'running'")
+        if any(_is_gone(row) for row in rows):
+            with self._database.transaction("look after the jobs") as table:
+                _bury_dead(table)
+
+    @contextmanager
+    def working(self, job_id: int) -> Iterator[Callable[[str, float], None]]:
+        """For the worker: gives a report that writes throttled progress and raises Cancelled when asked to stop.
+
+        A thread sends heartbeats meanwhile. The job's end is the caller's to write.
+        """
+        asked, over = threading.Event(), threading.Event()
+        last = ["", 0.0]
+
+        def beats() -> None:
+            while not over.wait(HEARTBEAT):
+                with suppress(WorkspaceError):  # a busy table is no reason to stop working
+                    if self.beat(job_id):
+                        asked.set()
+            self._database.close()
+
+        def report(stage: str, fraction: float) -> None:
+            if asked.is_set():
+                raise Cancelled
+            now = time.monotonic()
+            if now - last[1] < (PROGRESS_EVERY if stage == last[0] else PROGRESS_EVERY / 4):
+                return
+            last[:] = stage, now
+            with suppress(WorkspaceError):
+                self.progress(job_id, stage, fraction)
+
+        thread = threading.Thread(target=beats, name=f"heartbeat of job {job_id}", daemon=True)
+        thread.start()
+        try:
+            yield report
+        finally:
+            over.set()
+            thread.join()
+
+    def _end(self, job_id: int, state: str, error: str, before: tuple[str, ...], died: bool = False) -> None:
+        marks = ", ".join("?" * len(before))
+        with self._database.transaction("note the end of the job") as table:
+            table.execute(
+                f"UPDATE jobs SET state = ?, error = ?, died = ?, finished = ? WHERE id = ? AND state IN ({marks})",
+                (state, error, died, time.time(), job_id, *before),
+            )
+
+    def _read(self, condition: str, *values: object) -> list[Job]:
+        self.bury_dead()
+        return [_job(row) for row in self._database.rows(f"SELECT * FROM jobs {condition}", *values)]
+
+
+def _job(row: sqlite3.Row) -> Job:
+    values = {name: row[name] for name in row.keys() if name in Job.__dataclass_fields__}  # noqa: SIM118
+    return Job(
+        **values | {"request": json.loads(row["request"]), "died": bool(row["died"])},
+        cancelling=row["cancel"] is not None and row["state"] == "running",
+    )
+
+
+def _claim(table: sqlite3.Connection, row: sqlite3.Row | None) -> Job | None:
+    if row is None or row["state"] != "queued":
+        return None
+    me, now = psutil.Process(), time.time()
+    table.execute(
+        "UPDATE jobs SET state = 'running', started = ?, heartbeat = ?, pid = ?, born = ?, host = ? WHERE id = ?",
+        (now, now, me.pid, me.create_time(), socket.gethostname(), row["id"]),
+    )
+    return _job(table.execute("SELECT * FROM jobs WHERE id = ?", (row["id"],)).fetchone())
+
+
+def _bury_dead(table: sqlite3.Connection) -> None:
+    now = time.time()
+    for row in table.execute("SELECT * FROM jobs WHERE state = 'running'").fetchall():
+        if not _is_gone(row):
+            continue
+        state, error = ("cancelled", "") if row["cancel"] is not None else ("failed", STOPPED)
+        table.execute(
+            "UPDATE jobs SET state = ?, error = ?, died = 1, finished = ? WHERE id = ?", (state, error, now, row["id"])
+        )
+
+
+def _is_gone(row: sqlite3.Row) -> bool:
+    now = time.time()
+    silent = now - row["heartbeat"]
+    if row["cancel"] is not None and now - row["cancel"] > CANCEL_PATIENCE and silent > CANCEL_PATIENCE:
+        return True
+    if row["host"] != socket.gethostname():
+        return silent > STALE_ELSEWHERE
+    return silent > STALE_HERE or not _exists(row["pid"], row["born"])
+
+
+def _exists(pid: int, born: float) -> bool:
+    """Whether the process lives and is the same one: ids are used again, so its birth must agree."""
+    try:
+        process = psutil.Process(pid)
+        return abs(process.create_time() - born) < 2.0 and process.status() != psutil.STATUS_ZOMBIE
+    except psutil.NoSuchProcess:
+        return False
+    except psutil.Error:  # not ours to look at: it exists
+        return True
+
+
+def _prune(table: sqlite3.Connection) -> None:
+    table.execute(
+        "DELETE FROM jobs WHERE id IN (SELECT id FROM jobs WHERE state NOT IN ('queued', 'running') "
+        "ORDER BY id DESC LIMIT -1 OFFSET ?)",
+        (KEPT,),
+    )
