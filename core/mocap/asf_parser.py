@@ -1,0 +1,230 @@
+"""The text of an ASF file, checked line by line, as plain values in the file's own units."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from core.mocap.errors import RecordingError
+from core.mocap.text import MAX_NAME, number, quoted
+
+Line = tuple[int, list[str]]
+_ROOT_DOF = ("tx", "ty", "tz", "rx", "ry", "rz")
+_BONE_DOF = ("rx", "ry", "rz")
+
+
+@dataclass
+class RawBone:
+    """A bone as the file gives it: unit direction, length, axis angles, order of rotations, degrees of freedom."""
+
+    name: str
+    line: int
+    direction: tuple[float, ...] | None = None
+    length: float | None = None
+    axis: tuple[float, ...] = (0.0, 0.0, 0.0)
+    order: str = "xyz"
+    dof: tuple[str, ...] = ()
+    limits: int = 0
+
+
+@dataclass
+class RawAsf:
+    """The sections of a file. ``parents`` and ``children`` are by name; the root is called "root"."""
+
+    length_unit: float = 1.0
+    radians: bool = False
+    root: RawBone | None = None
+    root_position: tuple[float, ...] = (0.0, 0.0, 0.0)
+    bones: dict[str, RawBone] = field(default_factory=dict)
+    parents: dict[str, str] = field(default_factory=dict)
+    children: dict[str, list[str]] = field(default_factory=dict)
+
+
+def parse_asf(path: str | Path, text: str) -> RawAsf:
+    """Parse and check the text of an ASF file. Raises RecordingError with the line of the first fault."""
+    return _Parser(path).parse(text)
+
+
+class _Parser:
+    def __init__(self, path: str | Path):
+        self.path, self.asf = path, RawAsf()
+
+    def error(self, found: str, expected: str = "", line: int | None = None) -> RecordingError:
+        return RecordingError(self.path, found, expected, line)
+
+    def parse(self, text: str) -> RawAsf:
+        sections = self.sections(text)
+        readers = {"units": self.units, "root": self.root, "bonedata": self.bonedata, "hierarchy": self.hierarchy}
+        for name, read in readers.items():
+            if name in sections:
+                read(*sections[name])
+            elif name != "units":
+                raise self.error(f"no :{name} section", "an ASF skeleton with :root, :bonedata and :hierarchy")
+        self.check()
+        return self.asf
+
+    def sections(self, text: str) -> dict[str, tuple[int, list[Line]]]:
+        """Name -> line of its heading and its lines, as words; comments and blank lines left out."""
+        found: dict[str, tuple[int, list[Line]]] = {}
+        lines: list[Line] | None = None
+        for at, raw in enumerate(text.split("\n"), 1):
+            words = raw.split()
+            if not words or words[0].startswith("#"):
+                continue
+            if words[0].startswith(":"):
+                name = words[0][1:].lower()
+                if name in found:
+                    raise self.error(f"a second :{name[:40]} section", "one", at)
+                lines = []
+                found[name] = (at, lines)
+            elif lines is None:
+                raise self.error(f"{quoted(words[0])}", "a section such as :units, as in every ASF skeleton", at)
+            else:
+                lines.append((at, words))
+        return found
+
+    def units(self, at: int, lines: list[Line]) -> None:
+        for line, words in lines:
+            key, value = words[0].lower(), words[1] if len(words) > 1 else ""
+            if key == "length":
+                self.asf.length_unit = number(self.path, value, line, "a length unit")
+                if self.asf.length_unit < 1e-6:
+                    raise self.error(f"length unit {value}", "a positive number", line)
+            elif key == "angle":
+                if value.lower()[:3] not in ("deg", "rad"):
+                    raise self.error(f"angle unit {quoted(value)}", "deg or rad", line)
+                self.asf.radians = value.lower().startswith("rad")
+
+    def root(self, at: int, lines: list[Line]) -> None:
+        root = RawBone("root", at, dof=_ROOT_DOF)
+        for line, words in lines:
+            key, values = words[0].lower(), words[1:]
+            if key == "order":
+                root.dof = self.dof(values, line, _ROOT_DOF)
+            elif key == "axis":
+                root.order = self.order(values, line)
+            elif key == "position":
+                self.asf.root_position = self.numbers(values, 3, line, "position")
+            elif key == "orientation":
+                root.axis = self.numbers(values, 3, line, "orientation")
+        self.asf.root = root
+
+    def bonedata(self, at: int, lines: list[Line]) -> None:
+        for start, block in self.blocks(at, lines):
+            bone = self.bone(start, block)
+            if bone.name in self.asf.bones or bone.name == "root":
+                raise self.error(f"a second bone {quoted(bone.name)}", "each bone once", start)
+            self.asf.bones[bone.name] = bone
+        if not self.asf.bones:
+            raise self.error(":bonedata without bones", "at least one bone", at)
+
+    def blocks(self, at: int, lines: list[Line]) -> Iterator[tuple[int, list[Line]]]:
+        """What stands between each ``begin`` and ``end``."""
+        block: list[Line] | None = None
+        for line, words in lines:
+            word = words[0].lower()
+            if word == "begin" and block is None:
+                at, block = line, []
+            elif word == "end" and block is not None:
+                yield at, block
+                block = None
+            elif block is None or word == "begin":
+                raise self.error(quoted(words[0]), "'begin'" if block is None else "'end' before it", line)
+            else:
+                block.append((line, words))
+        if block is not None:
+            raise self.error("'begin' without 'end': the file is cut off", "'end'", at)
+
+    def bone(self, start: int, block: list[Line]) -> RawBone:
+        bone = RawBone("", start)
+        for line, words in block:
+            key, values = words[0].lower(), words[1:]
+            if key == "name":
+                bone.name = self.name(values, line)
+            elif key == "direction":
+                bone.direction = self.numbers(values, 3, line, "direction")
+            elif key == "length":
+                bone.length = self.numbers(values, 1, line, "length")[0]
+            elif key == "axis":
+                bone.axis = self.numbers(values[:3], 3, line, "axis")
+                bone.order = self.order(values[3:], line)
+            elif key == "dof":
+                bone.dof = self.dof(values, line, _BONE_DOF)
+            elif key == "limits" or key.startswith("("):
+                bone.limits += " ".join(words).count("(")
+            elif key not in ("id", "bodymass", "cofmass"):
+                raise self.error(quoted(words[0]), "name, direction, length, axis, dof or limits", line)
+        self.check_bone(bone)
+        return bone
+
+    def check_bone(self, bone: RawBone) -> None:
+        if not bone.name:
+            raise self.error("a bone without a name", "a name", bone.line)
+        where = f"the bone {quoted(bone.name)}"
+        if bone.direction is None or bone.length is None:
+            what = "length" if bone.direction is not None else "direction"
+            raise self.error(f"{where} has no {what}", f"a {what}", bone.line)
+        if bone.length < 0 or bone.length > 1e6:
+            raise self.error(f"{where} has length {bone.length:g}", "a length from 0 to 1e6", bone.line)
+        size = sum(d * d for d in bone.direction) ** 0.5
+        if bone.length > 0 and abs(size - 1) > 0.01:
+            raise self.error(f"{where} has a direction of length {size:.3g}", "a unit vector", bone.line)
+        if bone.limits and bone.limits != len(bone.dof):
+            found = f"{where} has {bone.limits} limits for {len(bone.dof)} degrees of freedom"
+            raise self.error(found, "one for each", bone.line)
+
+    def name(self, values: list[str], line: int) -> str:
+        if len(values) != 1 or len(values[0]) > MAX_NAME:
+            raise self.error(
+                "a bone name of " + ("no" if not values else "several or too long") + " words", "one", line
+            )
+        return values[0]
+
+    def numbers(self, values: list[str], n: int, line: int, what: str) -> tuple[float, ...]:
+        if len(values) != n:
+            raise self.error(f"{len(values)} values for {what}", str(n), line)
+        return tuple(number(self.path, v, line, f"a number for {what}") for v in values)
+
+    def order(self, values: list[str], line: int) -> str:
+        order = values[0].lower() if len(values) == 1 else ""
+        if sorted(order) != ["x", "y", "z"]:
+            raise self.error(f"axis order {quoted(' '.join(values))}", "XYZ or another order of the three", line)
+        return order
+
+    def dof(self, values: list[str], line: int, known: tuple[str, ...]) -> tuple[str, ...]:
+        dof = tuple(v.lower() for v in values)
+        for word in dof:
+            if word not in known:
+                raise self.error(f"degree of freedom {quoted(word)}", f"one of {', '.join(known)}", line)
+        if len(set(dof)) < len(dof):
+            raise self.error("a degree of freedom comes twice", "each once", line)
+        return dof
+
+    def hierarchy(self, at: int, lines: list[Line]) -> None:
+        for start, block in self.blocks(at, lines):
+            for line, words in block or [(start, [])]:
+                self.link(line, words)
+
+    def link(self, line: int, words: list[str]) -> None:
+        known = {"root", *self.asf.bones}
+        for name in words:
+            if name not in known:
+                raise self.error(f"the bone {quoted(name)} has no data", "a bone of :bonedata", line)
+        for child in words[1:]:
+            if child == "root" or child in self.asf.parents:
+                raise self.error(f"the bone {quoted(child)} hangs from two parents or is the root", "one parent", line)
+            self.asf.parents[child] = words[0]
+            self.asf.children.setdefault(words[0], []).append(child)
+
+    def check(self) -> None:
+        """Every bone hangs, through its parents, from the root."""
+        reached, stack = set(), ["root"]
+        while stack:
+            bone = stack.pop()
+            reached.add(bone)
+            stack.extend(self.asf.children.get(bone, ()))
+        for name, bone in self.asf.bones.items():
+            if name not in reached:
+                found = f"the bone {quoted(name)} does not hang from the root"
+                raise self.error(found, "every bone in the hierarchy, no circles", bone.line)

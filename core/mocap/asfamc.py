@@ -1,0 +1,200 @@
+"""Acclaim ASF skeletons and AMC motions, as the CMU database publishes them.
+
+A joint of ours is the START of an ASF bone and is named after it: its offset is its parent bone's direction times
+length, zero for the bones that hang from the root; the end of a leaf bone is an end site ``<bone>_end``.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from core.mocap import numbers
+from core.mocap import quaternions as quat
+from core.mocap.asf_parser import RawAsf, parse_asf
+from core.mocap.clip import Clip
+from core.mocap.errors import RecordingError
+from core.mocap.euler import rotations_from_angles
+from core.mocap.skeleton import Skeleton
+from core.mocap.text import LARGEST, decoded, line_at, quoted, read_bytes, recording_format, token_at
+
+INCH = 0.0254
+DEFAULT_FPS = 120.0  # AMC stores no rate; this is the rate of the CMU recordings
+_ROTATION = ("Zrotation", "Yrotation", "Xrotation")
+_ROOT = ("Xposition", "Yposition", "Zposition", *_ROTATION)
+
+
+@dataclass(frozen=True, eq=False)
+class AsfSkeleton:
+    """A skeleton and what is needed to read motions made for it.
+
+    bones: ASF names ("root" first) in the order of their values; first_value: (n_bones + 1,) where each begins.
+    columns, axes: (n_joints, 3) angles of every joint, see :func:`core.mocap.euler.rotations_from_angles`.
+    frames: (n_joints, 4) quaternions of the bones' axes. root_columns: where TX, TY, TZ stand, -1 for none.
+    root_position: (3,) metres, added to the root's path.
+    """
+
+    path: str
+    skeleton: Skeleton
+    bones: tuple[str, ...]
+    first_value: np.ndarray
+    columns: np.ndarray
+    axes: np.ndarray
+    frames: np.ndarray
+    root_columns: tuple[int, int, int]
+    root_position: np.ndarray
+    notes: tuple[str, ...] = ()
+
+
+def read_asf(path: str | Path) -> AsfSkeleton:
+    """Skeleton from an ``.asf`` (or ``.asf.gz``) file, in metres: value / length unit * 0.0254.
+
+    Raises RecordingError for anything that is no complete, consistent skeleton.
+    """
+    raw = parse_asf(path, decoded(read_bytes(path)))
+    unit = INCH / raw.length_unit
+    order = _depth_first(raw)
+    names, parents, offsets, ends = [], [], [], []
+    index: dict[str, int] = {}
+    for bone in order:
+        index[bone] = len(names)
+        parent = raw.parents.get(bone)
+        names.append(bone)
+        parents.append(-1 if parent is None else index[parent])
+        offsets.append(_vector(raw, parent) * unit)
+        ends.append(False)
+        if bone not in raw.children and bone != "root":
+            names.append(_free(f"{bone}_end", raw))
+            parents.append(index[bone])
+            offsets.append(_vector(raw, bone) * unit)
+            ends.append(True)
+    channels = tuple(() if end else _ROTATION if j else _ROOT for j, end in enumerate(ends))
+    skeleton = Skeleton(tuple(names), tuple(parents), np.array(offsets), tuple(ends), channels, unit)
+    return _with_channels(path, raw, skeleton, index, unit)
+
+
+def _with_channels(path, raw: RawAsf, skeleton: Skeleton, index: dict[str, int], unit: float) -> AsfSkeleton:
+    """What an AMC for this skeleton holds, and where."""
+    columns, axes = np.full((skeleton.n_joints, 3), -1), np.full((skeleton.n_joints, 3), -1)
+    frames = np.tile([1.0, 0.0, 0.0, 0.0], (skeleton.n_joints, 1))
+    first, bones, root_columns = [0], ["root", *raw.bones], [-1, -1, -1]
+    for name in bones:
+        bone = raw.root if name == "root" else raw.bones[name]
+        joint, start = index[name], first[-1]
+        # An axis order XYZ means: about X first, then Y, then Z, all fixed; read backwards it is intrinsic.
+        turns = [(axis, start + bone.dof.index(f"r{axis}")) for axis in reversed(bone.order) if f"r{axis}" in bone.dof]
+        for k, (axis, column) in enumerate(turns):
+            axes[joint, k], columns[joint, k] = "xyz".index(axis), column
+        angles = np.array([[bone.axis["xyz".index(a)] for a in reversed(bone.order)]])
+        frames[joint] = quat.from_euler(bone.order[::-1], angles if raw.radians else np.radians(angles))[0]
+        if name == "root":
+            root_columns = [start + bone.dof.index(t) if t in bone.dof else -1 for t in ("tx", "ty", "tz")]
+        first.append(start + len(bone.dof))
+    notes = ()
+    if np.any(raw.root_position) or np.any(raw.root.axis):
+        notes = ("the skeleton's own root position and orientation were applied",)
+    position = np.array(raw.root_position) * unit
+    return AsfSkeleton(
+        str(path), skeleton, tuple(bones), np.array(first), columns, axes, frames, tuple(root_columns), position, notes
+    )
+
+
+def _depth_first(raw: RawAsf) -> list[str]:
+    order, stack = [], ["root"]
+    while stack:
+        bone = stack.pop()
+        order.append(bone)
+        stack.extend(reversed(raw.children.get(bone, ())))
+    return order
+
+
+def _vector(raw: RawAsf, bone: str | None) -> np.ndarray:
+    """From the start to the end of a bone, in file units; zero for the root, which has no length."""
+    if bone is None or bone == "root":
+        return np.zeros(3)
+    return np.array(raw.bones[bone].direction) * raw.bones[bone].length
+
+
+def _free(name: str, raw: RawAsf) -> str:
+    while name in raw.bones:
+        name += "_"
+    return name
+
+
+def read_amc(path: str | Path, asf: AsfSkeleton, fps: float = DEFAULT_FPS) -> Clip:
+    """Motion from an ``.amc`` or ``.amc.gz`` file for the skeleton ``asf``, at ``fps`` frames per second.
+
+    Raises RecordingError for a file that is damaged or does not fit the skeleton, ValueError where fps is not positive.
+    """
+    data = read_bytes(path)
+    start, radians = _head(path, data)
+    values = _frames(path, data, start, asf)
+    skeleton = asf.skeleton
+    if radians:
+        values[:, [c for c in asf.columns.ravel() if c >= 0]] *= 180 / np.pi
+    root = np.tile(asf.root_position, (len(values), 1))
+    for k, column in enumerate(asf.root_columns):
+        if column >= 0:
+            root[:, k] += values[:, column] * skeleton.unit
+    return Clip(
+        name=recording_format(path)[0],
+        skeleton=skeleton,
+        fps=float(fps),
+        root_positions=root.astype(np.float32),
+        rotations=rotations_from_angles(values, asf.columns, asf.axes, asf.frames),
+        notes=asf.notes,
+    )
+
+
+def _head(path: str | Path, data: bytes) -> tuple[int, bool]:
+    """Byte offset of the first frame and whether angles are in radians."""
+    offset, radians = 0, False
+    for line, text in enumerate(data[: 1 << 16].split(b"\n"), 1):
+        word = text.strip().upper()
+        if word[:1].isdigit() or word[:1] in (b"-", b"+"):
+            return offset, radians
+        if word.startswith(b":"):
+            radians = radians or word.startswith(b":RADIANS")
+        elif word and not word.startswith(b"#"):
+            raise RecordingError(path, token_at(text, 0), "a comment, a :KEYWORD or the first frame's number", line)
+        offset += len(text) + 1
+    raise RecordingError(path, "no frames", "a frame's number and its bones")
+
+
+def _frames(path: str | Path, data: bytes, start: int, asf: AsfSkeleton) -> np.ndarray:
+    """All values, (n_frames, n_values) float64."""
+    raw = np.frombuffer(data, np.uint8)
+    encoded = [bone.encode() for bone in asf.bones]
+    name_at = np.cumsum([0, *map(len, encoded)])
+    names = np.frombuffer(b"".join(encoded), np.uint8)
+    # Every numbered line that has its bones takes at least two bytes a value: no count in the file is believed.
+    n = min(numbers.count_numbered_lines(raw, start), len(data) // max(2 * int(asf.first_value[-1]), 1) + 1)
+    out = np.empty((n, int(asf.first_value[-1])))
+    found, status, offset, what = numbers.scan_frames(raw, start, names, name_at, asf.first_value, out, LARGEST)
+    if status != numbers.OK:
+        raise _frame_error(path, data, asf, found, status, offset, what)
+    return out[:found]
+
+
+def _frame_error(path, data: bytes, asf: AsfSkeleton, frame: int, status: int, offset: int, what: int):
+    line, word, body = line_at(data, offset), token_at(data, offset), Path(asf.path).name
+    bone = asf.bones[what] if 0 <= what < len(asf.bones) else ""
+    if status == numbers.UNKNOWN_NAME:
+        return RecordingError(path, f"the bone {word} is not in {body}", "bones of this skeleton", line)
+    if status == numbers.MISSING_NAME:
+        found = f"frame {frame + 1} ends without the bone {quoted(bone)}"
+        return RecordingError(path, found, f"every bone of {body} that moves, in every frame", line)
+    if status == numbers.REPEATED_NAME:
+        return RecordingError(path, f"the bone {word} comes twice in a frame", "each bone once", line)
+    if status == numbers.NOT_A_NUMBER:
+        return RecordingError(path, word, "a finite decimal number", line)
+    if status == numbers.FRAME_NUMBER:
+        after = f"the frame number {what + 1}" if what >= 0 else "a frame number"
+        return RecordingError(path, word, after, line)
+    if status == numbers.ROW_WIDTH:
+        k = asf.bones.index(data[offset:].split(None, 1)[0].decode())
+        wanted = int(asf.first_value[k + 1] - asf.first_value[k])
+        return RecordingError(path, f"{what} values for {word}", f"{wanted}, as {body} says", line)
+    return RecordingError(path, word, "a frame's number before its bones", line)
