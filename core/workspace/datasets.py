@@ -94,6 +94,11 @@ class DatasetStore:
             raise NameRefused(f"There is already a data set {name!r}; choose another name or delete that one first.")
         return name
 
+    def free_name(self, wanted: str) -> str:
+        """``wanted``, with a number behind it where another data set has that name."""
+        taken, base = {info.name for info in self.list()}, wanted[:90].rstrip(". ")
+        return next(n for n in [wanted, *(f"{base} {i}" for i in range(2, len(taken) + 3))] if n not in taken)
+
     def open(self, info: DatasetInfo) -> Dataset:
         """The data set itself, its arrays memory-mapped; raises WorkspaceError where its files are damaged."""
         from core.mocap.storage import load_dataset  # numba comes with it: only who opens data pays
@@ -169,9 +174,7 @@ class DatasetStore:
         info = self._one("id = ? AND trashed IS NOT NULL", check_token(token, "trash token"))
         if info is None:
             raise WorkspaceError("This data set is no longer in the trash.")
-        taken = {other.name for other in self.list()}
-        free = (n for n in [info.name, *(f"{info.name[:90]} {i}" for i in range(2, 10_000))] if n not in taken)
-        self._set_trashed(info.id, None, next(free))
+        self._set_trashed(info.id, None, self.free_name(info.name))
         return self.info_by_id(info.id)
 
     def info_by_id(self, dataset_id: str) -> DatasetInfo:

@@ -41,6 +41,13 @@ class Uploads:
             raise WorkspaceError("This upload is no longer here; upload the files again.")
         return path
 
+    def file(self, token: str, name: str) -> Path:
+        """A file of an upload by the name it was given; raises NameRefused, WorkspaceError where it is not there."""
+        path = inside(self.path(token), *safe_parts(name))
+        if not path.is_file():
+            raise WorkspaceError(f"The upload has no file {path.name!r}.")
+        return path
+
     def add(self, token: str, name: str, chunks: Iterable[bytes]) -> Path:
         """Writes one file of an upload from its chunks; ``name`` may have folders (``walks/a.bvh``).
 

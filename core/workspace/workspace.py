@@ -13,6 +13,7 @@ from core.workspace.database import Database
 from core.workspace.datasets import DatasetInfo, DatasetStore
 from core.workspace.errors import WorkspaceError, plain_errors
 from core.workspace.jobs import JobTable
+from core.workspace.names import clean_name
 from core.workspace.results import ResultStore
 from core.workspace.uploads import Uploads
 
@@ -92,6 +93,43 @@ class Workspace:
         name = self._datasets.check_free(name)
         dataset = _read(sources, name, skeleton=skeleton, fps=fps, clips=clips, labels=labels, report=report)
         return self.add_dataset(name, dataset, report)
+
+    def import_upload(
+        self,
+        name: str,
+        upload: str,
+        *,
+        skeleton: str = "",
+        labels: str = "",
+        fps: float | None = None,
+        report: Report = silent,
+    ) -> ImportReport:
+        """Imports an upload as the data set ``name`` and then removes the upload.
+
+        ``skeleton`` and ``labels`` name files of the upload; without ``labels`` any CSV file in it is read as labels.
+        Raises as :meth:`import_dataset`, and NameRefused where a name leaves the upload.
+        """
+        folder = self.uploads.path(upload)
+        if not labels and any(folder.rglob("*.csv")):
+            labels = "."
+        imported = self.import_dataset(
+            name,
+            folder,
+            skeleton=self.uploads.file(upload, skeleton) if skeleton else None,
+            labels=folder if labels == "." else self.uploads.file(upload, labels) if labels else None,
+            fps=fps,
+            report=report,
+        )
+        self.uploads.remove(upload)
+        return imported
+
+    def check_free(self, name: str) -> str:
+        """``name`` in its final form; raises NameRefused where it cannot be used or is taken."""
+        return self._datasets.check_free(name)
+
+    def free_name(self, wanted: str) -> str:
+        """A name for a new data set made from ``wanted`` (any text), with a number behind it where it is taken."""
+        return self._datasets.free_name(clean_name(wanted, "recordings"))
 
     def add_dataset(self, name: str, dataset: Dataset, report: Report = silent) -> ImportReport:
         """Stores a data set that is in memory; raises NameRefused, WorkspaceError (no clips, disk full ...)."""

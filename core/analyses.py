@@ -1,0 +1,337 @@
+"""One door to every analysis: a request goes in, its result comes out, computed once and kept.
+
+The command line, the app and its workers all come through here, so that the same request is computed once (across
+threads and processes), its progress is seen by all, and anyone may cancel it.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import threading
+import time
+import traceback
+from collections import OrderedDict
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+from dataclasses import asdict, dataclass, field
+from datetime import datetime
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from core.mocap.errors import RecordingError
+from core.parameters import Parameter, ParameterError, build, parameters_of
+from core.progress import Cancelled, Report, silent
+from core.workspace import Job, ResultDamaged, Workspace, WorkspaceError, explain
+
+if TYPE_CHECKING:
+    from core.mocap.dataset import Dataset
+
+DEMO = "demo"  # name of the embedded data set
+_POLL = 0.1  # seconds between two looks at a job that another process works on
+_KEPT_LOGS = 50
+_KEPT_RESULTS = 16
+
+
+class AnalysisError(ValueError):
+    """An analysis failed; the message is for the person who asked."""
+
+
+@dataclass(frozen=True)
+class Request:
+    """Do ``method`` to the data set called ``dataset``; parameters that are not given take their defaults."""
+
+    dataset: str
+    method: str
+    parameters: Mapping[str, Any] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Method:
+    """A way to analyse a data set.
+
+    version: goes into the keys of results; raise it when the same request would give another result.
+    parameters: gives the dataclass of its parameters (see core.parameters); called late, imports are heavy.
+    compute: (data set, parameters, report) -> result.
+    pack, unpack: result and data set -> JSON document and arrays of any shape (n, ...), and back.
+    """
+
+    title: str
+    version: int
+    parameters: Callable[[], type]
+    compute: Callable[[Dataset, Any, Report], Any]
+    pack: Callable[[Any, Dataset], tuple[dict[str, Any], dict[str, np.ndarray]]]
+    unpack: Callable[[dict[str, Any], dict[str, np.ndarray]], Any]
+
+
+@dataclass(frozen=True)
+class Task:
+    """Something done to a workspace as a job that leaves a data set rather than a result."""
+
+    title: str
+    parameters: type
+    perform: Callable[[Workspace, str, Any, Report], None]
+
+
+def parameters(method: str) -> tuple[Parameter, ...]:
+    """The parameters of a method, for forms and command lines; raises ParameterError for an unknown method."""
+    return parameters_of(_kind(method))
+
+
+def normalise(request: Request) -> Request:
+    """The request with all parameters, checked: equal requests become equal. Raises ParameterError."""
+    filled = build(_kind(request.method), request.parameters)
+    return Request(str(request.dataset), request.method, asdict(filled))
+
+
+def compute(dataset: Dataset, method: str, values: Mapping[str, Any], report: Report = silent) -> Any:
+    """The result of ``method`` on a data set in memory; nothing is kept. Raises ParameterError, AnalysisError."""
+    built = build(_kind(method), values)
+    return METHODS[method].compute(dataset, built, report)
+
+
+def key(workspace: Workspace, request: Request) -> str:
+    """Hash of content, method with version, and parameters; raises ParameterError, WorkspaceError (no data set)."""
+    request = normalise(request)
+    if request.method in TASKS:
+        return _digest(request.method, request.dataset, request.parameters)
+    fingerprint = workspace.info(request.dataset).fingerprint
+    return _digest(request.method, METHODS[request.method].version, fingerprint, request.parameters)
+
+
+def stored(workspace: Workspace, request: Request) -> Any | None:
+    """The result if it has been computed, else None (also when its file was damaged: it has been set aside then).
+
+    Raises ParameterError, WorkspaceError (no such data set).
+    """
+    if request.method in TASKS:
+        return None
+    return _load(workspace, request.method, key(workspace, request))
+
+
+def submit(workspace: Workspace, request: Request) -> Job:
+    """Enters the request into the job table, or finds the living job for it; computing is a worker's part.
+
+    Raises ParameterError, or WorkspaceError (no such data set, or for an import a name that is taken).
+    """
+    request = normalise(request)
+    asked = asdict(request)
+    if request.method in METHODS:
+        asked["fingerprint"] = workspace.info(request.dataset).fingerprint
+        title = METHODS[request.method].title
+    else:
+        title = TASKS[request.method].title
+        if request.method == "import":
+            workspace.check_free(request.dataset)
+    return workspace.jobs.submit(key(workspace, request), asked, f"{title}: {request.dataset}")
+
+
+def run(workspace: Workspace, request: Request, report: Report = silent) -> Any:
+    """The result of the request: opened where it is there, else computed here, or awaited where another does it.
+
+    A worker that dies meanwhile is replaced. Raises ParameterError, WorkspaceError, AnalysisError; Cancelled when
+    ``report`` raises it or someone cancels the job.
+    """
+    request = normalise(request)
+    for _ in range(3):
+        result = stored(workspace, request)
+        if result is not None:
+            return result
+        job = submit(workspace, request)
+        claimed = workspace.jobs.claim(job.id)
+        if claimed:
+            return execute(workspace, claimed, report)
+        job = _await(workspace, job, report)
+        if job.state == "cancelled":
+            raise Cancelled
+        if job.state == "failed" and not job.died:
+            raise AnalysisError(job.error)
+        if job.state == "done" and request.method in TASKS:
+            return None
+    raise AnalysisError("The worker of this analysis stopped again and again; see the logs of the workspace.")
+
+
+def execute(workspace: Workspace, job: Job, report: Report = silent) -> Any:
+    """Does a claimed job in this process and writes its end into the table; the result (None for a task).
+
+    Raises AnalysisError in plain words (the traceback goes to the workspace's logs), or Cancelled.
+    """
+    with workspace.jobs.working(job.id) as note:
+
+        def both(stage: str, fraction: float) -> None:
+            note(stage, fraction)
+            report(stage, fraction)
+
+        try:
+            result = _perform(workspace, job, both)
+        except (Cancelled, KeyboardInterrupt):
+            workspace.jobs.stopped(job.id)
+            raise
+        except Exception as error:
+            words = _in_words(workspace, job, error)
+            workspace.jobs.fail(job.id, words)
+            raise AnalysisError(words) from error
+    workspace.jobs.finish(job.id)
+    return result
+
+
+def _perform(workspace: Workspace, job: Job, report: Report) -> Any:
+    asked = job.request
+    if asked["method"] in TASKS:
+        task = TASKS[asked["method"]]
+        task.perform(workspace, asked["dataset"], build(task.parameters, asked["parameters"]), report)
+        return None
+    result = _load(workspace, asked["method"], job.key)
+    if result is None:  # otherwise someone finished it between the request and now
+        method = METHODS[asked["method"]]
+        report("opening", 0.0)
+        dataset = workspace.open_fingerprint(asked["fingerprint"])
+        result = method.compute(dataset, build(method.parameters(), asked["parameters"]), report)
+        workspace.results.put(job.key, *method.pack(result, dataset))
+        _remember(workspace, job.key, result)
+    return result
+
+
+def _await(workspace: Workspace, job: Job, report: Report) -> Job:
+    """Follows a job that another process works on until it has ended."""
+    while job.alive:
+        report(job.stage, job.fraction)
+        time.sleep(_POLL)
+        job = workspace.jobs.get(job.id) or job
+    return job
+
+
+def _load(workspace: Workspace, method: str, result_key: str) -> Any | None:
+    with _lock:
+        if (workspace.path, result_key) in _results:
+            return _results[workspace.path, result_key]
+    try:
+        found = workspace.results.get(result_key)
+        result = METHODS[method].unpack(*found) if found else None
+    except ResultDamaged:
+        return None
+    except (ValueError, KeyError, TypeError, IndexError):  # whole, but not what this version writes
+        workspace.results.remove(result_key)
+        return None
+    if result is not None:
+        _remember(workspace, result_key, result)
+    return result
+
+
+def _remember(workspace: Workspace, result_key: str, result: Any) -> None:
+    with _lock:
+        _results[workspace.path, result_key] = result
+        while len(_results) > _KEPT_RESULTS:
+            _results.popitem(last=False)
+
+
+def _in_words(workspace: Workspace, job: Job, error: Exception) -> str:
+    """What a person is told; everything else goes to a log file that only the server's owner sees."""
+    if isinstance(error, WorkspaceError | RecordingError | ParameterError | AnalysisError):
+        return str(error)
+    log = workspace.logs / f"job-{job.id}.log"
+    with suppress(OSError):
+        log.write_text(
+            f"{datetime.now():%Y-%m-%d %H:%M:%S} {job.title} {job.request}\n{_trace(error)}", encoding="utf-8"
+        )
+        for old in sorted(workspace.logs.glob("job-*.log"), key=lambda path: path.stat().st_mtime)[:-_KEPT_LOGS]:
+            old.unlink()
+    if isinstance(error, OSError | MemoryError):
+        return f"{job.title} failed: {explain(error)}."
+    return (
+        f"{job.title} failed because of a fault in Motionscape. The details stand in logs/{log.name} of the workspace."
+    )
+
+
+def _trace(error: Exception) -> str:
+    return "".join(traceback.format_exception(error))
+
+
+def _digest(*parts: object) -> str:
+    return hashlib.blake2b(json.dumps(parts, sort_keys=True).encode(), digest_size=16).hexdigest()
+
+
+def _kind(method: str) -> type:
+    if method in METHODS:
+        return METHODS[method].parameters()
+    if method in TASKS:
+        return TASKS[method].parameters
+    raise ParameterError(f"There is no method {str(method)[:40]!r}; there are {', '.join(METHODS)}.")
+
+
+_results: OrderedDict[tuple[Path, str], Any] = OrderedDict()  # by workspace and key; results never change
+_lock = threading.Lock()
+
+
+def _motif_parameters() -> type:
+    from core.motifs.build import MotifParameters
+
+    return MotifParameters
+
+
+def _find_motifs(dataset: Dataset, values: Any, report: Report) -> Any:
+    from core.motifs.build import find_motifs
+
+    return find_motifs(dataset, values, report)
+
+
+def _pack_motifs(graph: Any, dataset: Dataset) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+    return graph.to_json(dataset), {}
+
+
+def _unpack_motifs(document: dict[str, Any], arrays: dict[str, np.ndarray]) -> Any:
+    from core.motifs.graph import MotifGraph
+
+    return MotifGraph.from_json(document)
+
+
+@dataclass(frozen=True)
+class ImportParameters:
+    """An import of an upload. ``skeleton``, ``labels``: files of the upload; ``fps``: frames per second of AMC files."""
+
+    upload: str
+    skeleton: str = ""
+    labels: str = ""
+    fps: float | None = field(default=None, metadata={"min": 1, "max": 1000})
+
+
+def _import_upload(workspace: Workspace, name: str, values: ImportParameters, report: Report) -> None:
+    workspace.import_upload(
+        name, values.upload, skeleton=values.skeleton, labels=values.labels, fps=values.fps, report=report
+    )
+
+
+@dataclass(frozen=True)
+class DemoParameters:
+    """The embedded data set: its length, and the seed it grows from."""
+
+    minutes: float = field(default=6.0, metadata={"min": 0.5, "max": 600})
+    seed: int = field(default=0, metadata={"min": 0, "max": 2**31})
+
+
+def _make_demo(workspace: Workspace, name: str, values: DemoParameters, report: Report) -> None:
+    """Makes the demo data set where it is missing, and asks for its motif graph."""
+    from core.demo import make_demo
+
+    if name not in {info.name for info in workspace.datasets()}:
+        report("making the demo", 0.0)
+        workspace.add_dataset(name, make_demo(minutes=values.minutes, seed=values.seed), report)
+    request = Request(name, "motifs")
+    if stored(workspace, request) is None:
+        submit(workspace, request)
+
+
+METHODS: dict[str, Method] = {
+    "motifs": Method("Motif graph", 1, _motif_parameters, _find_motifs, _pack_motifs, _unpack_motifs),
+}
+TASKS: dict[str, Task] = {
+    "import": Task("Import", ImportParameters, _import_upload),
+    "demo": Task("Demo", DemoParameters, _make_demo),
+}
+
+
+def import_request(name: str, upload: str, **options: Any) -> Request:
+    """The request that imports an upload as the data set ``name``; options as in :class:`ImportParameters`."""
+    return Request(name, "import", {"upload": upload, **options})

@@ -1,0 +1,141 @@
+"""What a method can be told: read from the fields of its parameters' dataclass, once, for command line, app and checks.
+
+A field's annotation gives its type (``int``, ``float``, ``bool``, ``str``, ``Literal[...]`` and unions of these); its
+metadata may give ``help``, ``min``, ``max``, ``choices`` and ``label``.
+"""
+
+from __future__ import annotations
+
+import math
+import types
+from collections.abc import Mapping
+from dataclasses import MISSING, dataclass, fields
+from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
+
+
+class ParameterError(ValueError):
+    """A parameter is unknown or its value cannot be used; the message says which and what is expected."""
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One parameter. ``kinds``: the types a value may have; ``words``: values that are meant literally (``auto``)."""
+
+    name: str
+    default: Any
+    kinds: tuple[type, ...]
+    words: tuple[Any, ...] = ()
+    minimum: float | None = None
+    maximum: float | None = None
+    help: str = ""
+    label: str = ""
+
+    @property
+    def expected(self) -> str:
+        """What a value may be, in words."""
+        kinds = {int: "a whole number", float: "a number", str: "text", bool: "true or false"}
+        said = [" or ".join(map(str, self.words))] if self.words else []
+        numbers = [kinds[float if float in self.kinds else kind] for kind in self.kinds if kind is not bool][:1]
+        if bool in self.kinds:
+            numbers = [kinds[bool]]
+        if numbers and self.minimum is not None and self.maximum is not None:
+            numbers[0] += f" from {self.minimum:g} to {self.maximum:g}"
+        elif numbers and self.minimum is not None:
+            numbers[0] += f", at least {self.minimum:g}"
+        elif numbers and self.maximum is not None:
+            numbers[0] += f", at most {self.maximum:g}"
+        return " or ".join(said + numbers)
+
+    def parse(self, value: Any) -> Any:
+        """``value`` (a number, or text such as a link or a command line gives) as this parameter takes it.
+
+        Raises ParameterError, saying what is expected.
+        """
+        for word in self.words:
+            if value == word or (isinstance(value, str) and value.strip().lower() == str(word).lower()):
+                return word
+        for kind in self.kinds:
+            parsed = _as_kind(value, kind)
+            if parsed is not None and self._in_range(parsed):
+                return parsed
+        shown = repr(value)[:60]
+        raise ParameterError(f"{self.name}: {shown} cannot be used; expected {self.expected}")
+
+    def _in_range(self, value: Any) -> bool:
+        if isinstance(value, bool | str):
+            return True
+        low = -math.inf if self.minimum is None else self.minimum
+        high = math.inf if self.maximum is None else self.maximum
+        return math.isfinite(value) and low <= value <= high
+
+
+def parameters_of(kind: type) -> tuple[Parameter, ...]:
+    """The parameters that the dataclass ``kind`` describes, in its order. Raises TypeError for other annotations."""
+    hints = get_type_hints(kind)
+    return tuple(_parameter(field, hints[field.name]) for field in fields(kind) if field.init)
+
+
+def fill(kind: type, values: Mapping[str, Any]) -> dict[str, Any]:
+    """All parameters of ``kind`` as plain values: checked, defaults filled in. Raises ParameterError."""
+    known = {parameter.name: parameter for parameter in parameters_of(kind)}
+    for name in values:
+        if name not in known:
+            raise ParameterError(f"{str(name)[:60]}: no such parameter; there are {', '.join(known)}")
+    return {name: p.parse(values[name]) if name in values else p.default for name, p in known.items()}
+
+
+def build(kind: type, values: Mapping[str, Any]) -> Any:
+    """An instance of ``kind`` from ``values``; raises ParameterError, also for what its own checks refuse."""
+    try:
+        return kind(**fill(kind, values))
+    except ParameterError:
+        raise
+    except ValueError as error:
+        raise ParameterError(str(error)) from error
+
+
+def _parameter(field: Any, hint: Any) -> Parameter:
+    kinds, words = _kinds(hint, field.name)
+    meta = field.metadata
+    if "choices" in meta:
+        kinds, words = (), tuple(meta["choices"])
+    default = field.default_factory() if field.default is MISSING else field.default
+    return Parameter(
+        field.name,
+        default,
+        kinds,
+        words,
+        meta.get("min"),
+        meta.get("max"),
+        meta.get("help", ""),
+        meta.get("label", field.name.replace("_", " ")),
+    )
+
+
+def _kinds(hint: Any, name: str) -> tuple[tuple[type, ...], tuple[Any, ...]]:
+    if get_origin(hint) in (Union, types.UnionType):
+        parts = [_kinds(part, name) for part in get_args(hint)]
+        return sum((kinds for kinds, _ in parts), ()), sum((words for _, words in parts), ())
+    if get_origin(hint) is Literal:
+        return (), get_args(hint)
+    if hint is type(None):
+        return (), (None,)
+    if hint in (int, float, bool, str):
+        return (hint,), ()
+    raise TypeError(f"{name}: parameters are numbers, text, truth values or Literals, not {hint}")
+
+
+def _as_kind(value: Any, kind: type) -> Any:
+    if kind is bool:
+        return value if isinstance(value, bool) else {"true": True, "false": False}.get(str(value).strip().lower())
+    if kind is str:
+        return value if isinstance(value, str) else None
+    if isinstance(value, bool) or not isinstance(value, int | float | str):
+        return None
+    try:
+        number = float(value)
+        if kind is float:
+            return number
+        return int(value) if isinstance(value, int) else int(number) if number.is_integer() else None
+    except (ValueError, OverflowError):
+        return None
