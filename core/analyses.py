@@ -289,7 +289,7 @@ def _unpack_motifs(document: dict[str, Any], arrays: dict[str, np.ndarray]) -> A
 
 @dataclass(frozen=True)
 class ImportParameters:
-    """An import of an upload. ``skeleton``, ``labels``: files of the upload; ``fps``: frames per second of AMC files."""
+    """An import of an upload. ``skeleton``, ``labels``: files of it; ``fps``: frames per second of AMC files."""
 
     upload: str
     skeleton: str = ""

@@ -36,7 +36,8 @@ OUT_OF_MEMORY = (
     "Close other programs, or take fewer clips or a lower frame rate, and run it again."
 )
 
-_launched: dict[str, float] = {}
+# By workspace: the newest job that a worker was started for, and when.
+_launched: dict[str, tuple[int, float]] = {}
 _lock = threading.Lock()
 
 
@@ -59,13 +60,15 @@ def start(workspace: Workspace, request: Request) -> Job:
 
 def tend(workspace: Workspace) -> bool:
     """Starts a worker where jobs wait and a core is free; True if it did. Cheap: call it as often as you look."""
-    if not workspace.jobs.queued() or workspace.jobs.running() >= limit():
+    newest = workspace.jobs.newest_queued()
+    if newest is None or workspace.jobs.running() >= limit():
         return False
     place, now = str(workspace.path), time.monotonic()
     with _lock:
-        if now - _launched.get(place, -RELAUNCH) < RELAUNCH and workspace.jobs.running() == 0:
-            return False  # one is on its way
-        _launched[place] = now
+        job, when = _launched.get(place, (0, 0.0))
+        if job == newest and now - when < RELAUNCH:
+            return False  # its worker is on the way
+        _launched[place] = newest, now
     launch(workspace.path)
     return True
 
@@ -86,7 +89,7 @@ def work(workspace_path: str, job_id: int) -> str:
 
 def launch(workspace_path: str | Path) -> None:
     """Starts a worker process that is nobody's child: neither Dash nor the end of the server can take it along."""
-    subprocess.run(_command("--detach", workspace_path), check=True, **_QUIET)
+    subprocess.run(_command("--detach", Path(workspace_path).absolute()), check=True, **_QUIET)
 
 
 def background_manager(workspace_path: str | Path) -> Any:

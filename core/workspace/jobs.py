@@ -146,9 +146,9 @@ class JobTable:
         """The newest jobs, newest first; dead workers have been noticed."""
         return self._read("ORDER BY id DESC LIMIT ?", limit)
 
-    def queued(self) -> int:
-        """Number of jobs that wait."""
-        return self._database.rows("SELECT count(*) FROM jobs WHERE state = 'queued'")[0][0]
+    def newest_queued(self) -> int | None:
+        """The id of the newest job that waits, or None."""
+        return self._database.rows("SELECT max(id) FROM jobs WHERE state = 'queued'")[0][0]
 
     def running(self) -> int:
         """Number of jobs that run; dead workers have been noticed."""
