@@ -41,7 +41,8 @@ class Clip:
     rotations: (n_frames, n_joints, 4) float32 unit quaternions (w, x, y, z), local to the parent.
     translations: joint index -> (n_frames, 3) float32, metres: positions in the parent's frame that replace the rest
         offset of a joint (other than the root) whose position channels move.
-    notes: what the reader found odd, in plain words.
+    notes: what the reader did, in plain words (unit guessed, joints folded).
+    warnings: what a person should look at, in plain words.
     Arrays may be memory-mapped. Raises ValueError where shapes do not agree or fps is not positive.
     """
 
@@ -52,6 +53,7 @@ class Clip:
     rotations: np.ndarray
     translations: Mapping[int, np.ndarray] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
+    warnings: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         n, shape = len(self.root_positions), (len(self.root_positions), self.skeleton.n_joints, 4)

@@ -15,7 +15,7 @@ LARGEST = 1e9  # no coordinate, length or angle of a person comes near it in any
 MAX_NAME = 256
 
 _CONTROL = re.compile(rb"[\x00-\x08\x0e-\x19\x1b-\x1f]")
-_NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?")
+_NUMBER = re.compile(r"[+-]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]+)?")
 
 
 def recording_format(path: str | Path) -> tuple[str, str]:

@@ -1,0 +1,240 @@
+"""BVH: read any exporter's files, write files that other tools open."""
+
+from __future__ import annotations
+
+import gzip
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from core.mocap import quaternions as quat
+from core.mocap.bvh_parser import RawBvh, RawJoint, parse_bvh
+from core.mocap.clip import Clip
+from core.mocap.euler import rotations_from_angles
+from core.mocap.files import replacing
+from core.mocap.pelvis import find_pelvis
+from core.mocap.skeleton import Skeleton
+from core.mocap.text import read_bytes, recording_format
+from core.mocap.units import guess_unit, span
+
+_STILL = 1e-6  # of the body's span: position channels that stay within it do not move
+
+
+def read_bvh(path: str | Path, unit: float | None = None) -> Clip:
+    """A recording from a ``.bvh`` or ``.bvh.gz`` file.
+
+    Position channels replace OFFSET. Joints above the pelvis are folded into its path; another joint whose position
+    channels move gets a translation track. unit: metres per unit of the file; guessed from the body's size where not
+    given, see the clip's notes. Raises RecordingError for anything that is no complete recording.
+    """
+    raw = parse_bvh(path, read_bytes(path))
+    notes, warnings = [], []
+    names = _unique_names(raw.joints, warnings)
+    pelvis = find_pelvis(names, [[c for c in j.children if not raw.joints[c].end_site] for j in raw.joints])
+    rotations = rotations_from_angles(raw.values, *_rotation_columns(raw.joints))
+    root, rotations = _fold(raw, rotations, pelvis, names, notes)
+    offsets, tracks = _offsets(raw, pelvis)
+    keep = [j for j in range(len(names)) if j == pelvis or _below(raw.joints, j, pelvis)]
+    index = {j: k for k, j in enumerate(keep)}
+    parents = tuple(-1 if j == pelvis else index[raw.joints[j].parent] for j in keep)
+    offsets = offsets[keep]
+    offsets[0] = 0
+    if unit is None:
+        unit = _guessed(parents, offsets, notes, warnings)
+    if tracks:
+        moving = ", ".join(names[j] for j in list(tracks)[:5]) + (" ..." if len(tracks) > 5 else "")
+        notes.append(f"{len(tracks)} joints below the pelvis also change place ({moving}): kept as translation tracks")
+    skeleton = Skeleton(
+        names=tuple(names[j] for j in keep),
+        parents=parents,
+        offsets=offsets * unit,
+        end_sites=tuple(raw.joints[j].end_site for j in keep),
+        channels=tuple(raw.joints[j].channels for j in keep),
+        unit=unit,
+    )
+    return Clip(
+        name=recording_format(path)[0],
+        skeleton=skeleton,
+        fps=_frame_rate(raw.frame_time),
+        root_positions=(root * unit).astype(np.float32),
+        rotations=np.ascontiguousarray(rotations[:, keep], np.float32),
+        translations={index[j]: (track * unit).astype(np.float32) for j, track in tracks.items()},
+        notes=tuple(notes),
+        warnings=tuple(warnings),
+    )
+
+
+def _unique_names(joints: Sequence[RawJoint], warnings: list[str]) -> list[str]:
+    """Joint names, made unique: joints first, so that only an end site gives way to a joint of its name."""
+    taken: set[str] = set()
+    names, repeated = [""] * len(joints), []
+    for j in sorted(range(len(joints)), key=lambda j: joints[j].end_site):
+        name, k = joints[j].name, 2
+        while name in taken:
+            name, k = f"{joints[j].name}_{k}", k + 1
+        if k > 2 and not joints[j].end_site:
+            repeated.append(f"{joints[j].name} is now {name}")
+        taken.add(name)
+        names[j] = name
+    if repeated:
+        warnings.append(f"joint names that come more than once: {', '.join(repeated[:5])}")
+    return names
+
+
+def _rotation_columns(joints: Sequence[RawJoint]) -> tuple[np.ndarray, np.ndarray]:
+    columns, axes = np.full((len(joints), 3), -1), np.full((len(joints), 3), -1)
+    for j, joint in enumerate(joints):
+        turns = [(k, c) for k, c in enumerate(joint.channels) if c.endswith("rotation")]
+        for n, (k, channel) in enumerate(turns):
+            columns[j, n], axes[j, n] = joint.first_column + k, "XYZ".index(channel[0])
+    return columns, axes
+
+
+def _positions(raw: RawBvh, j: int) -> np.ndarray:
+    """Where a joint is in its parent's frame, (n_frames, 3), file units: its OFFSET, replaced by position channels."""
+    joint = raw.joints[j]
+    positions = np.tile(np.array(joint.offset), (len(raw.values), 1))
+    for k, channel in enumerate(joint.channels):
+        if channel.endswith("position"):
+            positions[:, "XYZ".index(channel[0])] = raw.values[:, joint.first_column + k]
+    return positions
+
+
+def _fold(raw: RawBvh, rotations: np.ndarray, pelvis: int, names: list[str], notes: list[str]):
+    """Path of the pelvis in the world (n_frames, 3), file units, and ``rotations`` with its world rotation."""
+    above, joint = [], pelvis
+    while (joint := raw.joints[joint].parent) >= 0:
+        above.append(joint)
+    path = _positions(raw, pelvis)
+    turn = rotations[:, pelvis]
+    for joint in above:
+        path = _positions(raw, joint) + quat.rotate(rotations[:, joint].astype(float), path)
+        turn = quat.multiply(rotations[:, joint], turn)
+    if above:
+        rotations[:, pelvis] = turn
+        upper = ", ".join(names[j] for j in reversed(above))
+        notes.append(f"{upper} above {names[pelvis]}: folded into its path")
+    return path, rotations
+
+
+def _below(joints: Sequence[RawJoint], joint: int, ancestor: int) -> bool:
+    while joint > ancestor:
+        joint = joints[joint].parent
+    return joint == ancestor
+
+
+def _offsets(raw: RawBvh, pelvis: int) -> tuple[np.ndarray, dict[int, np.ndarray]]:
+    """Rest offsets (n_joints, 3) and the tracks of joints below the pelvis that change place, in file units."""
+    offsets = np.array([joint.offset for joint in raw.joints])
+    parents = [joint.parent for joint in raw.joints]
+    bones = offsets * (np.arange(len(offsets)) > pelvis)[:, None]
+    still, tracks = _STILL * span(parents, bones), {}
+    for j, joint in enumerate(raw.joints):
+        if j <= pelvis or not any(c.endswith("position") for c in joint.channels):
+            continue
+        positions = _positions(raw, j)
+        if np.abs(positions - offsets[j]).max() <= still:
+            continue
+        if np.ptp(positions, axis=0).max() <= still:
+            offsets[j] = positions[0]
+        else:
+            tracks[j] = positions
+    return offsets, tracks
+
+
+def _guessed(parents, offsets: np.ndarray, notes: list[str], warnings: list[str]) -> float:
+    guess, length = guess_unit(parents, offsets), span(parents, offsets)
+    notes.append(f"no unit in a BVH file: taken as {guess.words}, for a span of {length * guess.metres:.2f} m")
+    if not guess.believable:
+        warnings.append(
+            f"the skeleton spans {length:.4g} units from tip to tip, the size of a person in no common unit; "
+            f"taken as {guess.words}"
+        )
+    return guess.metres
+
+
+def _frame_rate(frame_time: float) -> float:
+    """Frames per second; a rate that was rounded in the file (.0083333) is made whole again."""
+    fps = 1 / frame_time
+    return float(round(fps)) if round(fps) and abs(fps - round(fps)) < 5e-4 * fps else fps
+
+
+def write_bvh(path: str | Path, clip: Clip) -> None:
+    """Write a clip as BVH (gzipped where the name ends in ``.gz``), in its skeleton's unit and channels.
+
+    Where the clip moves in ways the source's channels cannot say, the missing channels are added. The file appears
+    whole or not at all. Raises OSError where it cannot be written.
+    """
+    skeleton = clip.skeleton
+    order, columns = _depth_first(skeleton), []
+    lines = ["HIERARCHY"]
+    depth = {}
+    for k, j in enumerate(order):
+        depth[j] = 0 if not j else depth[skeleton.parents[j]] + 1
+        channels = _channels(clip, j)
+        lines += _joint_lines(skeleton, j, channels, "  " * depth[j])
+        if channels:
+            columns.append(_values(clip, j, channels))
+        below = depth[skeleton.parents[order[k + 1]]] if k + 1 < len(order) else -1
+        lines += ["  " * d + "}" for d in range(depth[j], below, -1)]
+    values = np.concatenate(columns, axis=1)
+    lines += ["MOTION", f"Frames: {clip.n_frames}", f"Frame Time: {1 / clip.fps:.9g}"]
+    row = " ".join(["%.6f"] * values.shape[1]) + "\n"
+    opener = gzip.open if str(path).lower().endswith(".gz") else open
+    with replacing(path) as fresh, opener(fresh, "wt", encoding="utf-8", newline="\n") as file:
+        file.write("\n".join(lines) + "\n")
+        for block in range(0, len(values), 1024):
+            file.writelines(row % tuple(v) for v in values[block : block + 1024].tolist())
+
+
+def _depth_first(skeleton: Skeleton) -> list[int]:
+    children: list[list[int]] = [[] for _ in skeleton.names]
+    for j in range(skeleton.n_joints - 1, 0, -1):
+        children[skeleton.parents[j]].append(j)
+    order, stack = [], [0]
+    while stack:
+        order.append(stack.pop())
+        stack.extend(children[order[-1]])
+    return order
+
+
+def _channels(clip: Clip, j: int) -> tuple[str, ...]:
+    """Channels to write for a joint: the source's, and what the motion needs besides."""
+    if clip.skeleton.end_sites[j]:
+        return ()
+    channels = clip.skeleton.channels[j]
+    if j == 0 or j in clip.translations:
+        place = tuple(f"{a}position" for a in "XYZ" if f"{a}position" not in channels)
+        channels = place + channels
+    turns = [c for c in channels if c.endswith("rotation")]
+    still = not turns and float(np.abs(clip.rotations[:, j, 1:]).max()) < 1e-6
+    if len(turns) < 3 and not still:
+        channels += tuple(f"{a}rotation" for a in "ZYX" if f"{a}rotation" not in turns)
+    return channels
+
+
+def _joint_lines(skeleton: Skeleton, j: int, channels: tuple[str, ...], indent: str) -> list[str]:
+    name = "_".join(skeleton.names[j].replace("{", "_").replace("}", "_").split())
+    head = "End Site" if skeleton.end_sites[j] else f"{'JOINT' if j else 'ROOT'} {name}"
+    # The root's offset is zero in a skeleton: its place is in its position channels.
+    offset = " ".join(f"{x:.10g}" for x in skeleton.offsets[j].astype(float) / skeleton.unit)
+    lines = [indent + head, indent + "{", f"{indent}  OFFSET {offset}"]
+    if not skeleton.end_sites[j]:
+        lines.append(f"{indent}  CHANNELS {' '.join([str(len(channels)), *channels])}")
+    return lines
+
+
+def _values(clip: Clip, j: int, channels: tuple[str, ...]) -> np.ndarray:
+    """(n_frames, n_channels): positions in the file's unit, angles in degrees without jumps of a full turn."""
+    out = np.empty((clip.n_frames, len(channels)))
+    place = clip.root_positions if j == 0 else clip.translations.get(j, clip.skeleton.offsets[j][None])
+    turns = [c[0] for c in channels if c.endswith("rotation")]
+    if turns:
+        angles = np.unwrap(np.degrees(quat.to_euler("".join(turns), clip.rotations[:, j])), period=360, axis=0)
+    for k, channel in enumerate(channels):
+        if channel.endswith("position"):
+            out[:, k] = place[:, "XYZ".index(channel[0])].astype(float) / clip.skeleton.unit
+        else:
+            out[:, k] = angles[:, turns.index(channel[0])]
+    return out
