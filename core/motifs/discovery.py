@@ -1,0 +1,242 @@
+"""Which motifs: the largest volume first (MMG section 3.3), exactly by an upper-bound heap, or by random seeds."""
+
+from __future__ import annotations
+
+from heapq import heapify, heappop, heappush
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit, prange
+from numba.typed import List  # noqa
+
+from core.motifs.matching import Matches, Rule
+from core.progress import Report, silent
+from core.sequences.repeats import Runs
+
+Substrings = np.ndarray
+"""A string motif: ``(n_motions, 2)`` int64, first and last letter of each motion, the seed first."""
+
+
+class _Index(NamedTuple):
+    """What the jitted kernels need: matches per seed, letters' times and lengths of seeds."""
+
+    pointers: np.ndarray
+    starts: np.ndarray
+    ends: np.ndarray
+    costs: np.ndarray
+    times: np.ndarray
+    min_letters: int
+    lengths: int
+
+
+@njit(cache=True)
+def _seed(index, k):
+    first = k // index.lengths
+    return first, first + k % index.lengths + index.min_letters - 1
+
+
+@njit(cache=True)
+def _width(index, a, b):
+    return index.times[b] - index.times[a]
+
+
+@njit(cache=True)
+def _bound(index, k, cut, rho):
+    """Upper bound of the seed's volume now and after any further partitioning.
+
+    Of motions that all overlap one another a motif holds one at most. Taken by start, the matches fall into the fewest
+    such groups; each group counts with its widest. Slightly inflated so that rounding never hides a motif.
+    Also returns how many matches are still free.
+    """
+    first, last = _seed(index, k)
+    if last >= len(cut) or cut[first] < last:
+        return 0.0, 0
+    widths = np.empty(index.pointers[k + 1] - index.pointers[k])
+    n, free, reach = 0, 0, -1
+    for q in range(index.pointers[k], index.pointers[k + 1]):
+        a, b = index.starts[q], index.ends[q]
+        if cut[a] < b:
+            continue
+        free += 1
+        if a >= reach:
+            n, reach = n + 1, b
+            widths[n - 1] = 0.0
+        reach = min(reach, b)
+        widths[n - 1] = max(widths[n - 1], _width(index, a, b))
+    widths = np.sort(widths[:n])[::-1]
+    total, best = _width(index, first, last), 0.0
+    for h in range(n):
+        total += widths[h]
+        best = max(best, (h + 1) * (total / (h + 2)) ** rho)
+    return best * (1 + 1e-9), free
+
+
+@njit(cache=True, parallel=True)
+def _bounds(index, cut, rho):
+    bounds = np.empty(len(index.pointers) - 1)
+    for k in prange(len(bounds)):
+        bounds[k] = _bound(index, k, cut, rho)[0] if index.pointers[k] < index.pointers[k + 1] else 0.0
+    return bounds
+
+
+@njit(cache=True)
+def _motif_of(index, k, cut):
+    """The motif a seed gives now: itself, then its matches by ascending cost, dropping what overlaps one already in."""
+    first, last = _seed(index, k)
+    low = index.pointers[k]
+    order = np.argsort(index.costs[low : index.pointers[k + 1]], kind="mergesort")
+    chosen = np.empty((len(order) + 1, 2), np.int64)
+    chosen[0, 0], chosen[0, 1], n = first, last, 1
+    for q in order:
+        a, b = index.starts[low + q], index.ends[low + q]
+        free = cut[a] >= b
+        h = 0
+        while free and h < n:
+            free = a >= chosen[h, 1] or b <= chosen[h, 0]
+            h += 1
+        if free:
+            chosen[n, 0], chosen[n, 1] = a, b
+            n += 1
+    return chosen[:n]
+
+
+@njit(cache=True)
+def _volume(index, motif, rho):
+    total = 0.0
+    for h in range(len(motif)):
+        total += _width(index, motif[h, 0], motif[h, 1])
+    return (len(motif) - 1) * (total / len(motif)) ** rho
+
+
+@njit(cache=True)
+def _partition(motif, cut):
+    """Mark the motions' transitions as partitioned: ``cut[j]`` is the first partitioned transition at or after j."""
+    for h in range(len(motif)):
+        a, b = motif[h, 0], motif[h, 1]
+        for j in range(a, b):
+            cut[j] = j
+        j = a - 1
+        while j >= 0 and cut[j] > a:
+            cut[j] = a
+            j -= 1
+
+
+@njit(cache=True)
+def _heap_of(bounds):
+    heap = List()
+    for k in range(len(bounds)):
+        if bounds[k] > 0:
+            heap.append((-bounds[k], k))
+    heapify(heap)
+    return heap
+
+
+@njit(cache=True)
+def _largest(index, heap, volumes, counts, cut, rho):
+    """The seed of the largest volume (ties: the first), -1 when none is left; the heap's keys are upper bounds.
+
+    A seed's volume is computed only while its bound still beats the best volume of this round, and again later only
+    if one of its matches has gone since (counts).
+    """
+    best, winner, waiting = 0.0, -1, List()
+    waiting.append((0.0, -1))
+    while len(heap) and -heap[0][0] >= best:
+        key, k = heappop(heap)
+        bound, free = _bound(index, k, cut, rho)
+        if bound < -key:
+            if bound > 0:
+                heappush(heap, (-bound, k))
+            continue
+        if counts[k] != free:
+            counts[k], volumes[k] = free, _volume(index, _motif_of(index, k, cut), rho)
+        waiting.append((key, k))
+        if volumes[k] > best or (volumes[k] == best and k < winner):
+            best, winner = volumes[k], k
+    for w in range(1, len(waiting)):
+        heappush(heap, waiting[w])
+    return winner
+
+
+def largest_first(runs: Runs, matches: Matches, rule: Rule, rho: float, report: Report = silent) -> list[Substrings]:
+    """Exact greedy discovery: again and again the motif of largest volume V = (B_h - 1) B_w^rho; deterministic."""
+    index, cut = _index(runs, matches, rule), _first_cuts(runs)
+    heap = _heap_of(_bounds(index, cut, rho))
+    volumes, counts = np.zeros(len(matches.pointers)), np.full(len(matches.pointers), -1, np.int64)
+    motifs: list[Substrings] = []
+    while (k := _largest(index, heap, volumes, counts, cut, rho)) >= 0:
+        motifs.append(_motif_of(index, k, cut))
+        _partition(motifs[-1], cut)
+        report("discovery", float((cut == np.arange(len(cut))).mean()))
+    report("discovery", 1.0)
+    return motifs
+
+
+def random_seeds(
+    runs: Runs,
+    matches: Matches,
+    rule: Rule,
+    rho: float,
+    seed: int = 0,
+    report: Report = silent,
+    letters_a_round: int = 4,
+) -> list[Substrings]:
+    """The paper's discovery: seeds are all unpartitioned substrings that contain one of a few random letters.
+
+    Letters are drawn by how often they still occur. The largest motif among the seeds is kept; where no seed matches
+    anything, two letters of a random one are cut out, so that the search ends.
+    """
+    index, cut = _index(runs, matches, rule), _first_cuts(runs)
+    rng, motifs = np.random.default_rng(seed), []
+    last = np.arange(len(cut))
+    while len(free := _seeds_left(index, cut, last)):
+        drawn = rng.choice(runs.letters[np.unique(index_first(index, free))], letters_a_round)
+        seeds = free[_contain(index, free, np.isin(runs.letters, drawn))]
+        k = _best_of(index, seeds, cut, rho)
+        if k >= 0:
+            motifs.append(_motif_of(index, k, cut))
+        else:
+            first, _ = _seed(index, rng.choice(seeds))
+        _partition(motifs[-1] if k >= 0 else np.array([[first, first + 1]]), cut)
+        report("discovery", float((cut == last).mean()))
+    report("discovery", 1.0)
+    return motifs
+
+
+def _seeds_left(index: _Index, cut: np.ndarray, last: np.ndarray) -> np.ndarray:
+    """All unpartitioned seeds, ``(n_seeds,)``."""
+    reach = cut[:, None] - last[:, None]
+    lengths = np.arange(index.lengths) + index.min_letters - 1
+    return np.flatnonzero(reach >= lengths)
+
+
+def index_first(index: _Index, seeds: np.ndarray) -> np.ndarray:
+    """First letters ``(n_seeds,)`` of seeds ``(n_seeds,)``."""
+    return seeds // index.lengths
+
+
+def _contain(index: _Index, seeds: np.ndarray, wanted: np.ndarray) -> np.ndarray:
+    """Whether each seed holds one of the letters marked in ``wanted`` (m,)."""
+    before = np.concatenate([[0], np.cumsum(wanted)])
+    first = index_first(index, seeds)
+    stop = first + seeds % index.lengths + index.min_letters
+    return before[stop] > before[first]
+
+
+@njit(cache=True)
+def _best_of(index, seeds, cut, rho):
+    best, winner = 0.0, -1
+    for k in seeds:
+        volume = _volume(index, _motif_of(index, k, cut), rho)
+        if volume > best:
+            best, winner = volume, k
+    return winner
+
+
+def _index(runs: Runs, matches: Matches, rule: Rule) -> _Index:
+    times = runs.middles.astype(np.float64)
+    return _Index(*matches, times, rule.min_letters, rule.max_letters - rule.min_letters + 1)
+
+
+def _first_cuts(runs: Runs) -> np.ndarray:
+    """For each letter the first transition at or after it that crosses a clip's end: ``(m,)`` int64."""
+    return runs.stops.astype(np.int64) - 1

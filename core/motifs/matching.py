@@ -1,0 +1,249 @@
+"""Which substrings match which: one alignment programme for all seeds that start at one letter (MMG section 3.4)."""
+
+from __future__ import annotations
+
+import os
+from concurrent.futures import ThreadPoolExecutor
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit, prange
+
+from core.motifs.adjacency import Adjacency
+from core.progress import Report, silent
+from core.sequences.repeats import Runs
+
+
+class Rule(NamedTuple):
+    """When an alignment is a match: lengths in letters, slope limit gamma, slack in run lengths, highest mean cost."""
+
+    min_letters: int
+    max_letters: int
+    gamma: float
+    slack: float
+    max_cost: float
+
+
+class Text(NamedTuple):
+    """The runs as the jitted kernels want them: each array ``(m,)``; middles and lengths float32, in frames."""
+
+    letters: np.ndarray
+    middles: np.ndarray
+    lengths: np.ndarray
+    firsts: np.ndarray
+    stops: np.ndarray
+
+
+class Matches(NamedTuple):
+    """All matches of all seeds. Seed (j, j + i) is row ``j * (max_letters - min_letters + 1) + i + 1 - min_letters``.
+
+    pointers: (n_seeds + 1,) where each seed's matches begin; starts, ends: (n_matches,) int32 first and last letter of
+    the match, ordered by start, then end; costs: (n_matches,) float32 mean distance along its best alignment.
+    """
+
+    pointers: np.ndarray
+    starts: np.ndarray
+    ends: np.ndarray
+    costs: np.ndarray
+
+
+@njit(parallel=True, cache=True)
+def _candidates(text, distances, costs):
+    """Inverted lists: for each letter the places that are adjacent to it and nearer than both of their neighbours."""
+    m, kappa = len(text.letters), len(costs)
+    pointers = np.zeros(kappa + 1, np.int64)
+    for x in prange(kappa):
+        for a in range(m):
+            if costs[x, text.letters[a]] < np.inf and _is_nearest(text, distances, x, a):
+                pointers[x + 1] += 1
+    pointers = np.cumsum(pointers)
+    places = np.empty(pointers[-1], np.int32)
+    for x in prange(kappa):
+        k = pointers[x]
+        for a in range(m):
+            if costs[x, text.letters[a]] < np.inf and _is_nearest(text, distances, x, a):
+                places[k] = a
+                k += 1
+    return pointers, places
+
+
+@njit(cache=True)
+def _is_nearest(text, distances, x, a):
+    """Whether place a is nearer to letter x than the letters beside it; beyond a clip's end all is infinitely far."""
+    here = distances[x, text.letters[a]]
+    if a > text.firsts[a] and distances[x, text.letters[a - 1]] <= here:
+        return False
+    return not (a + 1 < text.stops[a] and distances[x, text.letters[a + 1]] <= here)
+
+
+@njit(nogil=True, cache=True)
+def _next_row(text, costs, rule, seed, start, row, columns, low, high, totals, steps):
+    """One letter more of the seed: costs and lengths of the best alignments that end at each letter of the candidate.
+
+    totals, steps: (2, n) buffers, row parity alternates; [low, high] are the reachable columns of the row before.
+    Returns the reachable columns of this row, (0, -1) when there are none.
+    """
+    new, old = row % 2, 1 - row % 2
+    x = text.letters[seed + row]
+    seed_time = text.middles[seed + row] - text.middles[seed]
+    seed_slack = rule.slack * text.lengths[seed + row]
+    first, last = 0, -1
+    left, left_steps = np.float32(np.inf), 0
+    for c in range(low, columns):
+        if c > high + 1 and left == np.inf:
+            break
+        best, n = left, left_steps
+        if row > 0:
+            if c <= high and totals[old, c] <= best:
+                best, n = totals[old, c], steps[old, c]
+            if low < c <= high + 1 and totals[old, c - 1] <= best:
+                best, n = totals[old, c - 1], steps[old, c - 1]
+        elif c == 0:
+            best, n = np.float32(0), 0
+        time = text.middles[start + c] - text.middles[start]
+        slack = seed_slack + rule.slack * text.lengths[start + c]
+        if time > rule.gamma * seed_time + slack or seed_time > rule.gamma * (time + slack):
+            best = np.float32(np.inf)
+        best += costs[x, text.letters[start + c]]
+        totals[new, c], steps[new, c] = best, n + 1
+        left, left_steps = best, n + 1
+        if best < np.inf:
+            if last < first:
+                first = c
+            last = c
+    return first, last
+
+
+@njit(nogil=True, cache=True)
+def _match_block(begin, end, text, distances, costs, rule, pointers, places):
+    """Matches of the seeds that start in [begin, end), in order of discovery: seed start, candidate start, length, end.
+
+    Matches never overlap their seed: they share an end letter with it at most.
+    """
+    columns = 1 + np.max(text.stops[begin:end] - text.firsts[begin:end]) if end > begin else 1
+    columns = max(columns, _longest_clip(text))
+    totals, steps = np.empty((2, columns), np.float32), np.empty((2, columns), np.int32)
+    found, spans, values = 0, np.empty((4096, 4), np.int32), np.empty(4096, np.float32)
+    for seed in range(begin, end):
+        x = text.letters[seed]
+        for q in range(pointers[x], pointers[x + 1]):
+            start = places[q]
+            rows = min(rule.max_letters, text.stops[seed] - seed)
+            width = text.stops[start] - start
+            if start == seed:
+                continue
+            if start > seed:
+                rows = min(rows, start - seed + 1)
+            else:
+                width = min(width, seed - start + 1)
+            low, high = 0, 0
+            for row in range(rows):
+                low, high = _next_row(text, costs, rule, seed, start, row, width, low, high, totals, steps)
+                if high < low:
+                    break
+                if row + 1 < rule.min_letters:
+                    continue
+                if found + high - low + 1 > len(values):
+                    spans, values = _grown(spans, values, found, high - low + 1)
+                found = _collect(
+                    text, distances, rule, seed, start, row, low, high, totals, steps, found, spans, values
+                )
+    return spans[:found], values[:found]
+
+
+@njit(nogil=True, cache=True)
+def _longest_clip(text):
+    longest = 0
+    for j in range(len(text.letters)):
+        longest = max(longest, text.stops[j] - text.firsts[j])
+    return longest
+
+
+@njit(nogil=True, cache=True)
+def _grown(spans, values, found, more):
+    size = 2 * len(values) + more
+    new_spans, new_values = np.empty((size, 4), np.int32), np.empty(size, np.float32)
+    new_spans[:found], new_values[:found] = spans[:found], values[:found]
+    return new_spans, new_values
+
+
+@njit(nogil=True, cache=True)
+def _collect(text, distances, rule, seed, start, row, low, high, totals, steps, found, spans, values):
+    """Add the alignments of this row that end at an end candidate and keep duration ratio and mean cost."""
+    x = text.letters[seed + row]
+    seed_time = text.middles[seed + row] - text.middles[seed]
+    for c in range(max(low, 1), high + 1):
+        total = totals[row % 2, c]
+        if not total <= rule.max_cost * steps[row % 2, c]:
+            continue
+        time = text.middles[start + c] - text.middles[start]
+        if time > rule.gamma * seed_time or seed_time > rule.gamma * time:
+            continue
+        if _is_nearest(text, distances, x, start + c):
+            spans[found, 0], spans[found, 1] = seed, row
+            spans[found, 2], spans[found, 3] = start, start + c
+            values[found] = total / steps[row % 2, c]
+            found += 1
+    return found
+
+
+@njit(nogil=True, cache=True)
+def _by_seed(begin, end, spans, values, rule):
+    """Counting sort of a block by seed; the order within a seed (by start, then end) stays."""
+    lengths = rule.max_letters - rule.min_letters + 1
+    pointers = np.zeros((end - begin) * lengths + 1, np.int64)
+    for k in range(len(values)):
+        pointers[(spans[k, 0] - begin) * lengths + spans[k, 1] + 2 - rule.min_letters] += 1
+    pointers = np.cumsum(pointers)
+    at = pointers[:-1].copy()
+    starts, ends = np.empty(len(values), np.int32), np.empty(len(values), np.int32)
+    costs = np.empty(len(values), np.float32)
+    for k in range(len(values)):
+        row = (spans[k, 0] - begin) * lengths + spans[k, 1] + 1 - rule.min_letters
+        starts[at[row]], ends[at[row]], costs[at[row]] = spans[k, 2], spans[k, 3], values[k]
+        at[row] += 1
+    return pointers, starts, ends, costs
+
+
+def find_matches(runs: Runs, adjacency: Adjacency, rule: Rule, report: Report = silent) -> Matches:
+    """All matches of all seeds of the string; m runs. Cost: about linear in the pairs of places with adjacent letters."""
+    text = Text(runs.letters, runs.middles, runs.lengths, runs.firsts, runs.stops)
+    pointers, places = _candidates(text, adjacency.distances, adjacency.costs)
+    work = np.cumsum(np.diff(pointers)[text.letters])
+
+    def block(begin: int, end: int) -> Matches:
+        spans, values = _match_block(begin, end, text, adjacency.distances, adjacency.costs, rule, pointers, places)
+        return Matches(*_by_seed(begin, end, spans, values, rule))
+
+    cuts = _even_blocks(work)
+    blocks = []
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        futures = [pool.submit(block, b, e) for b, e in zip(cuts[:-1], cuts[1:], strict=True)]
+        try:
+            for k, future in enumerate(futures):
+                blocks.append(future.result())
+                report("matching", (k + 1) / len(futures))
+        except BaseException:
+            for future in futures:
+                future.cancel()
+            raise
+    return _join(blocks)
+
+
+def _even_blocks(work: np.ndarray, size: int = 200_000) -> np.ndarray:
+    """Cuts of the string such that each block holds about ``size`` pairs of seed start and candidate; work is (m,)."""
+    n = int(np.ceil(work[-1] / size)) if len(work) else 0
+    inner = np.searchsorted(work, np.arange(1, n) * size) + 1
+    return np.unique(np.concatenate([[0], inner, [len(work)]])).astype(np.int64)
+
+
+def _join(blocks: list[Matches]) -> Matches:
+    total = sum(len(b.costs) for b in blocks)
+    starts, ends, costs = np.empty(total, np.int32), np.empty(total, np.int32), np.empty(total, np.float32)
+    pointers, at = [np.zeros(1, np.int64)], 0
+    for k, b in enumerate(blocks):
+        n = len(b.costs)
+        starts[at : at + n], ends[at : at + n], costs[at : at + n] = b.starts, b.ends, b.costs
+        pointers.append(b.pointers[1:] + at)
+        at, blocks[k] = at + n, None
+    return Matches(np.concatenate(pointers), starts, ends, costs)

@@ -1,0 +1,95 @@
+"""Parameters of the motif graph, each with a help text, range and choices that the command line and the app show."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, fields
+from typing import Any
+
+
+def _parameter(default: Any, help: str, low=None, high=None, step=None, choices: tuple = (), advanced: bool = False):
+    metadata = {"help": help, "min": low, "max": high, "step": step, "choices": choices, "advanced": advanced}
+    return field(default=default, metadata=metadata)
+
+
+@dataclass(frozen=True)
+class MotifParameters:
+    """How motifs are found. Each field's metadata holds ``help``, ``min``, ``max``, ``step``, ``choices``, ``advanced``.
+
+    Raises ValueError, in plain words, for a value out of range.
+    """
+
+    kappa: int | str = _parameter(
+        "auto",
+        "How many different poses to tell apart. More: stricter motifs, less of the motion covered. "
+        "auto: from the number and variety of frames.",
+        2, 20_000, 1,
+    )  # fmt: skip
+    rho: float = _parameter(
+        1.0, "Below 1 prefers motifs with many motions, above 1 prefers motifs with long motions.", 0.2, 5.0, 0.1
+    )
+    gamma: float = _parameter(
+        1.5, "How much faster or slower one motion of a motif may be than another (1.5: by half).", 1.0, 4.0, 0.05
+    )
+    min_letters: int = _parameter(
+        5, "Shortest motion, counted in changes of pose. Lower finds shorter motions, and more chance hits.", 2, 100, 1
+    )
+    max_letters: int = _parameter(30, "Longest motion, counted in changes of pose.", 2, 400, 1)
+    adjacency: str = _parameter(
+        "radius",
+        "Which poses may stand for each other: radius = all within one distance; spheres = the 2008 paper's rule, "
+        "whose reach depends on how many poses are told apart.",
+        choices=("radius", "spheres"),
+    )
+    pose: str = _parameter(
+        "angles", "What makes poses alike: joint angles, or positions of the joints.", choices=("angles", "positions")
+    )
+    analysis_fps: float = _parameter(
+        30.0, "Frames a second that are looked at. 30 is fast and enough for most motion.", 5.0, 240.0, 5.0
+    )
+    seed: int = _parameter(
+        0, "Number that starts the random choices; the same number gives the same result.", 0, None, 1
+    )
+    reach: float = _parameter(
+        0.07,
+        "With radius: the share of all pairs of pose clusters that count as alike.",
+        0.001,
+        0.5,
+        0.005,
+        advanced=True,
+    )
+    strictness: float = _parameter(
+        0.5, "Mean distance along two motions up to which they match, as a share of the radius.", 0.05, 1.0, 0.05,
+        advanced=True,
+    )  # fmt: skip
+    slack: float = _parameter(
+        0.5, "Freedom of the time alignment around a pose that is held, in shares of its duration.", 0.0, 4.0, 0.1,
+        advanced=True,
+    )  # fmt: skip
+    seeding: str = _parameter(
+        "largest",
+        "largest = always the largest motif next, the same every time; random = the paper's random seeds.",
+        choices=("largest", "random"), advanced=True,
+    )  # fmt: skip
+
+    def __post_init__(self) -> None:
+        for f in fields(self):
+            _check(f.name, getattr(self, f.name), f.default, f.metadata)
+        if self.min_letters > self.max_letters:
+            raise ValueError(f"min_letters ({self.min_letters}) must not exceed max_letters ({self.max_letters})")
+
+
+def _check(name: str, value: Any, default: Any, allowed: Any) -> None:
+    if allowed["choices"]:
+        if value not in allowed["choices"]:
+            raise ValueError(f"{name} must be one of {', '.join(allowed['choices'])}, not {value!r}")
+        return
+    if name == "kappa" and value == "auto":
+        return
+    whole = isinstance(default, int) or name == "kappa"
+    kind = "a whole number" if whole else "a number"
+    if isinstance(value, bool) or not isinstance(value, int if whole else (int, float)):
+        raise ValueError(f"{name} must be {kind}{' or auto' if name == 'kappa' else ''}, not {value!r}")
+    low, high = allowed["min"], allowed["max"]
+    if not (low is None or value >= low) or not (high is None or value <= high):
+        limits = f"at least {low}" if high is None else f"from {low} to {high}"
+        raise ValueError(f"{name} must be {kind} {limits}, not {value}")

@@ -1,0 +1,258 @@
+"""A frame as numbers: pose features free of place and heading, reduced by PCA (MMG section 3.2).
+
+Features of a frame, y up: for every posture joint its rotation against the next posture joint above, as a rotation vector
+in degrees about the joint's mean rotation (so no angle wraps in natural motion); height of the root in CMU's length unit,
+so that it weighs like a degree; pitch and roll of the pelvis in degrees; horizontal speed and yaw speed per 1/30 s in the
+same units. ``positions`` replaces the angles by joint positions in the heading's frame, scaled to one body height.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.mocap import quaternions as quat
+from core.mocap.anatomy import CANONICAL, find_anatomy
+from core.mocap.clip import Clip
+from core.mocap.kinematics import forward_kinematics, resample
+from core.mocap.skeleton import Skeleton
+from core.progress import Report, silent
+
+CMU_UNIT = 0.056444
+"""Metres per length unit of the CMU recordings."""
+
+SPEED_FPS = 30.0
+"""Speeds are per frame of this rate, whatever the analysis rate."""
+
+_STANDARD_HEIGHT = 1.7  # metres; positions are scaled to this body
+_MAX_YAW = 30.0  # degrees per 1/30 s: an upside-down pelvis has no heading, its yaw may jump
+_KINDS = ("angles", "positions")
+
+
+@dataclass(frozen=True)
+class Scales:
+    """Weight of each kind of feature: metres per unit of length (height, speed, positions), degrees per unit of angle."""
+
+    height: float = CMU_UNIT
+    speed: float = CMU_UNIT
+    position: float = CMU_UNIT
+    angle: float = 1.0
+    tilt: float = 1.0
+    yaw_speed: float = 1.0
+
+
+@dataclass(frozen=True, eq=False)
+class Poses:
+    """Pose features of many clips, one after the other, at one frame rate.
+
+    values: (n, n_features) float32, in the PCA space, centred. clip_starts: (n_clips + 1,) offsets of the clips in values.
+    clips: clip names; clip_fps, clip_frames: rate and number of frames of the clips themselves; fps: rate of ``values``.
+    basis: (n_raw, n_features) principal directions; mean: (n_raw,) mean of the raw features; names: what each raw
+    feature is; explained: share of the variance kept.
+    """
+
+    values: np.ndarray
+    clip_starts: np.ndarray
+    clips: tuple[str, ...]
+    clip_fps: tuple[float, ...]
+    clip_frames: tuple[int, ...]
+    fps: float
+    basis: np.ndarray
+    mean: np.ndarray
+    names: tuple[str, ...]
+    explained: float
+
+    def frame_of(self, clip: int, k: float) -> int:
+        """Frame of clip number ``clip``, at its own rate, that pose ``k`` of that clip was taken from."""
+        return min(round(k * self.clip_fps[clip] / self.fps), self.clip_frames[clip] - 1)
+
+    @property
+    def mean_distance(self) -> float:
+        """Mean distance of a pose to the average pose."""
+        return float(np.linalg.norm(self.values, axis=1).mean()) if len(self.values) else 0.0
+
+
+def pose_features(
+    dataset,
+    *,
+    analysis_fps: float = 30,
+    pose: str = "angles",
+    variance: float = 0.97,
+    scales: Scales = Scales(),
+    report: Report = silent,
+) -> Poses:
+    """Poses of all clips of a dataset, at ``analysis_fps``, in the PCA space that keeps ``variance`` of the variance.
+
+    pose: "angles" or "positions". Skeletons with the same posture joints are compared joint by joint; otherwise only
+    canonical joints that all of them have count. Time and memory are linear in frames. Raises ValueError for an unknown
+    pose kind, a rate or a variance out of range, an empty dataset, or skeletons without a joint in common.
+    """
+    clips = tuple(dataset.clips)
+    if pose not in _KINDS:
+        raise ValueError(f"pose must be one of {', '.join(_KINDS)}, not {pose!r}")
+    if not analysis_fps > 0 or not 0 < variance <= 1:
+        raise ValueError("analysis_fps must be positive and variance between 0 and 1")
+    if not clips:
+        raise ValueError("the dataset has no clips, so there are no poses")
+    bodies = _bodies([clip.skeleton for clip in clips])
+    rest = _mean_rotations(clips, bodies)
+    blocks = []
+    for i, clip in enumerate(clips):
+        body = bodies[clip.skeleton]
+        blocks.append(_clip_features(resample(clip, analysis_fps), body, rest[body.family], pose, scales))
+        report("poses", (i + 1) / len(clips))
+    starts = np.concatenate([[0], np.cumsum([len(b) for b in blocks])]).astype(np.int64)
+    raw = np.concatenate(blocks)
+    mean, basis, explained = principal_directions(raw, variance)
+    return Poses(
+        values=(raw - mean.astype(np.float32)) @ basis.astype(np.float32),
+        clip_starts=starts,
+        clips=tuple(clip.name for clip in clips),
+        clip_fps=tuple(float(clip.fps) for clip in clips),
+        clip_frames=tuple(clip.n_frames for clip in clips),
+        fps=float(analysis_fps),
+        basis=basis,
+        mean=mean,
+        names=_names(bodies[clips[0].skeleton].names, pose),
+        explained=explained,
+    )
+
+
+def principal_directions(raw: np.ndarray, variance: float) -> tuple[np.ndarray, np.ndarray, float]:
+    """Mean ``(f,)``, fewest principal directions ``(f, k)`` that keep ``variance`` of the variance, and what they keep.
+
+    raw: ``(n, f)``. Signs are fixed (largest entry positive); constant data gives one direction.
+    """
+    mean = raw.mean(0, dtype=np.float64)
+    covariance = np.zeros((raw.shape[1],) * 2)
+    for i in range(0, len(raw), 16_384):
+        part = raw[i : i + 16_384] - mean
+        covariance += part.T @ part
+    values, vectors = np.linalg.eigh(covariance)
+    values, vectors = np.maximum(values[::-1], 0), vectors[:, ::-1]
+    share = np.cumsum(values) / max(values.sum(), 1e-12)
+    k = min(int(np.searchsorted(share, variance)) + 1, len(values))
+    basis = vectors[:, :k]
+    signs = np.sign(basis[np.abs(basis).argmax(0), np.arange(k)])
+    return mean, basis * signs, float(share[k - 1])
+
+
+@dataclass(frozen=True)
+class _Body:
+    """Which joints of a skeleton are compared: their indices, the joint each is measured against, and the hips."""
+
+    names: tuple[str, ...]
+    joints: tuple[int, ...]
+    above: tuple[int, ...]
+    hips: tuple[int, int] | None
+    height: float
+    family: tuple[str, ...]  # skeletons with equal joint names share their rest rotations
+
+
+def _bodies(skeletons: Sequence[Skeleton]) -> dict[Skeleton, _Body]:
+    unique = list(dict.fromkeys(skeletons))
+    anatomies = {s: find_anatomy(s) for s in unique}
+    named = {s: tuple(s.names[j] for j in anatomies[s].posture_joints) for s in unique}
+    if len(set(named.values())) == 1:
+        chosen = {s: dict(zip(named[s], anatomies[s].posture_joints, strict=True)) for s in unique}
+    else:
+        common = [n for n in CANONICAL if n != "pelvis" and all(n in anatomies[s].joints for s in unique)]
+        chosen = {s: {n: anatomies[s].joints[n] for n in common} for s in unique}
+    if not all(chosen.values()):
+        raise ValueError("the skeletons of this dataset have no posture joint in common; analyse them separately")
+    return {s: _body(s, anatomies[s], chosen[s]) for s in unique}
+
+
+def _body(skeleton: Skeleton, anatomy, chosen: dict[str, int]) -> _Body:
+    joints = tuple(chosen.values())
+    above = []
+    for j in joints:
+        p = skeleton.parents[j]
+        while p > 0 and p not in joints:
+            p = skeleton.parents[p]
+        above.append(max(p, 0))
+    hips = tuple(anatomy.joints.get(f"{side}_hip", -1) for side in ("left", "right"))
+    return _Body(
+        tuple(chosen), joints, tuple(above), hips if min(hips) >= 0 else None, anatomy.body_height, skeleton.names
+    )
+
+
+def _mean_rotations(clips: Sequence[Clip], bodies: dict[Skeleton, _Body]) -> dict[tuple, tuple[np.ndarray, np.ndarray]]:
+    """Per family: mean rotation of each joint ``(n_joints, 4)`` and mean pelvis rotation without heading ``(4,)``."""
+    sums: dict[tuple, np.ndarray] = {}
+    for clip in clips:
+        body = bodies[clip.skeleton]
+        step = max(1, round(clip.fps / 3))  # a few frames a second are plenty for a mean
+        sparse = Clip(clip.name, clip.skeleton, clip.fps / step, clip.root_positions[::step], clip.rotations[::step])
+        positions, world = forward_kinematics(sparse)
+        local = np.concatenate([_relative(world, body), _without_heading(positions, world, body)[:, None]], axis=1)
+        moments = np.einsum("fji,fjk->jik", local.astype(np.float64), local)
+        sums[body.family] = sums.get(body.family, 0) + moments
+    means = {family: np.linalg.eigh(moments)[1][..., -1] for family, moments in sums.items()}
+    return {family: (mean[:-1], mean[-1]) for family, mean in means.items()}
+
+
+def _relative(world: np.ndarray, body: _Body) -> np.ndarray:
+    """Rotation of each posture joint against the posture joint above it: ``(n, n_joints, 4)``."""
+    return quat.multiply(quat.conjugate(world[:, list(body.above)]), world[:, list(body.joints)])
+
+
+def _without_heading(positions: np.ndarray, world: np.ndarray, body: _Body) -> np.ndarray:
+    """World rotation of the pelvis ``(n, 4)`` turned so that its hips face z."""
+    if body.hips is None:
+        return quat.split_yaw(world[:, 0])[1]
+    across = positions[:, body.hips[0]] - positions[:, body.hips[1]]
+    return quat.multiply(quat.from_yaw(np.arctan2(across[:, 2], across[:, 0])), world[:, 0])
+
+
+def _clip_features(clip: Clip, body: _Body, rest, pose: str, scales: Scales) -> np.ndarray:
+    positions, world = forward_kinematics(clip)
+    yaw, tilt = quat.split_yaw(quat.multiply(world[:, 0], quat.conjugate(rest[1])))
+    yaw = np.unwrap(yaw)
+    if pose == "angles":
+        posture = np.degrees(_rotation_vectors(_relative(world, body), rest[0])) / scales.angle
+    else:
+        offsets = positions[:, list(body.joints)] - positions[:, :1]
+        size = _STANDARD_HEIGHT / body.height / scales.position
+        posture = quat.rotate(quat.from_yaw(-yaw)[:, None], offsets) * size
+    root = np.asarray(clip.root_positions, np.float64)
+    travel = _speed(root[:, [0, 2]], clip.fps)
+    columns = [
+        posture.reshape(clip.n_frames, -1),
+        root[:, 1:2] / scales.height,
+        np.degrees(_rotation_vectors(tilt[:, None], None)[:, 0, [0, 2]]) / scales.tilt,
+        np.linalg.norm(travel, axis=1, keepdims=True) / scales.speed,
+        np.clip(np.degrees(_speed(yaw[:, None], clip.fps)), -_MAX_YAW, _MAX_YAW) / scales.yaw_speed,
+    ]
+    return np.concatenate(columns, axis=1).astype(np.float32)
+
+
+def _rotation_vectors(q: np.ndarray, mean: np.ndarray | None) -> np.ndarray:
+    """Rotation vectors ``(n, n_joints, 3)``, radians, about ``mean``, continuous in time.
+
+    Each joint's track stays on one side of the double cover, the one that is nearer to the mean most of the time.
+    """
+    if mean is not None:
+        q = quat.multiply(quat.conjugate(mean), q)
+    q = quat.continuous(q)
+    q = np.where(q[..., 0].sum(0)[:, None] < 0, -q, q)
+    length = np.linalg.norm(q[..., 1:], axis=-1, keepdims=True)
+    angle = 2 * np.arctan2(length, q[..., :1])
+    return q[..., 1:] * np.where(length > 1e-8, angle / np.maximum(length, 1e-8), 2.0)
+
+
+def _speed(track: np.ndarray, fps: float) -> np.ndarray:
+    """Change per 1/30 s of ``(n, d)``: central difference over about 1/30 s either side, one-sided at the ends."""
+    half = max(1, round(fps / SPEED_FPS))
+    at = np.arange(len(track))
+    before, after = np.maximum(at - half, 0), np.minimum(at + half, len(track) - 1)
+    seconds = np.maximum(after - before, 1) / fps
+    return (track[after] - track[before]) / (seconds * SPEED_FPS)[:, None]
+
+
+def _names(joints: tuple[str, ...], pose: str) -> tuple[str, ...]:
+    kind = "rotation" if pose == "angles" else "position"
+    posture = [f"{joint} {kind} {axis}" for joint in joints for axis in "xyz"]
+    return (*posture, "root height", "pitch", "roll", "horizontal speed", "yaw speed")
