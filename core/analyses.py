@@ -266,7 +266,7 @@ _lock = threading.Lock()
 
 
 def _motif_parameters() -> type:
-    from core.motifs.build import MotifParameters
+    from core.motifs.parameters import MotifParameters
 
     return MotifParameters
 
@@ -282,9 +282,9 @@ def _pack_motifs(graph: Any, dataset: Dataset) -> tuple[dict[str, Any], dict[str
 
 
 def _unpack_motifs(document: dict[str, Any], arrays: dict[str, np.ndarray]) -> Any:
-    from core.motifs.graph import MotifGraph
+    from core.motifs.graph import from_json
 
-    return MotifGraph.from_json(document)
+    return from_json(document)
 
 
 @dataclass(frozen=True)

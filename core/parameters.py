@@ -1,7 +1,7 @@
 """What a method can be told: read from the fields of its parameters' dataclass, once, for command line, app and checks.
 
 A field's annotation gives its type (``int``, ``float``, ``bool``, ``str``, ``Literal[...]`` and unions of these); its
-metadata may give ``help``, ``min``, ``max``, ``choices`` and ``label``.
+metadata may give ``help``, ``min``, ``max``, ``step``, ``choices`` and ``advanced``.
 """
 
 from __future__ import annotations
@@ -28,13 +28,19 @@ class Parameter:
     minimum: float | None = None
     maximum: float | None = None
     help: str = ""
-    label: str = ""
+    step: float | None = None
+    advanced: bool = False
+
+    @property
+    def required(self) -> bool:
+        """Whether it must be given."""
+        return self.default is None and None not in self.words
 
     @property
     def expected(self) -> str:
         """What a value may be, in words."""
         kinds = {int: "a whole number", float: "a number", str: "text", bool: "true or false"}
-        said = [" or ".join(map(str, self.words))] if self.words else []
+        said = [" or ".join("nothing" if word is None else str(word) for word in self.words)] if self.words else []
         numbers = [kinds[float if float in self.kinds else kind] for kind in self.kinds if kind is not bool][:1]
         if bool in self.kinds:
             numbers = [kinds[bool]]
@@ -81,6 +87,9 @@ def fill(kind: type, values: Mapping[str, Any]) -> dict[str, Any]:
     for name in values:
         if name not in known:
             raise ParameterError(f"{str(name)[:60]}: no such parameter; there are {', '.join(known)}")
+    missing = [name for name, p in known.items() if p.required and name not in values]
+    if missing:
+        raise ParameterError(f"{missing[0]}: must be given; expected {known[missing[0]].expected}")
     return {name: p.parse(values[name]) if name in values else p.default for name, p in known.items()}
 
 
@@ -97,19 +106,21 @@ def build(kind: type, values: Mapping[str, Any]) -> Any:
 def _parameter(field: Any, hint: Any) -> Parameter:
     kinds, words = _kinds(hint, field.name)
     meta = field.metadata
-    if "choices" in meta:
+    default = _default(field)
+    if meta.get("choices"):
         kinds, words = (), tuple(meta["choices"])
-    default = field.default_factory() if field.default is MISSING else field.default
+    elif str in kinds and len(kinds) > 1:  # a number, or the one word that is its default
+        kinds, words = tuple(kind for kind in kinds if kind is not str), (*words, default)
+    limits = meta.get("min"), meta.get("max")
     return Parameter(
-        field.name,
-        default,
-        kinds,
-        words,
-        meta.get("min"),
-        meta.get("max"),
-        meta.get("help", ""),
-        meta.get("label", field.name.replace("_", " ")),
+        field.name, default, kinds, words, *limits, meta.get("help", ""), meta.get("step"), meta.get("advanced", False)
     )
+
+
+def _default(field: Any) -> Any:
+    if field.default is not MISSING:
+        return field.default
+    return None if field.default_factory is MISSING else field.default_factory()
 
 
 def _kinds(hint: Any, name: str) -> tuple[tuple[type, ...], tuple[Any, ...]]:

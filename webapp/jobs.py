@@ -58,6 +58,18 @@ def start(workspace: Workspace, request: Request) -> Job:
     return job
 
 
+def restart(workspace: Workspace, job_id: int) -> Job:
+    """Asks again for what a job was to do; raises WorkspaceError where the table has forgotten it."""
+    from core.workspace import WorkspaceError
+
+    old = workspace.jobs.get(job_id)
+    if old is None:
+        raise WorkspaceError("This job is no longer known; start it again from its page.")
+    job = workspace.jobs.submit(old.key, old.request, old.title)
+    tend(workspace)
+    return job
+
+
 def tend(workspace: Workspace) -> bool:
     """Starts a worker where jobs wait and a core is free; True if it did. Cheap: call it as often as you look."""
     newest = workspace.jobs.newest_queued()
