@@ -17,7 +17,8 @@ log = logging.getLogger(__name__)
 
 _PAGE = """<!doctype html><html lang="en"><head><meta charset="utf-8"><title>Motionscape</title>
 <meta name="viewport" content="width=device-width"><style>
-:root{{color-scheme:light dark}}body{{font:16px/1.5 system-ui,sans-serif;margin:18vh auto;max-width:32rem;padding:0 1.5rem}}
+:root{{color-scheme:light dark}}body{{font:16px/1.5 system-ui,sans-serif;margin:18vh auto;
+max-width:32rem;padding:0 1.5rem}}
 h1{{font-size:1.35rem}}a{{color:inherit}}</style></head><body><h1>{title}</h1><p>{text}</p>{back}</body></html>"""
 
 

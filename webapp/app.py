@@ -1,0 +1,161 @@
+"""The app: one Dash application for one workspace."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import dash
+from dash import Input, Output, State, no_update, set_props
+from dash.dependencies import ClientsideFunction
+from dash.development.base_component import Component
+
+from core import analyses
+from core.workspace import Workspace, WorkspaceError, shared_workspace
+from webapp import access, jobs, links, playback
+from webapp.api.exports import export_blueprint
+from webapp.api.filmstrip import filmstrip_blueprint
+from webapp.api.motion import motion_blueprint
+from webapp.api.uploads import Limits, upload_blueprint
+from webapp.components import errors, job_bar, shell
+from webapp.components import stage as stage_component
+from webapp.pages import library, motifs
+
+METHOD = "motifs"
+
+
+def create_app(workspace_path: str | Path, *, token: str | None = None) -> dash.Dash:
+    """The app for the workspace at ``workspace_path`` (made where missing); with ``token`` only for those who have it.
+
+    Raises WorkspaceError where the folder cannot be used.
+    """
+    workspace = shared_workspace(workspace_path)
+    app = dash.Dash(
+        __name__,
+        title="Motionscape",
+        update_title=None,
+        assets_folder=str(_assets()),
+        serve_locally=True,
+        suppress_callback_exceptions=True,
+        background_callback_manager=jobs.background_manager(workspace.path),
+        on_error=errors.on_callback_error,
+    )
+    app.layout = shell.layout(stage_component.stage())
+    access.protect(app.server, token)
+    errors.register(app.server)
+    limits = Limits.from_environment()
+    for blueprint in (
+        upload_blueprint(workspace, limits),
+        motion_blueprint(workspace.open),
+        filmstrip_blueprint(workspace.open),
+        export_blueprint(workspace),
+    ):
+        app.server.register_blueprint(blueprint)
+    stage_component.register(app)
+    job_bar.register(app, workspace)
+    _register_state(app, workspace)
+    _register_page(app, {"library": library.layout(limits), "motifs": motifs.layout()})
+    library.register(app, workspace)
+    motifs.register(app, workspace)
+    playback.register(app, workspace)
+    return app
+
+
+def _assets() -> Path:
+    """In a wheel the assets lie in the package, in a checkout beside it."""
+    packaged = Path(__file__).parent / "assets"
+    return packaged if packaged.is_dir() else Path(__file__).parents[1] / "assets"
+
+
+def _register_page(app: dash.Dash, pages: dict[str, Component]) -> None:
+    @app.callback(Output("page", "children"), Input("url", "pathname"))
+    def show_page(pathname):
+        page = links.page_of(pathname)
+        return pages[page] if page else errors.unknown_page()
+
+
+def _register_state(app: dash.Dash, workspace: Workspace) -> None:
+    names = tuple(parameter.name for parameter in analyses.parameters(METHOD))
+
+    @app.callback(
+        Output("dataset", "data"),
+        Output("parameters", "data"),
+        Output("selection", "data"),
+        Output("stage-restore", "data"),
+        Input("url", "pathname"),
+        Input("url", "search"),
+        State("dataset", "data"),
+    )
+    def open_link(pathname, search, current):
+        if current and not search:  # a click on the navigation: what is shown stays
+            return no_update, no_update, no_update, no_update
+        view, problems = links.parse(pathname, search, names)
+        known = [info.name for info in workspace.datasets()]
+        dataset, more = choose_dataset(view.dataset, known)
+        if links.page_of(pathname) is None:
+            problems = problems[1:]  # the page itself says so
+        if problems or more:
+            message = " ".join([*more, *problems])
+            set_props("notices", {"sendNotifications": [errors.notice("Part of the link was left out", message, "orange")]})
+        if more:
+            view = links.without_selection(view)
+        return dataset, dict(view.parameters), dict(view.selection), dict(view.stage)
+
+    @app.callback(
+        Output("dataset-picker", "data"),
+        Output("dataset-picker", "value"),
+        Output("dataset-picker", "disabled"),
+        Input("revision", "data"),
+        Input("dataset", "data"),
+        State("awaited", "data"),
+    )
+    def show_datasets(_revision, current, awaited):
+        known = [info.name for info in workspace.datasets()]
+        if awaited in known:  # an import has ended: show what it brought
+            set_props("awaited", {"data": None})
+            set_props("dataset-choice", {"data": {"dataset": awaited}})
+        elif known and current not in known:
+            set_props("dataset-choice", {"data": {"dataset": known[0]}})
+        elif not known and current:
+            set_props("dataset-choice", {"data": {"dataset": None}})
+        return known, current if current in known else None, not known
+
+    app.clientside_callback(ClientsideFunction("shell", "choose"), Input("dataset-choice", "data"))
+    app.clientside_callback(
+        ClientsideFunction("shell", "pick"), Input("dataset-picker", "value"), State("dataset", "data")
+    )
+    app.clientside_callback(
+        ClientsideFunction("shell", "address"),
+        Output("address", "data"),
+        Input("url", "pathname"),
+        Input("dataset", "data"),
+        Input("parameters", "data"),
+        Input("selection", "data"),
+    )
+    app.clientside_callback(ClientsideFunction("shell", "current"), Input("url", "pathname"))
+    app.clientside_callback(
+        ClientsideFunction("shell", "share"), Output("notices", "sendNotifications"), Input("share", "n_clicks")
+    )
+
+    path = str(workspace.path)
+
+    @app.callback(
+        Output("job-ended", "data"),
+        Input("job-started", "data"),
+        background=True,
+        prevent_initial_call=True,
+    )
+    def follow(job_id):
+        return jobs.work(path, job_id)
+
+
+def choose_dataset(wanted: str | None, known: list[str]) -> tuple[str | None, tuple[str, ...]]:
+    """The dataset to show and, where it is not the wanted one, why."""
+    if wanted in known:
+        return wanted, ()
+    first = known[0] if known else None
+    if wanted is None:
+        return first, ()
+    return first, (f"There is no dataset called “{wanted[:60]}” here any more.",)
+
+
+__all__ = ["WorkspaceError", "create_app"]

@@ -1,0 +1,15 @@
+"""Buttons that write into a store straight away in the browser (assets/actions.js), without a callback each.
+
+Lists are redrawn often and hold many buttons; one listener on the document serves them all, and server callbacks
+take the store as their only input.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+
+
+def sends(store: str, value: Mapping[str, object], *, every_time: bool = False) -> dict[str, str]:
+    """Attributes for a button: a click puts ``value`` into ``store``; ``every_time``: also when it is there already."""
+    return {"data-store": store, "data-value": json.dumps(value), **({"data-stamp": "yes"} if every_time else {})}

@@ -1,0 +1,162 @@
+"""Rows and columns of the app's tables."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+from typing import Any
+from urllib.parse import quote, urlencode
+
+import dash_ag_grid as dag
+
+from core.mocap.clip import Label, Segment
+from core.mocap.dataset import Dataset, FileReport
+from webapp import theme
+
+Row = dict[str, Any]
+
+_NUMBER = {"type": "rightAligned", "cellClass": "number", "filter": "agNumberColumnFilter"}
+_SECONDS = {"valueFormatter": {"function": "d3.format('.1f')(params.value)"}, **_NUMBER}
+
+CLIP_COLUMNS = [
+    {"field": "clip", "headerName": "Clip", "flex": 3, "minWidth": 130, "filter": "agTextColumnFilter", "pinned": "left"},
+    {"field": "strip", "headerName": "Motion", "width": 250, "cellRenderer": "Filmstrip", "sortable": False, "cellClass": "strip-cell"},
+    {"field": "seconds", "headerName": "Seconds", "width": 92, **_SECONDS},
+    {"field": "frames", "headerName": "Frames", "width": 88, **_NUMBER},
+    {"field": "fps", "headerName": "Per second", "headerTooltip": "Frames per second", "width": 104, **_NUMBER},
+    {"field": "labels", "headerName": "Labels", "width": 82, **_NUMBER},
+    {"field": "verdict", "headerName": "Import", "width": 112, "cellRenderer": "Verdict"},
+]
+REPORT_COLUMNS = [
+    {"field": "verdict", "headerName": "Result", "width": 118, "cellRenderer": "Verdict", "sort": "asc", "comparator": {"function": "verdictOrder(params, valueA, valueB)"}},
+    {"field": "path", "headerName": "File", "width": 210, "filter": "agTextColumnFilter", "tooltipField": "path"},
+    {"field": "messages", "headerName": "What was found", "flex": 1, "minWidth": 240, "wrapText": True, "autoHeight": True, "cellClass": "wrapped-cell", "filter": "agTextColumnFilter"},
+]
+MOTIF_COLUMNS = [
+    {"field": "id", "headerName": "Motif", "width": 76, **_NUMBER},
+    {"field": "strip", "headerName": "Motion", "width": 250, "cellRenderer": "Filmstrip", "sortable": False, "cellClass": "strip-cell"},
+    {"field": "motions", "headerName": "Motions", "headerTooltip": "How many times it occurs", "width": 94, "sort": "desc", **_NUMBER},
+    {"field": "seconds", "headerName": "Seconds", "headerTooltip": "Mean duration of its motions", "width": 94, **_SECONDS},
+    {"field": "clips", "headerName": "Clips", "headerTooltip": "In how many clips it occurs", "width": 78, **_NUMBER},
+    {"field": "label", "headerName": "Mostly", "headerTooltip": "The label that covers most of its frames", "flex": 1, "minWidth": 110},
+]  # fmt: skip
+
+
+def grid(table_id: str, columns: list[dict], rows: list[Row], label: str, *, row_height: int = 46) -> dag.AgGrid:
+    """A table whose rows are chosen by a click or by Enter (assets/actions.js)."""
+    return dag.AgGrid(
+        id=table_id,
+        columnDefs=columns,
+        rowData=rows,
+        defaultColDef={"sortable": True, "resizable": True, "suppressHeaderMenuButton": False, "tooltipComponent": None},
+        getRowId="params.data.key",
+        dashGridOptions={
+            "theme": theme.GRID_THEME,
+            "rowHeight": row_height,
+            "headerHeight": 36,
+            "animateRows": False,
+            "rowSelection": {"mode": "singleRow", "checkboxes": False, "enableClickSelection": False},
+            "tooltipShowDelay": 400,
+            "suppressCellFocus": False,
+            "ensureDomOrder": True,
+            "overlayNoRowsTemplate": "<span>Nothing to show</span>",
+        },
+        eventListeners={"rowClicked": ["chooseRow(params)"], "cellKeyDown": ["chooseRowByKey(params)"]},
+        className="grid",
+        **{"aria-label": label} if "aria-*" in dag.AgGrid._valid_wildcard_attributes else {},
+    )
+
+
+def strip_address(dataset: str, segment: Segment, n_poses: int = 6, fingerprint: str = "") -> str:
+    """The URL of a filmstrip; ``fingerprint`` lets browsers keep it."""
+    query = urlencode({"start": segment.start, "end": segment.end, "n": n_poses, "v": fingerprint[:8]})
+    return f"/api/filmstrip/{quote(dataset, safe='')}/{quote(segment.clip, safe='')}?{query}"
+
+
+def clip_rows(dataset: Dataset) -> list[Row]:
+    """One row a clip, in the dataset's order; ``selection`` is what a click selects."""
+    labels = Counter(label.clip for label in dataset.labels)
+    reports = {file.clip: file for file in dataset.report.files if file.clip}
+    rows = []
+    for clip in dataset.clips:
+        report = reports.get(clip.name)
+        rows.append(
+            {
+                "key": clip.name,
+                "clip": clip.name,
+                "strip": strip_address(dataset.name, Segment(clip.name, 0, clip.n_frames), 6, dataset.fingerprint),
+                "seconds": round(clip.seconds, 2),
+                "frames": clip.n_frames,
+                "fps": round(clip.fps, 2),
+                "labels": labels[clip.name],
+                "verdict": report.verdict if report else "ok",
+                "messages": "\n".join(report.messages) if report else "",
+                "selection": {"clip": clip.name},
+            }
+        )
+    return rows
+
+
+def report_rows(files: Iterable[FileReport], verdicts: Iterable[str] = ("ok", "warning", "error")) -> list[Row]:
+    """One row a file of the import report, of the given verdicts."""
+    wanted = set(verdicts)
+    return [
+        {
+            "key": f"{i}",
+            "verdict": file.verdict,
+            "path": file.path,
+            "messages": " ".join(_sentence(message) for message in file.messages) or "Read without remarks.",
+            **({"selection": {"clip": file.clip}} if file.clip else {}),
+        }
+        for i, file in enumerate(files)
+        if file.verdict in wanted
+    ]
+
+
+def motif_rows(graph: Any, dataset: Dataset) -> list[Row]:
+    """One row a motif: how often, how long, in how many clips, and the label that covers most of it."""
+    by_clip: dict[str, list[Label]] = {}
+    for label in dataset.labels:
+        by_clip.setdefault(label.clip, []).append(label)
+    rates = {clip.name: clip.fps for clip in dataset.clips}
+    rows = []
+    for motif in graph.motifs:
+        medoid = motif.segments[motif.medoid]
+        seconds = [segment.n_frames / rates[segment.clip] for segment in motif.segments]
+        rows.append(
+            {
+                "key": str(motif.id),
+                "id": motif.id,
+                "strip": strip_address(dataset.name, medoid, 6, dataset.fingerprint),
+                "motions": len(motif.segments),
+                "seconds": round(sum(seconds) / len(seconds), 2),
+                "clips": len({segment.clip for segment in motif.segments}),
+                "label": majority_label(motif.segments, by_clip),
+                "selection": {"motif": motif.id},
+            }
+        )
+    return rows
+
+
+def majority_label(segments: Iterable[Segment], labels: dict[str, list[Label]]) -> str:
+    """The action whose labels cover most frames of the segments, with its share; empty where none does."""
+    covered: Counter[str] = Counter()
+    frames = 0
+    for segment in segments:
+        frames += segment.n_frames
+        for label in labels.get(segment.clip, ()):
+            covered[label.action] += max(0, min(label.end, segment.end) - max(label.start, segment.start))
+    (action, most), *_ = covered.most_common(1) or [("", 0)]
+    return f"{action} ({100 * most / frames:.0f} %)" if most else ""
+
+
+def clock(seconds: float) -> str:
+    """A moment of a clip: 0:07.3."""
+    minutes, rest = divmod(round(float(seconds), 1), 60)
+    return f"{int(minutes)}:{rest:04.1f}"
+
+
+def _sentence(message: str) -> str:
+    message = message.strip()
+    message = message[:1].upper() + message[1:]
+    return message if message.endswith((".", "!", "?")) else message + "."

@@ -1,0 +1,77 @@
+"""Results that the views show: which request the URL's parameters stand for, and its answer if there is one."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from core import analyses
+from core.motifs.graph import MotifGraph
+from core.parameters import ParameterError
+from core.workspace import Job, Workspace, WorkspaceError
+
+MOTIFS = "motifs"
+
+
+def motif_request(dataset: str, parameters: Mapping[str, Any] | None) -> analyses.Request:
+    """The request behind ``parameters``; values that cannot be used are left at their defaults (see :func:`refused`)."""
+    usable = {}
+    for parameter in analyses.parameters(MOTIFS):
+        if parameter.name in (parameters or {}):
+            try:
+                usable[parameter.name] = parameter.parse(parameters[parameter.name])
+            except ParameterError:
+                continue
+    return analyses.Request(dataset, MOTIFS, usable)
+
+
+def refused(parameters: Mapping[str, Any]) -> tuple[str, ...]:
+    """Why values among ``parameters`` cannot be used, one sentence each."""
+    problems = []
+    for parameter in analyses.parameters(MOTIFS):
+        if parameter.name in parameters:
+            try:
+                parameter.parse(parameters[parameter.name])
+            except ParameterError as error:
+                problems.append(f"{error}.")
+    return tuple(problems)
+
+
+def not_default(parameters: Mapping[str, Any]) -> dict[str, str]:
+    """Parameters as they stand in a link: text, defaults left out."""
+    defaults = {parameter.name: parameter.default for parameter in analyses.parameters(MOTIFS)}
+    return {
+        name: f"{value:g}" if isinstance(value, float) else str(value)
+        for name, value in parameters.items()
+        if name in defaults and value != defaults[name]
+    }
+
+
+def motif_graph(workspace: Workspace, dataset: str, parameters: Mapping[str, Any] | None) -> MotifGraph | None:
+    """The graph if it has been computed; kept in memory, so that a click costs no reading."""
+    try:
+        return analyses.stored(workspace, motif_request(dataset, parameters))
+    except ParameterError:
+        return None
+
+
+def latest_job(workspace: Workspace, dataset: str, parameters: Mapping[str, Any] | None) -> Job | None:
+    """The newest job for this very request, or None."""
+    try:
+        return workspace.jobs.latest(analyses.key(workspace, motif_request(dataset, parameters)))
+    except (ParameterError, WorkspaceError):
+        return None
+
+
+def earlier(workspace: Workspace, dataset: str) -> list[Job]:
+    """Finished motif jobs on the content of ``dataset``, newest first, one a result."""
+    try:
+        fingerprint = workspace.info(dataset).fingerprint
+    except WorkspaceError:
+        return []
+    found: dict[str, Job] = {}
+    for job in workspace.jobs.list(200):
+        request = job.request
+        if job.state == "done" and request.get("method") == MOTIFS and request.get("fingerprint") == fingerprint:
+            found.setdefault(job.key, job)
+    return [job for job in found.values() if workspace.results.has(job.key)]
