@@ -1,0 +1,233 @@
+"""The command ``motionscape``: reads the arguments, runs one command, turns errors into one clear line.
+
+Exit codes: 0 success, 2 wrong usage or unreadable input, 130 interrupted, 1 a fault of ours. Only light modules are
+imported here: each command imports what it needs when it runs, so that ``--help`` answers at once.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import sys
+from collections.abc import Callable, Sequence
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+from typing import NamedTuple, NoReturn
+
+DEBUG = "MOTIONSCAPE_DEBUG"  # set it to see tracebacks
+SOURCE_HELP = "a folder of recordings (searched recursively), one file, or WORKSPACE/NAME"
+
+
+class Command(NamedTuple):
+    """A command: what --help says of it, which arguments it takes, and what it does (the exit code)."""
+
+    help: str
+    arguments: Callable[[argparse.ArgumentParser], None]
+    run: Callable[[argparse.Namespace], int]
+
+
+class Parser(argparse.ArgumentParser):
+    """Says what is wrong in one line."""
+
+    def error(self, message: str) -> NoReturn:
+        """Ends with exit code 2 after one line on stderr."""
+        self.exit(2, f"{self.prog}: {message} (see {self.prog} --help)\n")
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Runs the command that ``arguments`` (default: those of the process) ask for; the exit code."""
+    arguments = list(sys.argv[1:] if arguments is None else arguments)
+    asked = _parser(arguments).parse_args(arguments)
+    try:
+        return COMMANDS[asked.command].run(asked)
+    except KeyboardInterrupt:
+        print("stopped", file=sys.stderr)
+        return 130
+    except BrokenPipeError:  # the reader of our output (head, less) has seen enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    except Exception as error:
+        if os.environ.get(DEBUG):
+            raise
+        words, code = _in_words(error)
+        print(f"motionscape {asked.command}: {words}", file=sys.stderr)
+        return code
+
+
+def _in_words(error: Exception) -> tuple[str, int]:
+    from core.progress import Cancelled
+    from core.workspace import explain
+
+    if isinstance(error, Cancelled):
+        return "cancelled", 130
+    if isinstance(error, FileNotFoundError) and error.filename:
+        return f"{error.filename}: no such file or folder", 2
+    if isinstance(error, OSError) and error.filename:
+        return f"{error.filename}: {explain(error)}", 2
+    if isinstance(error, OSError | MemoryError):
+        return explain(error), 2
+    if isinstance(error, ValueError):  # RecordingError, WorkspaceError, ParameterError: written for people
+        return " ".join(str(error).split()), 2
+    return f"a fault in Motionscape ({type(error).__name__}: {error}); {DEBUG}=1 shows where", 1
+
+
+def _parser(arguments: Sequence[str]) -> Parser:
+    parser = Parser(prog="motionscape", description="See what is inside a collection of motion capture.")
+    parser.add_argument("--version", action="version", version=f"motionscape {_version()}")
+    parts = parser.add_subparsers(dest="command", metavar="COMMAND", required=True)
+    chosen = next((word for word in arguments if not word.startswith("-")), None)
+    for name, command in COMMANDS.items():
+        part = parts.add_parser(name, help=command.help, description=command.help, allow_abbrev=False)
+        if name == chosen:  # the parameters of a method are only read when they are asked for
+            command.arguments(part)
+    return parser
+
+
+def _version() -> str:
+    try:
+        return version("motionscape")
+    except PackageNotFoundError:
+        return "(not installed)"
+
+
+def _common(parser: argparse.ArgumentParser) -> None:
+    """What every command that reads recordings accepts."""
+    parser.add_argument("--skeleton", type=Path, metavar="FILE.asf", help="the skeleton of AMC files")
+    parser.add_argument("--fps", type=_fps, metavar="N", help="frames per second of AMC files (default 120)")
+    parser.add_argument("--clips", type=_names, metavar="A,B,C", help="only the clips of these names")
+    parser.add_argument("--labels", type=Path, metavar="FILE|DIR", help="labels: a CSV file or a folder of them")
+    parser.add_argument("--seed", type=_whole, default=0, metavar="N", help="start of random choices (default 0)")
+    parser.add_argument("--quiet", action="store_true", help="no progress and no summary")
+
+
+def _fps(text: str) -> float:
+    value = _number(text)
+    if not 1 <= value <= 1000:
+        raise argparse.ArgumentTypeError(f"{text!r}: expected a frame rate from 1 to 1000")
+    return value
+
+
+def _number(text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number") from None
+
+
+def _whole(text: str) -> int:
+    if not text.isdecimal() or len(text) > 9:
+        raise argparse.ArgumentTypeError(f"{text!r}: expected a whole number, at least 0")
+    return int(text)
+
+
+def _port(text: str) -> int:
+    if not text.isdecimal() or int(text) > 65535:
+        raise argparse.ArgumentTypeError(f"{text!r}: expected a port from 0 to 65535")
+    return int(text)
+
+
+def _names(text: str) -> list[str]:
+    names = [name.strip() for name in text.split(",") if name.strip()]
+    if not names:
+        raise argparse.ArgumentTypeError("expected names of clips, separated by commas")
+    return names
+
+
+def _minutes(text: str) -> float:
+    value = _number(text)
+    if not 0.5 <= value <= 6000:
+        raise argparse.ArgumentTypeError(f"{text!r}: expected minutes from 0.5 to 6000")
+    return value
+
+
+def _serve_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("workspace", nargs="?", default="workspace", type=Path, metavar="WORKSPACE")
+    parser.add_argument("--host", default="127.0.0.1", help="address to listen on (default 127.0.0.1: this machine)")
+    parser.add_argument("--port", default=8050, type=_port, help="default 8050; 0 takes a free one")
+    parser.add_argument("--demo", action="store_true", help="have the demo data set and its motif graph there")
+    parser.add_argument("--no-browser", action="store_true", help="do not open a browser")
+
+
+def _import_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("workspace", type=Path, metavar="WORKSPACE", help="folder of the workspace, made where missing")
+    parser.add_argument("paths", nargs="+", type=Path, metavar="PATH", help="recordings, or folders of them")
+    parser.add_argument("--name", help="name of the data set (default: that of the first PATH)")
+    _common(parser)
+
+
+def _inspect_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("paths", nargs="+", type=Path, metavar="PATH", help="recordings, or folders of them")
+    parser.add_argument("--json", action="store_true", help="print JSON instead of lines")
+    _common(parser)
+
+
+def _demo_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("folder", type=Path, metavar="DIR", help="where to write, made where missing")
+    parser.add_argument("--minutes", type=_minutes, default=6.0, help="length (default 6)")
+    parser.add_argument("--seed", type=_whole, default=0, metavar="N", help="the same seed gives the same bytes")
+    parser.add_argument("--quiet", action="store_true", help="no progress and no summary")
+
+
+def _motifs_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("source", metavar="SOURCE", help=SOURCE_HELP)
+    _method_arguments(parser, "motifs")
+    parser.add_argument("--out", type=Path, required=True, metavar="motifs.json", help="file to write")
+    _common(parser)
+
+
+def _method_arguments(parser: argparse.ArgumentParser, method: str) -> None:
+    """The parameters of a method as options; the seed is among the common ones."""
+    from core.analyses import parameters
+    from core.parameters import Parameter, ParameterError
+
+    def reader(parameter: Parameter) -> Callable[[str], object]:
+        def read(text: str) -> object:
+            try:
+                return parameter.parse(text)
+            except ParameterError:
+                raise argparse.ArgumentTypeError(f"{text[:60]!r}: expected {parameter.expected}") from None
+
+        return read
+
+    for parameter in parameters(method):
+        if parameter.name == "seed":
+            continue
+        words = "|".join(map(str, parameter.words))
+        parser.add_argument(
+            f"--{parameter.name.replace('_', '-')}",
+            type=reader(parameter),
+            default=parameter.default,
+            metavar="|".join(filter(None, [words, "N" if parameter.kinds else ""])),
+            help=f"{parameter.help} (default {parameter.default})".replace("%", "%%"),
+        )
+
+
+def _later(module: str, function: str) -> Callable[[argparse.Namespace], int]:
+    def run(asked: argparse.Namespace) -> int:
+        from importlib import import_module
+
+        return getattr(import_module(module), function)(asked)
+
+    return run
+
+
+COMMANDS = {
+    "serve": Command("Show a workspace in the browser.", _serve_arguments, _later("webapp.serving", "serve")),
+    "import": Command("Read recordings into a workspace.", _import_arguments, _later("webapp.commands", "import_")),
+    "inspect": Command(
+        "Say of every file whether it can be read, and what is odd about it.",
+        _inspect_arguments,
+        _later("webapp.commands", "inspect"),
+    ),
+    "demo": Command(
+        "Write the demo data set: labelled motion as BVH files.", _demo_arguments, _later("webapp.commands", "demo")
+    ),
+    "motifs": Command(
+        "Find the motions that recur and how they follow one another.",
+        _motifs_arguments,
+        _later("webapp.commands", "motifs"),
+    ),
+}
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,183 @@
+"""The commands that read recordings or write files; ``webapp.cli`` reads their arguments."""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+from argparse import Namespace
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+from core.progress import Report
+from core.workspace import Workspace, WorkspaceError, atomic_file, clean_name
+from webapp.progress_bar import progress_bar
+
+MB = 1024 * 1024
+
+
+def import_(asked: Namespace) -> int:
+    """Reads recordings into a workspace; bad files are named on stderr. Raises WorkspaceError where none can be read."""
+    missing = [str(path) for path in asked.paths if not path.expanduser().exists()]
+    if missing:
+        raise WorkspaceError(f"{missing[0]}: no such file or folder")
+    workspace = Workspace(asked.workspace)
+    first = asked.paths[0].expanduser().resolve()
+    name = asked.name if asked.name is not None else clean_name(_stem(first), "recordings")
+    with progress_bar(asked.quiet) as report:
+        imported = workspace.import_dataset(
+            name,
+            [path.expanduser() for path in asked.paths],
+            skeleton=asked.skeleton,
+            fps=asked.fps,
+            clips=asked.clips,
+            labels=asked.labels,
+            report=report,
+        )
+    for file in imported.files:
+        if file.verdict == "error":
+            print(_line(file), file=sys.stderr)
+    if not asked.quiet:
+        info = workspace.info(name.strip())
+        print(
+            f"{info.name}: {info.clips} clips, {info.frames} frames, {info.seconds:.1f} s, {info.labels} labels; "
+            f"{info.warnings} files with warnings, {info.errors} files with errors"
+        )
+    return 0
+
+
+def inspect(asked: Namespace) -> int:
+    """One line a file: its verdict and why; 2 if any is unreadable. With ``--json`` one object with the same."""
+    with progress_bar(asked.quiet or not asked.json) as report:
+        verdicts = []
+        for file in _verdicts(asked, report):
+            verdicts.append(file)
+            if not asked.json and not (asked.quiet and file.verdict == "ok"):
+                print(_line(file), flush=True)
+    if not verdicts:
+        raise WorkspaceError(f"no recordings (.bvh, .amc, .asf) in {', '.join(map(str, asked.paths))}")
+    if asked.json:
+        entries = [
+            {"path": str(f.path), "clip": f.clip, "verdict": f.verdict, "messages": list(f.messages)} for f in verdicts
+        ]
+        print(json.dumps({"format": "motionscape/inspection/1", "files": entries}, ensure_ascii=False, indent=1))
+    return 2 if any(file.verdict == "error" for file in verdicts) else 0
+
+
+def demo(asked: Namespace) -> int:
+    """Writes the demo data set as BVH and labels."""
+    from core.demo import write_demo
+
+    if asked.folder.exists() and not asked.folder.is_dir():
+        raise WorkspaceError(f"{asked.folder} is a file; the demo needs a folder.")
+    write_demo(asked.folder, minutes=asked.minutes, seed=asked.seed)
+    if not asked.quiet:
+        print(f"{asked.minutes:g} minutes of labelled motion are in {asked.folder}")
+    return 0
+
+
+def motifs(asked: Namespace) -> int:
+    """Finds motifs and writes motifs.json; prints the time of each stage, kappa, the memory taken and the metrics."""
+    from core import analyses
+    from webapp.sources import named_dataset, open_source, refuse_reading_options
+
+    values = {p.name: getattr(asked, p.name) for p in analyses.parameters("motifs")}
+    analyses.normalise(analyses.Request("", "motifs", values))  # refuses before anything is read
+    named = named_dataset(asked.source)
+    started = time.perf_counter()
+    with progress_bar(asked.quiet) as report:
+        if named and not asked.clips:
+            refuse_reading_options(asked)
+            workspace, name = named
+            dataset = workspace.open(name)
+            read = time.perf_counter() - started
+            graph = analyses.run(workspace, analyses.Request(name, "motifs", values), report)
+        else:
+            dataset = open_source(asked, report)
+            read = time.perf_counter() - started
+            graph = analyses.compute(dataset, "motifs", values, report)
+    write_json(asked.out, graph.to_json(dataset))
+    if not asked.quiet:
+        print("\n".join(_motif_summary(dataset, graph, {"reading": read} | dict(graph.seconds), asked)))
+    return 0
+
+
+def write_json(path: Path, document: dict[str, Any]) -> None:
+    """Writes JSON atomically; raises OSError."""
+    with atomic_file(path) as file:
+        file.write(json.dumps(document, ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode())
+        file.write(b"\n")
+
+
+def _motif_summary(dataset: Any, graph: Any, seconds: dict[str, float], asked: Namespace) -> Iterator[str]:
+    frames = sum(clip.n_frames for clip in dataset.clips)
+    yield f"{len(dataset.clips)} clips, {frames} frames, {sum(clip.seconds for clip in dataset.clips):.1f} s of motion"
+    for stage, taken in seconds.items():
+        yield f"  {stage:<14}{taken:8.2f} s"
+    yield f"  {'peak memory':<14}{_peak_memory() / MB:8.0f} MB"
+    yield f"kappa {graph.parameters['kappa']}" + (" (auto)" if asked.kappa == "auto" else "")
+    yield ", ".join(f"{name.replace('_', ' ')} {_short(value)}" for name, value in graph.metrics.items())
+    yield f"written to {asked.out}"
+
+
+def _verdicts(asked: Namespace, report: Report) -> Iterator[Any]:
+    """A FileReport for every file that was named or found, and for the labels."""
+    from core.inspection import inspect_file
+
+    paths = [path for path in _files(asked.paths) if not asked.clips or _stem(path) in asked.clips]
+    for k, path in enumerate(paths):
+        report("inspecting", k / len(paths))
+        yield inspect_file(path, skeleton=asked.skeleton, fps=asked.fps)
+    if asked.labels is not None:
+        yield _inspect_labels(asked.labels)
+
+
+def _inspect_labels(path: Path) -> Any:
+    from core.mocap.dataset import FileReport
+    from core.mocap.labels import read_labels
+
+    try:
+        return FileReport(str(path), "", "ok", (f"{len(read_labels(path))} labels",))
+    except (ValueError, OSError) as error:
+        return FileReport(str(path), "", "error", (str(error),))
+
+
+def _files(paths: Iterable[Path]) -> Iterator[Path]:
+    from core.mocap.dataset import find_recordings
+
+    for path in paths:
+        if path.is_dir():
+            yield from sorted({*map(Path, find_recordings(path)), *path.rglob("*.asf"), *path.rglob("*.ASF")})
+        else:
+            yield path
+
+
+def _line(file: Any) -> str:
+    messages = "; ".join(" ".join(message.split()) for message in file.messages)
+    text = f"{file.verdict:<8}{file.path}" + (f": {messages}" if messages else "")
+    return "".join(c if c.isprintable() else "?" for c in text)  # names of files may hold anything
+
+
+def _stem(path: Path) -> str:
+    name = path.name
+    for suffix in (".gz", ".bvh", ".amc", ".asf"):
+        if name.lower().endswith(suffix):
+            name = name[: -len(suffix)]
+    return name
+
+
+def _peak_memory() -> float:
+    """Bytes that this process has held at most."""
+    try:
+        import resource
+    except ImportError:  # Windows
+        import psutil
+
+        return psutil.Process().memory_info().peak_wset
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return peak if sys.platform == "darwin" else peak * 1024
+
+
+def _short(value: Any) -> str:
+    return f"{value:.3g}" if isinstance(value, float) else str(value)

@@ -1,0 +1,120 @@
+"""The command ``serve``: the app on a threaded server, safe by default."""
+
+from __future__ import annotations
+
+import errno
+import ipaddress
+import os
+import secrets
+import socket
+import sys
+import threading
+import webbrowser
+from argparse import Namespace
+from typing import Any
+
+from core.workspace import Workspace, WorkspaceError, shared_workspace
+
+TOKEN = "MOTIONSCAPE_TOKEN"
+THREADS = 12
+MAX_BODY = 8 * 1024**3  # bytes; the upload route has its own, lower limits
+
+
+def serve(asked: Namespace) -> int:
+    """Shows a workspace in the browser until interrupted. Raises WorkspaceError (folder, port or address unusable)."""
+    workspace = shared_workspace(asked.workspace)
+    token = token_for(asked.host)
+    server = listen(asked.host, asked.port)  # before anything slow: a port that is in use is said at once
+    try:
+        return _serve(workspace, asked, token, server)
+    finally:
+        server.close()
+
+
+def token_for(host: str) -> str | None:
+    """The token that visitors need: none on this machine; elsewhere MOTIONSCAPE_TOKEN, or a new one."""
+    return os.environ.get(TOKEN) or (None if is_loopback(host) else secrets.token_urlsafe(18))
+
+
+def is_loopback(host: str) -> bool:
+    """Whether only this machine can reach ``host``."""
+    try:
+        return ipaddress.ip_address(host.strip("[]")).is_loopback
+    except ValueError:
+        return host.lower() == "localhost"
+
+
+def listen(host: str, port: int) -> socket.socket:
+    """A listening socket (port 0: any free one); raises WorkspaceError in plain words."""
+    try:
+        family, kind, protocol, _, address = socket.getaddrinfo(host.strip("[]"), port, type=socket.SOCK_STREAM)[0]
+    except (socket.gaierror, UnicodeError) as error:
+        raise WorkspaceError(f"{host!r} is no address of this machine.") from error
+    listener = socket.socket(family, kind, protocol)
+    try:
+        if os.name == "posix":  # a port that was just left may be used again at once
+            listener.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        listener.bind(address)
+        listener.listen(128)
+    except OSError as error:
+        listener.close()
+        reasons = {
+            errno.EADDRINUSE: f"Port {port} is in use, perhaps by another Motionscape; choose another with --port.",
+            errno.EACCES: f"Port {port} may not be used without administrator's rights; choose one above 1023.",
+            errno.EADDRNOTAVAIL: f"{host!r} is no address of this machine.",
+        }
+        raise WorkspaceError(reasons.get(error.errno or 0, f"Cannot listen on {host}:{port}: {error}.")) from error
+    return listener
+
+
+def prepare_demo(workspace: Workspace) -> None:
+    """Asks for the demo data set and its motif graph as a job like any other, unless they are there."""
+    from core.analyses import DEMO, Request, stored
+    from webapp.jobs import start
+
+    if DEMO not in {info.name for info in workspace.datasets()}:
+        start(workspace, Request(DEMO, "demo"))
+    elif stored(workspace, Request(DEMO, "motifs")) is None:
+        start(workspace, Request(DEMO, "motifs"))
+
+
+def _serve(workspace: Workspace, asked: Namespace, token: str | None, listener: socket.socket) -> int:
+    from waitress import create_server
+
+    from webapp.jobs import tend
+
+    if asked.demo:
+        prepare_demo(workspace)  # its worker starts while the app is being built
+    tend(workspace)  # jobs that were waiting when the last server ended
+    app = _app(workspace, token)
+    port = listener.getsockname()[1]
+    url = f"http://{_shown(asked.host)}:{port}/" + (f"?token={token}" if token else "")
+    print(f"Motionscape shows {workspace.path} at\n  {url}\nCtrl+C stops it.", flush=True)
+    if token and not is_loopback(asked.host):
+        print("Whoever has this link can see and change the workspace; traffic is not encrypted.", flush=True)
+    if not asked.no_browser and _has_display():
+        threading.Timer(0.3, webbrowser.open, [url]).start()
+    server = create_server(
+        app.server, sockets=[listener], threads=THREADS, max_request_body_size=MAX_BODY, ident="motionscape"
+    )
+    server.run()
+    raise KeyboardInterrupt  # the server returns only then
+
+
+def _app(workspace: Workspace, token: str | None) -> Any:
+    from webapp.app import create_app
+
+    return create_app(workspace.path, token=token)
+
+
+def _shown(host: str) -> str:
+    """``host`` as a browser on this machine can open it."""
+    if host in ("0.0.0.0", "::"):
+        return socket.gethostname()
+    return f"[{host}]" if ":" in host and not host.startswith("[") else host
+
+
+def _has_display() -> bool:
+    if sys.platform in ("darwin", "win32"):
+        return True
+    return bool(os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY"))

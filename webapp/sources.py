@@ -1,0 +1,46 @@
+"""What SOURCE means on the command line."""
+
+from __future__ import annotations
+
+from argparse import Namespace
+from pathlib import Path
+
+from core.mocap.dataset import Dataset, open_dataset
+from core.progress import Report
+from core.workspace import Workspace, WorkspaceError, is_workspace
+
+
+def named_dataset(source: str) -> tuple[Workspace, str] | None:
+    """Workspace and name where ``source`` is WORKSPACE/NAME, else None. Raises WorkspaceError for a bare workspace."""
+    path = Path(source).expanduser()
+    if is_workspace(path):
+        names = [info.name for info in Workspace(path).datasets()]
+        known = f" It has {', '.join(names[:8])}." if names else " It is empty."
+        raise WorkspaceError(f"{source} is a workspace: say which data set of it, as {source.rstrip('/')}/NAME.{known}")
+    return (Workspace(path.parent), path.name) if is_workspace(path.parent) else None
+
+
+def open_source(asked: Namespace, report: Report) -> Dataset:
+    """The data set that ``asked.source`` and the common options name.
+
+    Raises WorkspaceError, RecordingError, ValueError or OSError in plain words.
+    """
+    named = named_dataset(asked.source)
+    if named is None:
+        path = Path(asked.source).expanduser()
+        if not path.exists():
+            raise WorkspaceError(f"{asked.source}: no such file or folder, and no data set of a workspace.")
+        return open_dataset(
+            path, skeleton=asked.skeleton, fps=asked.fps, clips=asked.clips, labels=asked.labels, report=report
+        )
+    refuse_reading_options(asked)
+    workspace, name = named
+    dataset = workspace.open(name)
+    return dataset.select(asked.clips) if asked.clips else dataset
+
+
+def refuse_reading_options(asked: Namespace) -> None:
+    """Raises WorkspaceError for options that only make sense while recordings are read."""
+    given = [f"--{name}" for name in ("skeleton", "fps", "labels") if getattr(asked, name) is not None]
+    if given:
+        raise WorkspaceError(f"{' and '.join(given)}: only for files; this data set has been imported already.")
