@@ -97,7 +97,7 @@ def drawn_body(skeleton: Skeleton) -> DrawnBody:
 
 
 def _add_tip(skeleton: Skeleton, anatomy, roles: dict[int, str], extremity: str) -> None:
-    """Draw the descendant furthest from a wrist or toe (ankle where there is no toe): the middle finger, the toe tip."""
+    """Draw what reaches furthest from a wrist or toe (ankle where there is no toe): middle finger, tip of the toes."""
     side, part = extremity.split("_")
     joint = anatomy.joints.get(extremity, anatomy.joints.get(f"{side}_ankle") if part == "toe" else None)
     if joint is None or roles.get(joint, "") == "":

@@ -1,0 +1,99 @@
+// A perspective camera that orbits a target. Y up; at yaw 0 it looks at the faces of figures that face +Z.
+(function (parts) {
+  "use strict";
+
+  const FIELD_OF_VIEW = (30 * Math.PI) / 180;
+  const NEAR = 0.1;
+  const HOME = { yaw: 0.62, pitch: 0.2 };
+  const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
+
+  class Camera {
+    constructor() {
+      this.follow = true;
+      this.centre = [0, 0]; // followed point on the ground
+      this.fitted = { distance: 5, height: 0.9 };
+      this.eye = new Float64Array(3);
+      this.reset();
+    }
+
+    reset() {
+      this.moved = false; // the person has chosen distance or place
+      this.yaw = HOME.yaw;
+      this.pitch = HOME.pitch;
+      this.pan = [0, this.fitted.height, 0];
+      this.distance = this.fitted.distance;
+    }
+
+    orbit(dx, dy) {
+      this.yaw -= dx;
+      this.pitch = clamp(this.pitch + dy, 0.01, 1.55);
+    }
+
+    zoom(factor) {
+      this.moved = true;
+      this.distance = clamp(this.distance * factor, 0.6, 200);
+    }
+
+    /** Shift by pixels of a view that is `height` pixels high, in the plane that faces the camera. */
+    shift(dx, dy, height) {
+      const metres = (2 * this.distance * Math.tan(FIELD_OF_VIEW / 2)) / height;
+      for (let k = 0; k < 3; k++) this.pan[k] += metres * (dy * this.up[k] - dx * this.right[k]);
+      this.pan[1] = clamp(this.pan[1], -1, 20);
+      this.moved = true;
+    }
+
+    /** Glide towards the followed point, or be there at once. */
+    track(x, z, seconds, atOnce) {
+      const share = atOnce ? 1 : 1 - Math.exp(-seconds * 6);
+      this.centre[0] += (x - this.centre[0]) * share;
+      this.centre[1] += (z - this.centre[1]) * share;
+    }
+
+    /** Stand back far enough to see `radius` metres to each side and `height` metres of figure. */
+    fit(radius, height, aspect) {
+      const vertical = Math.tan(FIELD_OF_VIEW / 2);
+      const distance = Math.max((height * 0.64) / vertical, (radius * 1.12) / (vertical * aspect)) + radius * 0.6;
+      this.fitted = { distance: clamp(distance, 2, 200), height: height * 0.47 };
+      if (this.moved) return;
+      this.distance = this.fitted.distance;
+      this.pan = [0, this.fitted.height, 0];
+    }
+
+    /** Set up for a view of this size in pixels; call before projecting. */
+    prepare(width, height) {
+      const [sy, cy, sp, cp] = [Math.sin(this.yaw), Math.cos(this.yaw), Math.sin(this.pitch), Math.cos(this.pitch)];
+      this.right = [cy, 0, -sy];
+      this.up = [-sy * sp, cp, -cy * sp];
+      this.forward = [-sy * cp, -sp, -cy * cp];
+      this.target = [this.centre[0] + this.pan[0], this.pan[1], this.centre[1] + this.pan[2]];
+      for (let k = 0; k < 3; k++) this.eye[k] = this.target[k] - this.distance * this.forward[k];
+      this.focal = height / 2 / Math.tan(FIELD_OF_VIEW / 2);
+      this.middleX = width / 2;
+      this.middleY = height / 2;
+    }
+
+    /** Distance along the view of a point; projectable where it exceeds `parts.NEAR`. */
+    depth(x, y, z) {
+      const { forward: f, eye: e } = this;
+      return (x - e[0]) * f[0] + (y - e[1]) * f[1] + (z - e[2]) * f[2];
+    }
+
+    /** Points (n, 3) to screen x, y, pixels per metre and depth, written into arrays of length n. */
+    project(points, n, x, y, scale, depth) {
+      const { right: r, up: u, forward: f, eye: e } = this;
+      for (let j = 0, k = 0; j < n; j++, k += 3) {
+        const a = points[k] - e[0];
+        const b = points[k + 1] - e[1];
+        const c = points[k + 2] - e[2];
+        const d = a * f[0] + b * f[1] + c * f[2];
+        const s = this.focal / Math.max(d, NEAR);
+        x[j] = this.middleX + s * (a * r[0] + c * r[2]);
+        y[j] = this.middleY - s * (a * u[0] + b * u[1] + c * u[2]);
+        scale[j] = s;
+        depth[j] = d;
+      }
+    }
+  }
+
+  Object.assign(parts, { Camera, NEAR, CAMERA_HOME: HOME });
+})((window.motionscapeStageParts ||= {}));

@@ -1,0 +1,78 @@
+// Motions from the server: fetched as binary, kept in a bounded cache, shared between requests.
+(function (parts) {
+  "use strict";
+
+  const CACHE_BYTES = 96 * 1024 * 1024;
+
+  /** Path segment of a name that may hold anything, slashes and dots included. */
+  const escape = (name) => encodeURIComponent(name).replace(/^\.+$/, (dots) => dots.replace(/\./g, "%2E"));
+
+  function motionUrl(api, dataset, item) {
+    const interval = new URLSearchParams();
+    if (item.start != null) interval.set("start", item.start);
+    if (item.end != null) interval.set("end", item.end);
+    const query = interval.toString();
+    return `${api}/motion/${escape(dataset)}/${escape(item.clip)}${query ? "?" + query : ""}`;
+  }
+
+  /** uint32 header length, JSON header, float32 positions (frames, joints, 3): see docs/architecture.md. */
+  function decode(buffer) {
+    const length = new DataView(buffer).getUint32(0, true);
+    const header = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length)));
+    const positions = new Float32Array(buffer, 4 + length, header.frames * header.joints.length * 3);
+    return { header, positions, bytes: buffer.byteLength };
+  }
+
+  async function download(url, signal) {
+    let response;
+    try {
+      response = await fetch(url, { signal });
+    } catch (error) {
+      if (error.name === "AbortError") throw error;
+      throw new Error("The server cannot be reached. Is Motionscape still running?");
+    }
+    if (!response.ok) {
+      const answer = await response.json().catch(() => ({}));
+      throw new Error(answer.error || `The server answered with an error (${response.status}).`);
+    }
+    return decode(await response.arrayBuffer());
+  }
+
+  /** Least recently used motions are dropped once the rest exceeds the limit. */
+  class MotionCache {
+    constructor(limit = CACHE_BYTES) {
+      this.limit = limit;
+      this.bytes = 0;
+      this.motions = new Map();
+    }
+
+    async get(url, signal) {
+      const known = this.motions.get(url);
+      if (known) {
+        this.motions.delete(url);
+        this.motions.set(url, known);
+        return known;
+      }
+      const motion = await download(url, signal);
+      if (!this.motions.has(url)) {
+        this.motions.set(url, motion);
+        this.bytes += motion.bytes;
+      }
+      for (const [oldest, value] of this.motions) {
+        if (this.bytes <= this.limit || oldest === url) break;
+        this.motions.delete(oldest);
+        this.bytes -= value.bytes;
+      }
+      return motion;
+    }
+
+    /** A data set's name may come to stand for other content: forget what was fetched. */
+    clear() {
+      this.motions.clear();
+      this.bytes = 0;
+    }
+  }
+
+  parts.motionUrl = motionUrl;
+  parts.MotionCache = MotionCache;
+})((window.motionscapeStageParts ||= {}));

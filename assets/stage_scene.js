@@ -1,0 +1,115 @@
+// The picture: sky, ground, shadows, traces, bodies and labels on one canvas.
+(function (parts) {
+  "use strict";
+
+  const LABELS_OVERLAID = 3; // more would cover one another
+
+  class Scene {
+    constructor(canvas) {
+      this.canvas = canvas;
+      this.context = canvas.getContext("2d", { alpha: false });
+      this.ground = new parts.Ground();
+      this.bodies = new parts.BodyPainter();
+      this.sky = document.createElement("canvas");
+      this.labels = new Map();
+      this.width = this.height = 0;
+    }
+
+    /** Match the canvas to its box and the screen's pixels; true when anything changed. */
+    resize() {
+      const ratio = Math.min(window.devicePixelRatio || 1, 2);
+      const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
+      const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
+      if (width === this.width && height === this.height && ratio === this.ratio) return false;
+      this.canvas.width = this.width = width;
+      this.canvas.height = this.height = height;
+      this.ratio = ratio;
+      this.labels.clear();
+      this.paintSky();
+      return true;
+    }
+
+    setTheme(theme) {
+      this.theme = theme;
+      for (const name of ["floor", "rim", "grid", "shadow", "contact", "text"]) theme[`${name}Css`] = parts.css(theme[name]);
+      this.labels.clear();
+      this.paintSky();
+    }
+
+    paintSky() {
+      if (!this.theme || !this.width) return;
+      this.sky.width = this.width;
+      this.sky.height = this.height;
+      const context = this.sky.getContext("2d");
+      const gradient = context.createLinearGradient(0, 0, 0, this.height);
+      gradient.addColorStop(0, parts.css(this.theme.sky));
+      gradient.addColorStop(1, parts.css(this.theme.haze));
+      context.fillStyle = gradient;
+      context.fillRect(0, 0, this.width, this.height);
+    }
+
+    paint(camera, figures, traces, clock, overlaid) {
+      const { context, theme } = this;
+      camera.prepare(this.width, this.height);
+      context.drawImage(this.sky, 0, 0);
+      this.ground.paint(context, camera, theme);
+      for (const figure of figures) {
+        if (!figure.visible) continue;
+        camera.project(figure.points, figure.n, figure.x, figure.y, figure.scale, figure.depth);
+        this.ground.paintShadow(context, camera, figure, theme);
+      }
+      this.ground.paintGrid(context, camera, theme);
+      traces.paint(context, camera, figures, clock);
+      this.bodies.paint(context, camera, Math.min(this.ground.radius, 0.8 * camera.distance));
+      if (figures.length > 1) this.paintLabels(figures, overlaid);
+    }
+
+    paintLabels(figures, overlaid) {
+      const shown = figures.filter((figure) => figure.visible);
+      if (overlaid && shown.length > LABELS_OVERLAID) return;
+      const taken = [];
+      for (const figure of shown.sort((a, b) => a.depth[a.header.root] - b.depth[b.header.root])) {
+        const top = figure.header.head >= 0 ? figure.header.head : figure.header.root;
+        if (figure.depth[top] < parts.NEAR) continue;
+        const sprite = this.label(figure);
+        const x = Math.round(figure.x[top] - sprite.width / 2);
+        let y = Math.round(figure.y[top] - (0.24 * figure.size * figure.scale[top] + sprite.height));
+        const hits = (box) => Math.abs(box[0] - x) < (box[2] + sprite.width) / 2 && Math.abs(box[1] - y) < sprite.height;
+        for (let tries = 0; tries < 8 && taken.some(hits); tries++) y -= sprite.height + 2;
+        taken.push([x, y, sprite.width]);
+        this.context.drawImage(sprite, x, y);
+      }
+    }
+
+    /** A label drawn once: text on a soft plate with the figure's colour. */
+    label(figure) {
+      const key = `${figure.label}|${figure.shades.fill[2][0]}`;
+      if (this.labels.has(key)) return this.labels.get(key);
+      const sprite = document.createElement("canvas");
+      const size = 11.5 * this.ratio;
+      const text = figure.label.length > 26 ? `${figure.label.slice(0, 12)}…${figure.label.slice(-12)}` : figure.label;
+      let context = sprite.getContext("2d");
+      const font = `500 ${size}px ${this.theme.font}`;
+      context.font = font;
+      sprite.width = Math.ceil(context.measureText(text).width + 2.1 * size);
+      sprite.height = Math.ceil(1.7 * size);
+      context = sprite.getContext("2d");
+      context.globalAlpha = 0.82;
+      context.fillStyle = parts.css(this.theme.sky);
+      context.beginPath();
+      context.roundRect(0, 0, sprite.width, sprite.height, sprite.height / 2);
+      context.fill();
+      context.globalAlpha = 1;
+      context.fillStyle = figure.shades.fill[2][0];
+      parts.disc(context, 0.85 * size, sprite.height / 2, 0.32 * size);
+      context.font = font;
+      context.textBaseline = "middle";
+      context.fillStyle = this.theme.textCss;
+      context.fillText(text, 1.4 * size, sprite.height / 2 + 0.5);
+      this.labels.set(key, sprite);
+      return sprite;
+    }
+  }
+
+  parts.Scene = Scene;
+})((window.motionscapeStageParts ||= {}));

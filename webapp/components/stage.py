@@ -1,0 +1,158 @@
+"""The Stage as a Dash layout: a canvas and its controls. All of it is driven by ``assets/stage*.js``.
+
+Views hand it segments by writing ``dcc.Store("stage-request")``: ``{"dataset", "items": [{"clip", "start", "end",
+"label", "colour", "warp"}], "layout": "overlay" | "side", "sync": "warp" | "start", "title"}``.
+For links: ``motionscapeStage.state()`` and ``.restore(state)`` in the browser, and the window event ``stage-state``.
+"""
+
+from __future__ import annotations
+
+from dash import Dash, Input, Output, dcc, html
+
+REQUEST, SHOWN = "stage-request", "stage-shown"
+
+KEYS = (
+    ("Space", "play, pause"),
+    ("← →", "one frame back, forward"),
+    ("Page ↑ ↓", "ten frames forward, back"),
+    ("Home End", "first, last frame"),
+    ("+ − 0", "faster, slower, normal"),
+    ("L", "repeat, back and forth, once"),
+    ("G T", "ghosts, trails"),
+    ("F R", "follow, reset the view"),
+    ("1 2", "laid over, side by side"),
+    ("S", "in step, own pace"),
+    ("Shift + arrows", "turn the view"),
+    ("↑ ↓", "zoom"),
+)
+MOUSE = "Drag to turn, Shift + drag to shift, wheel to zoom, double click to reset."
+
+
+def stage(api: str = "/api") -> html.Div:
+    """The Stage; one a page, its id is ``stage``. ``api``: address of the motion routes, with the app's prefix."""
+    return html.Div(
+        [
+            dcc.Store(id=REQUEST),
+            dcc.Store(id=SHOWN),
+            html.Div(
+                [html.Div(className="ms-stage-title"), html.Div(className="ms-figures", **{"aria-label": "Figures"})],
+                className="ms-stage-head",
+            ),
+            _view(),
+            html.Div(
+                [
+                    html.Div(
+                        html.Div([html.Canvas(), html.Div(className="ms-warp-cursor")], className="ms-warp-rows"),
+                        className="ms-warp",
+                        hidden=True,
+                        **{"aria-hidden": "true"},
+                    ),
+                    _scrub_bar(),
+                    _toolbar(),
+                ],
+                className="ms-controls",
+            ),
+        ],
+        id="stage",
+        className="ms-stage",
+        role="region",
+        **{"aria-label": "Stage", "data-api": api, "data-status": "empty"},
+    )
+
+
+def register(app: Dash) -> None:
+    """Let the Stage play what is written into its request store."""
+    app.clientside_callback(
+        "function (request) { if (request) window.motionscapeStage.show(request); return null; }",
+        Output(SHOWN, "data"),
+        Input(REQUEST, "data"),
+    )
+
+
+def _view() -> html.Div:
+    return html.Div(
+        [
+            html.Canvas(id="stage-canvas", role="img", tabIndex="0", **{"aria-label": "Stage for moving figures"}),
+            html.Div(
+                [
+                    html.Div(className="ms-message-figure", **{"aria-hidden": "true"}),
+                    html.Div("Nothing on stage yet", className="ms-message-title"),
+                    html.Div("Choose a clip, a motif or a motion, and it plays here.", className="ms-message-hint"),
+                    html.Div(className="ms-message-text", role="status"),
+                    html.Button("Try again", type="button", className="ms-retry", **{"data-action": "retry"}),
+                ],
+                className="ms-message",
+            ),
+            html.Div(
+                [html.Span(), html.Button("Try again", type="button", **{"data-action": "retry"})],
+                className="ms-stage-note",
+                role="status",
+                hidden=True,
+            ),
+            html.Div(className="ms-toast", role="status"),
+            html.Div([*_help(), html.P(MOUSE)], className="ms-help", hidden=True, role="note"),
+        ],
+        className="ms-stage-view",
+    )
+
+
+def _help() -> list[html.Dl]:
+    return [html.Dl([part for keys, what in KEYS for part in (html.Dt(keys), html.Dd(what))])]
+
+
+def _scrub_bar() -> html.Div:
+    return html.Div(
+        [html.Div(className="ms-scrub-track"), html.Div(className="ms-scrub-thumb")],
+        className="ms-scrub",
+        role="slider",
+        tabIndex="0",
+        **{"aria-label": "Time in seconds", "aria-valuemin": "0", "aria-valuemax": "0", "aria-valuenow": "0"},
+    )
+
+
+def _tool(action: str, label: str, key: str = "", pressed: bool | None = None) -> html.Button:
+    attributes = {"data-action": action, "data-icon": action, "data-key": key, "aria-label": label}
+    attributes["data-tip"] = f"{label}  ·  {key}" if key else label
+    if pressed is not None:
+        attributes["aria-pressed"] = str(pressed).lower()
+    return html.Button(type="button", className="ms-tool", **attributes)
+
+
+def _group(*children, label: str, name: str = "") -> html.Div:
+    return html.Div(list(children), className=f"ms-group {name}".strip(), role="group", **{"aria-label": label})
+
+
+def _toolbar() -> html.Div:
+    speed = html.Button(
+        "1×", type="button", className="ms-speed", **{"data-action": "speed", "data-tip": "Normal speed  ·  0"}
+    )
+    return html.Div(
+        [
+            _group(
+                _tool("back", "One frame back", "←"),
+                _tool("play", "Play", "Space"),
+                _tool("forward", "One frame forward", "→"),
+                _tool("loop", "Repeat", "L"),
+                label="Playing",
+            ),
+            _group(_tool("slower", "Slower", "−"), speed, _tool("faster", "Faster", "+"), label="Speed"),
+            html.Div(className="ms-readout"),
+            _group(
+                _tool("overlay", "Laid over one another", "1", True),
+                _tool("side", "Side by side", "2", False),
+                _tool("warp", "In step", "S", False),
+                label="Arrangement",
+            ),
+            _group(
+                _tool("ghosts", "Ghosts", "G", False),
+                _tool("trails", "Trails off", "T", False),
+                _tool("follow", "Camera follows", "F", True),
+                _tool("reset", "Reset the view", "R"),
+                _tool("help", "Keys", "?"),
+                label="View",
+            ),
+        ],
+        className="ms-toolbar",
+        role="toolbar",
+        **{"aria-label": "Stage controls"},
+    )
