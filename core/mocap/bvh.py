@@ -163,8 +163,9 @@ def _frame_rate(frame_time: float) -> float:
 def write_bvh(path: str | Path, clip: Clip) -> None:
     """Write a clip as BVH (gzipped where the name ends in ``.gz``), in its skeleton's unit and channels.
 
-    Where the clip moves in ways the source's channels cannot say, the missing channels are added. The file appears
-    whole or not at all. Raises OSError where it cannot be written.
+    Where the clip moves in ways the source's channels cannot say, the missing channels are added; position channels
+    that only repeat OFFSET are left out. The file appears whole or not at all. Raises OSError where it cannot be
+    written.
     """
     skeleton = clip.skeleton
     order, columns = _depth_first(skeleton), []
@@ -200,13 +201,15 @@ def _depth_first(skeleton: Skeleton) -> list[int]:
 
 
 def _channels(clip: Clip, j: int) -> tuple[str, ...]:
-    """Channels to write for a joint: the source's, and what the motion needs besides."""
+    """Channels to write for a joint: the source's, what the motion needs besides, no position that never changes."""
     if clip.skeleton.end_sites[j]:
         return ()
     channels = clip.skeleton.channels[j]
     if j == 0 or j in clip.translations:
         place = tuple(f"{a}position" for a in "XYZ" if f"{a}position" not in channels)
         channels = place + channels
+    else:  # OFFSET says it already, and some readers take position channels at the root only
+        channels = tuple(c for c in channels if c.endswith("rotation"))
     turns = [c for c in channels if c.endswith("rotation")]
     still = not turns and float(np.abs(clip.rotations[:, j, 1:]).max()) < 1e-6
     if len(turns) < 3 and not still:

@@ -1,0 +1,209 @@
+"""Dataset: a collection of clips with labels, and how a folder of recordings becomes one."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+from typing import Literal
+
+from joblib import Parallel, delayed
+
+from core.mocap.asfamc import DEFAULT_FPS, AsfSkeleton, read_amc, read_asf
+from core.mocap.bvh import read_bvh
+from core.mocap.clip import Clip, Label
+from core.mocap.errors import RecordingError
+from core.mocap.labels import fit_labels, read_labels
+from core.mocap.recordings import Recording, Source, find_recordings, find_skeleton, name_recordings
+from core.mocap.reports import FileReport, ImportReport
+from core.mocap.skeleton import Skeleton
+from core.mocap.text import recording_format
+from core.progress import Report, silent
+
+__all__ = ["Dataset", "FileReport", "ImportReport", "find_recordings", "open_dataset", "read_recordings"]
+_BATCH = 8  # files read at a time: bounds what is in memory before the caller has stored it
+
+
+@dataclass(frozen=True, eq=False)
+class Dataset:
+    """Clips in a fixed order, their labels and the report of their import.
+
+    digests: of every clip's content, in the order of the clips; computed where not given. Raises ValueError where two
+    clips have one name.
+    """
+
+    name: str
+    clips: tuple[Clip, ...]
+    labels: tuple[Label, ...] = ()
+    report: ImportReport = field(default_factory=ImportReport)
+    digests: tuple[str, ...] = field(default=(), repr=False)
+
+    def __post_init__(self) -> None:
+        if len(self._index) != len(self.clips):
+            raise ValueError(f"{self.name}: two clips have the same name")
+        if len(self.digests) != len(self.clips):
+            object.__setattr__(self, "digests", tuple(map(clip_digest, self.clips)))
+
+    @cached_property
+    def _index(self) -> dict[str, int]:
+        return {clip.name: k for k, clip in enumerate(self.clips)}
+
+    @cached_property
+    def fingerprint(self) -> str:
+        """Hash of names, skeletons, rates and joint data; the same wherever and whenever the same files are read."""
+        return hashlib.blake2b("\n".join(self.digests).encode(), digest_size=16).hexdigest()
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of the clips, in order."""
+        return tuple(self._index)
+
+    @property
+    def n_frames(self) -> int:
+        """Frames of all clips together, each at its own rate."""
+        return sum(clip.n_frames for clip in self.clips)
+
+    @property
+    def seconds(self) -> float:
+        """Duration of all clips together."""
+        return sum(clip.seconds for clip in self.clips)
+
+    def clip(self, name: str) -> Clip:
+        """The clip called ``name``; raises KeyError where there is none."""
+        try:
+            return self.clips[self._index[name]]
+        except KeyError:
+            raise KeyError(f"no clip {name!r} in {self.name}") from None
+
+    def select(self, names: Iterable[str]) -> Dataset:
+        """Only these clips and their labels, in this dataset's order; raises KeyError for a name that is not here."""
+        keep = sorted({self._index[self.clip(name).name] for name in names})
+        chosen = {self.clips[k].name for k in keep}
+        files = tuple(f for f in self.report.files if f.clip in chosen)
+        return replace(
+            self,
+            clips=tuple(self.clips[k] for k in keep),
+            labels=tuple(label for label in self.labels if label.clip in chosen),
+            report=replace(self.report, files=files),
+            digests=tuple(self.digests[k] for k in keep),
+        )
+
+
+def clip_digest(clip: Clip) -> str:
+    """Hash of a clip's name, skeleton, frame rate and motion."""
+    digest = hashlib.blake2b(repr((clip.name, clip.skeleton.fingerprint, clip.fps)).encode(), digest_size=16)
+    tracks = [track for joint in sorted(clip.translations) for track in (str(joint).encode(), clip.translations[joint])]
+    for part in (clip.root_positions, clip.rotations, *tracks):
+        digest.update(part if isinstance(part, bytes) else part.tobytes())
+    return digest.hexdigest()
+
+
+def open_dataset(
+    source: Source,
+    *,
+    name: str | None = None,
+    skeleton: str | Path | None = None,
+    fps: float | None = None,
+    clips: Iterable[str] | None = None,
+    labels: str | Path | None = None,
+    on_error: Literal["raise", "report"] = "raise",
+    report: Report = silent,
+) -> Dataset:
+    """Read a folder of recordings (and all below), one file, or several of either.
+
+    skeleton: .asf for .amc files that have none beside them. fps: frame rate of .amc files (120 where not given).
+    clips: names of the clips to read, all others are left alone. labels: CSV file or folder; where not given,
+    ``labels.csv`` or ``labels/`` in the source folder. on_error "report": what cannot be read stands in the report
+    instead of raising. Raises RecordingError for the first file that cannot be read, where there is nothing to read or
+    a clip of ``clips`` does not exist, ValueError where fps is not positive.
+    """
+    read, files = [], []
+    for file, clip in read_recordings(source, skeleton=skeleton, fps=fps, clips=clips, report=report):
+        if isinstance(file, RecordingError):
+            if on_error == "raise":
+                raise file
+            file = FileReport(file.path, None, "error", (str(file),))
+        files.append(file)
+        if clip is not None:
+            read.append(clip)
+    first = Path(source if isinstance(source, str | os.PathLike) else next(iter(source)))
+    if not read:
+        raise RecordingError(first, f"none of its {len(files)} recordings can be read: {files[0].messages[0]}")
+    fitted, messages = fit_labels(_labels(first, labels), {clip.name: clip.n_frames for clip in read})
+    return Dataset(
+        name or recording_format(first)[0] or first.resolve().name,
+        tuple(read),
+        fitted,
+        ImportReport(tuple(files), messages),
+    )
+
+
+def _labels(source: Path, labels: str | Path | None) -> tuple[Label, ...]:
+    if labels is not None:
+        return read_labels(labels)
+    beside = [source / "labels.csv", source / "labels"] if source.is_dir() else []
+    return next((read_labels(path) for path in beside if path.exists()), ())
+
+
+def read_recordings(
+    source: Source,
+    *,
+    skeleton: str | Path | None = None,
+    fps: float | None = None,
+    clips: Iterable[str] | None = None,
+    report: Report = silent,
+) -> Iterator[tuple[FileReport | RecordingError, Clip | None]]:
+    """Read recordings one after another (two at a time behind the scenes), in the order of their paths.
+
+    Yields for each file its report and clip, or the RecordingError and None; parameters as in :func:`open_dataset`.
+    Clips of equal skeletons share one. Raises RecordingError where there is nothing to read, ValueError for a bad fps.
+    """
+    if fps is not None and not 0 < fps < 1e6:
+        raise ValueError(f"frame rate must be positive, not {fps}")
+    recordings = name_recordings(source, clips)
+    skeletons: dict[Path, AsfSkeleton | RecordingError] = {}
+    jobs = [(r, _skeleton_of(r.path, skeleton, skeletons)) for r in recordings]
+    shared: dict[Skeleton, Skeleton] = {}
+    # Threads: the scanners let go of the interpreter's lock, and nothing has to be copied between processes.
+    with Parallel(n_jobs=min(os.cpu_count() or 1, 8), prefer="threads") as parallel:
+        for start in range(0, len(jobs), _BATCH):
+            report("Reading recordings", start / len(jobs))
+            batch = jobs[start : start + _BATCH]
+            for (recording, _), clip in zip(batch, parallel(delayed(_read)(*job, fps) for job in batch), strict=True):
+                yield _reported(recording, clip, shared)
+    report("Reading recordings", 1.0)
+
+
+def _reported(recording: Recording, clip: Clip | RecordingError, shared: dict[Skeleton, Skeleton]):
+    if isinstance(clip, RecordingError):
+        return clip, None
+    clip = replace(clip, name=recording.clip, skeleton=shared.setdefault(clip.skeleton, clip.skeleton))
+    doubts = (*clip.warnings, *filter(None, [recording.message]))
+    return FileReport(str(recording.path), clip.name, "warning" if doubts else "ok", (*doubts, *clip.notes)), clip
+
+
+def _skeleton_of(path: Path, skeleton, cache: dict) -> AsfSkeleton | RecordingError | None:
+    if recording_format(path)[1] != ".amc":
+        return None
+    try:
+        asf = find_skeleton(path, skeleton)
+    except RecordingError as error:
+        return error
+    if asf not in cache:
+        try:
+            cache[asf] = read_asf(asf)
+        except RecordingError as error:
+            cache[asf] = error
+    return cache[asf]
+
+
+def _read(recording: Recording, asf: AsfSkeleton | RecordingError | None, fps: float | None) -> Clip | RecordingError:
+    if isinstance(asf, RecordingError):
+        return asf
+    try:
+        return read_bvh(recording.path) if asf is None else read_amc(recording.path, asf, fps or DEFAULT_FPS)
+    except RecordingError as error:
+        return error

@@ -1,0 +1,118 @@
+"""Which files of a folder are recordings, what their clips are called, and which skeleton an AMC belongs to."""
+
+from __future__ import annotations
+
+import difflib
+import os
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from core.mocap.errors import RecordingError
+from core.mocap.text import recording_format
+
+FORMATS = (".bvh", ".amc")
+Source = str | os.PathLike | Sequence[str | os.PathLike]
+
+
+@dataclass(frozen=True)
+class Recording:
+    """A file and the name of its clip; ``message`` says why the name is longer than the file's stem, if it is."""
+
+    path: Path
+    clip: str
+    message: str = ""
+
+
+def find_recordings(source: Source) -> list[Path]:
+    """Recordings (.bvh, .bvh.gz, .amc, .amc.gz) of a folder and all below it, or of several; a file stands for itself.
+
+    Sorted by path; hidden files and folders are left out. Raises RecordingError where a path does not exist, holds no
+    recording, or is a file of another kind.
+    """
+    return [path for path, _ in _find(source)]
+
+
+def name_recordings(source: Source, clips: Iterable[str] | None = None) -> list[Recording]:
+    """Recordings of ``source`` with their clip names, only those of ``clips`` where given.
+
+    A clip is called like its file, without format; where two are, both get their folder below ``source`` in front.
+    Raises RecordingError as :func:`find_recordings`, and where a clip of ``clips`` does not exist.
+    """
+    found = _find(source)
+    stems = [recording_format(path)[0] for path, _ in found]
+    names = list(stems)
+    # Folder first; then, for 01_01.bvh beside 01_01.amc, the format as well; at last its place among the files.
+    longer = (
+        lambda k: "/".join((*found[k][1].parts, stems[k])),
+        lambda k: "/".join((*found[k][1].parts, found[k][0].name)),
+        lambda k: f"{names[k]} ({k})",
+    )
+    for longer_name in longer:
+        count = Counter(names)
+        names = [longer_name(k) if count[name] > 1 else name for k, name in enumerate(names)]
+    recordings = [
+        Recording(path, name, "" if name == stem else f"another file is called {stem} too; this clip is called {name}")
+        for (path, _), name, stem in zip(found, names, stems, strict=True)
+    ]
+    return recordings if clips is None else _chosen(source, recordings, clips)
+
+
+def _chosen(source: Source, recordings: list[Recording], clips: Iterable[str]) -> list[Recording]:
+    wanted = {name.strip(): True for name in clips}
+    known = {r.clip for r in recordings}
+    for name in wanted:
+        if name not in known:
+            near = difflib.get_close_matches(name, known, 3, 0.5) or sorted(known)[:3]
+            near += [clip for clip in sorted(known) if clip.endswith("/" + name)][:3]
+            where = source if isinstance(source, str | os.PathLike) else source[0]
+            raise RecordingError(where, f"no clip is called {name!r}", f"a clip such as {', '.join(near)}")
+    return [r for r in recordings if r.clip in wanted]
+
+
+def _find(source: Source) -> list[tuple[Path, Path]]:
+    """Every recording and its folder relative to the source it was found in."""
+    sources = [source] if isinstance(source, str | os.PathLike) else list(source)
+    found: dict[Path, Path] = {}
+    for one in map(Path, sources):
+        if not one.exists():
+            raise RecordingError(one, "there is no such file or folder")
+        here = _walk(one) if one.is_dir() else [one]
+        if not here:
+            raise RecordingError(one, "no recordings in this folder", "files .bvh, .bvh.gz, .amc or .amc.gz")
+        if not one.is_dir() and recording_format(one)[1] not in FORMATS:
+            raise RecordingError(one, "not a recording", "a file .bvh, .bvh.gz, .amc or .amc.gz, or a folder")
+        for path in here:
+            found.setdefault(path, path.parent.relative_to(one) if one.is_dir() else Path())
+    return list(found.items())
+
+
+def _walk(folder: Path) -> list[Path]:
+    files = []
+    for parent, folders, names in os.walk(folder):
+        folders[:] = sorted(f for f in folders if not f.startswith(".") and f != "__MACOSX")
+        files += [Path(parent, n) for n in names if not n.startswith(".") and recording_format(n)[1] in FORMATS]
+    return sorted(files)
+
+
+def find_skeleton(path: Path, skeleton: str | Path | None = None) -> Path:
+    """The .asf for an .amc: SUBJECT.asf beside it, the only .asf of its folder, or ``skeleton``.
+
+    SUBJECT is what stands before an underscore in the file's name. Raises RecordingError where there is none.
+    """
+    beside = {p.name.lower().removesuffix(".gz").removesuffix(".asf"): p for p in _skeletons_in(path.parent)}
+    parts = recording_format(path)[0].lower().split("_")
+    for n in range(len(parts), 0, -1):
+        if "_".join(parts[:n]) in beside:
+            return beside["_".join(parts[:n])]
+    if len(beside) == 1:
+        return next(iter(beside.values()))
+    if skeleton is not None:
+        return Path(skeleton)
+    found = f"no skeleton: neither {parts[0]}.asf nor a single .asf file stands beside it"
+    raise RecordingError(path, found, "one of them, or --skeleton FILE.asf")
+
+
+def _skeletons_in(folder: Path) -> list[Path]:
+    return sorted(p for p in folder.iterdir() if p.name.lower().endswith((".asf", ".asf.gz")) and p.is_file())
