@@ -107,7 +107,7 @@ def open_dataset(
     name: str | None = None,
     skeleton: str | Path | None = None,
     fps: float | None = None,
-    clips: Iterable[str] | None = None,
+    clips: Iterable[str] | str | None = None,
     labels: str | Path | None = None,
     on_error: Literal["raise", "report"] = "raise",
     report: Report = silent,
@@ -115,8 +115,8 @@ def open_dataset(
     """Read a folder of recordings (and all below), one file, or several of either.
 
     skeleton: .asf for .amc files that have none beside them. fps: frame rate of .amc files (120 where not given).
-    clips: names of the clips to read, all others are left alone. labels: CSV file or folder; where not given,
-    ``labels.csv`` or ``labels/`` in the source folder. on_error "report": what cannot be read stands in the report
+    clips: names of the clips to read (or one string, with commas); all others are left alone. labels: CSV file or
+    folder; where not given, ``labels.csv`` or ``labels/`` in the source folder. on_error "report": what cannot be read stands in the report
     instead of raising. Raises RecordingError for the first file that cannot be read, where there is nothing to read or
     a clip of ``clips`` does not exist, ValueError where fps is not positive.
     """
@@ -134,7 +134,7 @@ def open_dataset(
         raise RecordingError(first, f"none of its {len(files)} recordings can be read: {files[0].messages[0]}")
     fitted, messages = fit_labels(_labels(first, labels), {clip.name: clip.n_frames for clip in read})
     return Dataset(
-        name or recording_format(first)[0] or first.resolve().name,
+        name or (first.resolve().name if first.is_dir() else recording_format(first)[0]),
         tuple(read),
         fitted,
         ImportReport(tuple(files), messages),
@@ -153,7 +153,7 @@ def read_recordings(
     *,
     skeleton: str | Path | None = None,
     fps: float | None = None,
-    clips: Iterable[str] | None = None,
+    clips: Iterable[str] | str | None = None,
     report: Report = silent,
 ) -> Iterator[tuple[FileReport | RecordingError, Clip | None]]:
     """Read recordings one after another (two at a time behind the scenes), in the order of their paths.

@@ -34,7 +34,7 @@ def find_recordings(source: Source) -> list[Path]:
     return [path for path, _ in _find(source)]
 
 
-def name_recordings(source: Source, clips: Iterable[str] | None = None) -> list[Recording]:
+def name_recordings(source: Source, clips: Iterable[str] | str | None = None) -> list[Recording]:
     """Recordings of ``source`` with their clip names, only those of ``clips`` where given.
 
     A clip is called like its file, without format; where two are, both get their folder below ``source`` in front.
@@ -59,7 +59,8 @@ def name_recordings(source: Source, clips: Iterable[str] | None = None) -> list[
     return recordings if clips is None else _chosen(source, recordings, clips)
 
 
-def _chosen(source: Source, recordings: list[Recording], clips: Iterable[str]) -> list[Recording]:
+def _chosen(source: Source, recordings: list[Recording], clips: Iterable[str] | str) -> list[Recording]:
+    clips = clips.split(",") if isinstance(clips, str) else clips
     wanted = {name.strip(): True for name in clips}
     known = {r.clip for r in recordings}
     for name in wanted:

@@ -1,0 +1,164 @@
+"""A dataset on disk: ``dataset.json`` and ``motion.npy``, all numbers of all clips one after another.
+
+The numbers are memory-mapped on loading, so that opening costs no more than the JSON and hours of motion do not fill
+memory. Nothing is pickled.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Iterator
+from contextlib import contextmanager
+from dataclasses import asdict
+from pathlib import Path
+
+import numpy as np
+
+from core.mocap.clip import Clip, Label
+from core.mocap.dataset import Dataset, clip_digest
+from core.mocap.errors import RecordingError
+from core.mocap.files import replacing
+from core.mocap.reports import FileReport, ImportReport
+from core.mocap.skeleton import Skeleton
+
+FORMAT = "motionscape/dataset/1"
+_FLOAT = np.dtype("<f4")
+
+
+def save_dataset(folder: str | Path, dataset: Dataset) -> None:
+    """Store a dataset as ``folder``, in the place of what was there; whole or not at all.
+
+    Raises OSError where it cannot be written.
+    """
+    with writing_dataset(folder, dataset.name) as writer:
+        for clip, digest in zip(dataset.clips, dataset.digests, strict=True):
+            writer.add(clip, digest)
+        writer.labels, writer.report = dataset.labels, dataset.report
+
+
+@contextmanager
+def writing_dataset(folder: str | Path, name: str) -> Iterator[DatasetWriter]:
+    """Store a dataset clip by clip, for collections larger than memory; in place when the block ends well.
+
+    Raises OSError where it cannot be written; then, as after any other error in the block, nothing is left behind.
+    """
+    Path(folder).parent.mkdir(parents=True, exist_ok=True)
+    with replacing(folder) as fresh:
+        fresh.mkdir()
+        with (fresh / "motion.npy").open("wb") as file:
+            writer = DatasetWriter(file, name)
+            yield writer
+            writer.finish()
+        (fresh / "dataset.json").write_text(json.dumps(writer.head, ensure_ascii=False), encoding="utf-8")
+
+
+class DatasetWriter:
+    """Takes the clips of a dataset one by one; set ``labels`` and ``report`` before the end."""
+
+    def __init__(self, file, name: str):
+        self.labels: Iterable[Label] = ()
+        self.report = ImportReport()
+        self.head = {"format": FORMAT, "name": name, "skeletons": [], "clips": []}
+        self._file, self._written = file, 0
+        self._skeletons: dict[Skeleton, int] = {}
+        self._header()
+
+    def add(self, clip: Clip, digest: str | None = None) -> None:
+        """Append a clip; ``digest`` as in Dataset.digests, computed where not given."""
+        entry = {"name": clip.name, "skeleton": self._skeleton(clip.skeleton), "fps": clip.fps, "frames": clip.n_frames}
+        entry |= {
+            "start": self._written,
+            "translated": sorted(clip.translations),
+            "digest": digest or clip_digest(clip),
+        }
+        entry |= {"notes": clip.notes, "warnings": clip.warnings}
+        for part in (clip.root_positions, clip.rotations, *(clip.translations[j] for j in sorted(clip.translations))):
+            self._file.write(np.ascontiguousarray(part, _FLOAT).data)
+            self._written += part.size
+        self.head["clips"].append(entry)
+
+    def finish(self) -> None:
+        """Write what is known only at the end."""
+        self.head["labels"] = [list(label) for label in self.labels]
+        self.head["report"] = asdict(self.report)
+        self._file.seek(0)
+        self._header()  # numpy keeps room in the header for the length to grow
+
+    def _header(self) -> None:
+        header = {"descr": _FLOAT.str, "fortran_order": False, "shape": (self._written,)}
+        np.lib.format.write_array_header_1_0(self._file, header)
+
+    def _skeleton(self, skeleton: Skeleton) -> int:
+        if skeleton not in self._skeletons:
+            self._skeletons[skeleton] = len(self._skeletons)
+            self.head["skeletons"].append(
+                {
+                    "names": skeleton.names,
+                    "parents": [int(p) for p in skeleton.parents],
+                    "offsets": skeleton.offsets.tolist(),
+                    "end_sites": [bool(e) for e in skeleton.end_sites],
+                    "channels": skeleton.channels,
+                    "unit": skeleton.unit,
+                }
+            )
+        return self._skeletons[skeleton]
+
+
+def load_dataset(folder: str | Path) -> Dataset:
+    """Open a stored dataset; its frame arrays are memory-mapped and private: changing them never changes the files.
+
+    Raises RecordingError where the folder is no dataset or is damaged.
+    """
+    folder = Path(folder)
+    try:
+        head = json.loads((folder / "dataset.json").read_text(encoding="utf-8"))
+        if head["format"] != FORMAT:
+            raise RecordingError(folder, f"a dataset of format {head['format']!r}", FORMAT)
+        numbers = np.load(folder / "motion.npy", mmap_mode="c", allow_pickle=False)
+        skeletons = [_skeleton(entry) for entry in head["skeletons"]]
+        clips = tuple(_clip(entry, skeletons, np.asarray(numbers)) for entry in head["clips"])
+        files = (FileReport(**{**f, "messages": tuple(f["messages"])}) for f in head["report"]["files"])
+        return Dataset(
+            name=head["name"],
+            clips=clips,
+            labels=tuple(Label(*label) for label in head["labels"]),
+            report=ImportReport(tuple(files), tuple(head["report"]["messages"])),
+            digests=tuple(entry["digest"] for entry in head["clips"]),
+        )
+    except RecordingError:
+        raise
+    except FileNotFoundError:
+        raise RecordingError(folder, "no dataset here", "a folder with dataset.json and motion.npy") from None
+    except (OSError, EOFError, ValueError, KeyError, TypeError, IndexError) as error:
+        raise RecordingError(folder, f"a damaged dataset ({error})", "one that was imported; import it again") from None
+
+
+def _skeleton(entry: dict) -> Skeleton:
+    return Skeleton(
+        names=tuple(entry["names"]),
+        parents=tuple(entry["parents"]),
+        offsets=np.array(entry["offsets"], np.float32),
+        end_sites=tuple(entry["end_sites"]),
+        channels=tuple(tuple(c) for c in entry["channels"]),
+        unit=entry["unit"],
+    )
+
+
+def _clip(entry: dict, skeletons: list[Skeleton], numbers: np.ndarray) -> Clip:
+    skeleton, n = skeletons[entry["skeleton"]], entry["frames"]
+    at = entry["start"]
+    parts = []
+    for shape in ((n, 3), (n, skeleton.n_joints, 4), *[(n, 3)] * len(entry["translated"])):
+        size = int(np.prod(shape))
+        parts.append(numbers[at : at + size].reshape(shape))  # raises ValueError where the file is too short
+        at += size
+    return Clip(
+        name=entry["name"],
+        skeleton=skeleton,
+        fps=entry["fps"],
+        root_positions=parts[0],
+        rotations=parts[1],
+        translations=dict(zip(entry["translated"], parts[2:], strict=True)),
+        notes=tuple(entry["notes"]),
+        warnings=tuple(entry["warnings"]),
+    )
