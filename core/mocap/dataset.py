@@ -116,9 +116,9 @@ def open_dataset(
 
     skeleton: .asf for .amc files that have none beside them. fps: frame rate of .amc files (120 where not given).
     clips: names of the clips to read (or one string, with commas); all others are left alone. labels: CSV file or
-    folder; where not given, ``labels.csv`` or ``labels/`` in the source folder. on_error "report": what cannot be read stands in the report
-    instead of raising. Raises RecordingError for the first file that cannot be read, where there is nothing to read or
-    a clip of ``clips`` does not exist, ValueError where fps is not positive.
+    folder; where not given, ``labels.csv`` or ``labels/`` in the source folder. on_error "report": what cannot be read
+    stands in the report instead of raising. Raises RecordingError for the first file that cannot be read, where there
+    is nothing to read or a clip of ``clips`` does not exist, ValueError where fps is not positive.
     """
     read, files = [], []
     for file, clip in read_recordings(source, skeleton=skeleton, fps=fps, clips=clips, report=report):
