@@ -10,19 +10,72 @@
     }
   };
 
+  const shown = { dataset: null, parameters: {}, selection: {}, chosen: "{}", stage: {} };
+  let zoomed = false; // by hand: then the distance is worth a place in the link
+
+  function writeAddress() {
+    if (!shown.dataset) return clientside.no_update;
+    const pairs = new URLSearchParams();
+    put(pairs, { dataset: shown.dataset });
+    put(pairs, shown.parameters);
+    put(pairs, shown.selection);
+    if (shown.chosen !== "{}") put(pairs, shown.stage);
+    const address = location.pathname + "?" + pairs.toString().replace(/%2C/g, ",").replace(/%3A/g, ":");
+    if (address !== location.pathname + location.search) history.replaceState(history.state, "", address);
+    return address;
+  }
+
+  // The Stage tells now and then what one sees; the moment counts only where it stands still.
+  window.addEventListener("stage-state", (event) => {
+    const { time, playing, speed, layout, camera } = event.detail;
+    const usual = new window.motionscapeStageParts.Camera();
+    const round = (value) => Math.round(value * 1000) / 1000;
+    const turned = zoomed || !camera.follow || [["yaw"], ["pitch"]].some(([k]) => camera[k] !== round(usual[k])) || camera.pan.some((v, i) => v !== round(usual.pan[i]));
+    shown.stage = {
+      time: playing ? "" : time,
+      speed: speed === 1 ? "" : speed,
+      layout: layout === "overlay" ? "" : layout,
+      camera: turned ? [camera.yaw, camera.pitch, camera.distance, ...camera.pan, camera.follow ? 1 : 0].join(",") : "",
+    };
+    writeAddress();
+  });
+  document.addEventListener("wheel", (event) => { if (event.target.id === "stage-canvas") zoomed = true; }, { passive: true });
+
   clientside.shell = {
     // Everything that names what one sees goes into the address, without a new entry in the history.
-    address(pathname, dataset, parameters, selection, stage) {
-      if (!dataset) return clientside.no_update;
-      const pairs = new URLSearchParams();
-      put(pairs, { dataset });
-      put(pairs, parameters);
-      put(pairs, selection);
-      put(pairs, selection && Object.keys(selection).length ? stage : {});
-      const query = pairs.toString().replace(/%2C/g, ",").replace(/%3A/g, ":");
-      const address = location.pathname + (query ? "?" + query : "");
-      if (address !== location.pathname + location.search) history.replaceState(history.state, "", address);
-      return address;
+    address(pathname, dataset, parameters, selection) {
+      const chosen = JSON.stringify(selection || {});
+      if (shown.dataset && (chosen !== shown.chosen || dataset !== shown.dataset)) shown.stage = {};
+      Object.assign(shown, { dataset, parameters, selection, chosen });
+      return writeAddress();
+    },
+    // What a link says of the Stage; it is taken up when the motion has arrived.
+    restore(stage) {
+      if (!stage || !Object.keys(stage).length) return clientside.no_update;
+      shown.stage = stage;
+      const state = {};
+      if (stage.time) Object.assign(state, { time: Number(stage.time), playing: false });
+      if (stage.speed) state.speed = Number(stage.speed);
+      if (stage.layout) state.layout = stage.layout;
+      if (stage.camera) {
+        const [yaw, pitch, distance, x, y, z, follow] = stage.camera.split(",").map(Number);
+        state.camera = { yaw, pitch, distance, pan: [x, y, z], follow: follow !== 0 };
+      }
+      window.motionscapeStage.restore(state);
+      return clientside.no_update;
+    },
+    choose(choice) {
+      if (!choice) return clientside.no_update;
+      if (choice.dataset !== shown.dataset) {
+        clientside.set_props("selection", { data: {} });
+        clientside.set_props("stage-request", { data: { dataset: choice.dataset, items: [] } });
+        clientside.set_props("dataset", { data: choice.dataset });
+      }
+      return clientside.no_update;
+    },
+    pick(value, dataset) {
+      if (value && value !== dataset) clientside.set_props("dataset-choice", { data: { dataset: value, at: Date.now() } });
+      return clientside.no_update;
     },
     // One link is the current page's.
     current(pathname) {

@@ -187,15 +187,15 @@
     window.dash_clientside.set_props("upload-dialog", { opened: true });
     whenShown(() => add(files));
   });
-  document.addEventListener("change", (event) => {
-    if (event.target.id !== "upload-files" && event.target.id !== "upload-folder") return;
-    const files = [...event.target.files].map((file) => ({ file, path: file.webkitRelativePath || file.name }));
-    event.target.value = "";
-    add(files);
-  });
   document.addEventListener("click", (event) => {
     const button = event.target.closest && event.target.closest("[data-chooses]");
-    if (button) $(button.dataset.chooses).click();
+    if (!button) return;
+    const chooser = document.createElement("input");
+    chooser.type = "file";
+    chooser.multiple = true;
+    chooser.webkitdirectory = button.dataset.chooses === "folder";
+    chooser.onchange = () => add([...chooser.files].map((file) => ({ file, path: file.webkitRelativePath || file.name })));
+    chooser.click();
   });
   function whenShown(then, tries = 60) {
     if ($("upload-list")) then();

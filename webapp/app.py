@@ -95,7 +95,9 @@ def _register_state(app: dash.Dash, workspace: Workspace) -> None:
             problems = problems[1:]  # the page itself says so
         if problems or more:
             message = " ".join([*more, *problems])
-            set_props("notices", {"sendNotifications": [errors.notice("Part of the link was left out", message, "orange")]})
+            set_props(
+                "notices", {"sendNotifications": [errors.notice("Part of the link was left out", message, "orange")]}
+            )
         if more:
             view = links.without_selection(view)
         return dataset, dict(view.parameters), dict(view.selection), dict(view.stage)
@@ -131,6 +133,7 @@ def _register_state(app: dash.Dash, workspace: Workspace) -> None:
         Input("parameters", "data"),
         Input("selection", "data"),
     )
+    app.clientside_callback(ClientsideFunction("shell", "restore"), Input("stage-restore", "data"))
     app.clientside_callback(ClientsideFunction("shell", "current"), Input("url", "pathname"))
     app.clientside_callback(
         ClientsideFunction("shell", "share"), Output("notices", "sendNotifications"), Input("share", "n_clicks")

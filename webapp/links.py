@@ -23,7 +23,7 @@ class View:
 
     {"motif": int[, "motion": int]}, {"edge": "SOURCE-TARGET"[, "transition": int]},
     {"clip": name[, "start": frame, "end": frame]} (frames of the clip's own rate, end exclusive).
-    ``stage`` is the Stage's own business (frame, camera): short strings handed back as they came.
+    ``stage`` is the Stage's own business (moment, camera ...): short strings handed back as they came.
     """
 
     page: str = "library"
@@ -33,7 +33,7 @@ class View:
     stage: Mapping[str, str] = field(default_factory=dict)
 
 
-STAGE_KEYS = ("frame", "camera")
+STAGE_KEYS = ("time", "speed", "layout", "camera")
 
 
 def page_of(pathname: str | None) -> str | None:

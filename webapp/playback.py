@@ -113,8 +113,7 @@ def _item(clip: str, start: int, end: int, label: str, warp: list[float] | None 
 
 
 def _request(dataset: Dataset, items: list[dict[str, Any]], title: str) -> Request:
-    layout = "side-by-side" if len(items) > 1 else "overlaid"
-    return {"dataset": dataset.name, "items": items, "layout": layout, "title": title}
+    return {"dataset": dataset.name, "items": items, "layout": "overlay", "sync": "warp", "title": title}
 
 
 def register(app: Dash, workspace: Workspace) -> None:

@@ -6,10 +6,14 @@ ACCENT = [  # a calm blue, light to dark: Mantine wants ten shades
     "#eef3fc", "#dbe5f7", "#b5caee", "#8dade5", "#6b94de", "#5684d9", "#4a7cd8", "#3b6abf", "#315eac", "#235199",
 ]  # fmt: skip
 
+SLATE = [  # Mantine's "dark" shades: text first, page last
+    "#e7ebf1", "#c5cdd8", "#a0abba", "#77849a", "#3a4554", "#2f3846", "#202732", "#1a2029", "#12161c", "#0d1015",
+]  # fmt: skip
+
 MANTINE = {
     "primaryColor": "accent",
     "primaryShade": {"light": 7, "dark": 6},
-    "colors": {"accent": ACCENT},
+    "colors": {"accent": ACCENT, "dark": SLATE},
     "fontFamily": "var(--font)",
     "fontFamilyMonospace": "ui-monospace, 'SF Mono', Menlo, Consolas, 'DejaVu Sans Mono', monospace",
     "headings": {"fontFamily": "var(--font)", "fontWeight": 600},

@@ -17,6 +17,7 @@ from dash import Dash, Input, Output, State, dcc, html, no_update
 from dash.development.base_component import Component
 
 from core.workspace import DatasetInfo, Job, Workspace, WorkspaceError
+from webapp import jobs as webapp_jobs
 from webapp.components.actions import sends
 from webapp.components.errors import notice
 from webapp.components.icons import icon
@@ -144,7 +145,14 @@ def _failed(job: Job) -> Component:
                 className="job-actions",
                 children=[
                     dmc.Button("Try again", size="compact-sm", variant="default", **retry),
-                    dmc.ActionIcon(icon("close", 16), variant="subtle", color="gray", size=26, **dismiss, **{"aria-label": "Dismiss"}),
+                    dmc.ActionIcon(
+                        icon("close", 16),
+                        variant="subtle",
+                        color="gray",
+                        size=26,
+                        **dismiss,
+                        **{"aria-label": "Dismiss"},
+                    ),
                 ],
             ),
         ],
@@ -167,6 +175,8 @@ def register(app: Dash, workspace: Workspace) -> None:
     )
     def poll(_ticks, _poke, dismissed, seen):
         pulse = look(workspace, dismissed or ())
+        if pulse.busy:
+            webapp_jobs.tend(workspace)  # a worker may have died, or the one who asked may have gone
         marks = {
             "rows": _mark(f"{j.id}{j.state}{j.stage}{round(100 * j.fraction)}{j.cancelling}" for j in pulse.jobs),
             "speed": FAST if pulse.busy else SLOW,
@@ -200,20 +210,12 @@ def register(app: Dash, workspace: Workspace) -> None:
             if action == "cancel":
                 workspace.jobs.cancel(int(job_id))
             elif action == "retry":
-                retry(workspace, int(job_id))
+                webapp_jobs.restart(workspace, int(job_id))
             elif action == "dismiss":
                 dismissed = [*(dismissed or []), int(job_id)][-50:]
         except (WorkspaceError, TypeError, ValueError) as error:
             return no_update, time.time(), [notice("That did not work", str(error), "red")]
         return dismissed, time.time(), no_update
-
-
-def retry(workspace: Workspace, job_id: int) -> None:
-    """Asks for the same again; raises WorkspaceError where the job is forgotten."""
-    job = workspace.jobs.get(job_id)
-    if job is None:
-        raise WorkspaceError("This job is no longer known; start it again from its page.")
-    workspace.jobs.submit(job.key, job.request, job.title)
 
 
 def _failed_lately(job: Job, now: float) -> bool:

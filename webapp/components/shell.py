@@ -53,10 +53,17 @@ def _stores() -> list[Component]:
         dcc.Store(id="dataset"),  # its name
         dcc.Store(id="parameters", data={}),  # the method's, as text, defaults left out
         dcc.Store(id="selection", data={}),  # see links.View.selection
-        dcc.Store(id="stage-restore", data={}),  # frame and camera a link asked for
+        dcc.Store(id="stage-restore", data={}),  # moment and camera a link asked for
+        dcc.Store(id="dataset-choice"),  # {"dataset": name}: someone chose another one
+        dcc.Store(id="awaited"),  # name of the dataset an import of ours will bring
+        dcc.Store(id="graph-key"),  # of the motif graph shown, where it has been computed
+        dcc.Store(id="find-again"),
+        dcc.Store(id="graph-tool"),
+        dcc.Store(id="job-started"),
+        dcc.Store(id="job-ended"),
         dcc.Store(id="theme", data="light"),
-        dcc.Store(id="revision", data=0),  # counts changes to the list of datasets
-        dcc.Store(id="address"),  # written by assets/shell.js after it has put the state in the URL
+        dcc.Store(id="revision"),  # changes with the list of datasets
+        dcc.Store(id="address"),
     ]
 
 

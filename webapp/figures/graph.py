@@ -148,7 +148,13 @@ def stylesheet(name: str) -> list[dict[str, Any]]:
         },
         {
             "selector": "node.chosen",
-            "style": {"border-width": 5, "border-color": c["accent"], "border-style": "solid", "opacity": 1, "font-weight": 700},
+            "style": {
+                "border-width": 5,
+                "border-color": c["accent"],
+                "border-style": "solid",
+                "opacity": 1,
+                "font-weight": 700,
+            },
         },
         {
             "selector": "edge.near",
@@ -165,7 +171,13 @@ def stylesheet(name: str) -> list[dict[str, Any]]:
         },
         {
             "selector": "edge.chosen",
-            "style": {"line-color": c["accent"], "target-arrow-color": c["accent"], "opacity": 1, "z-index": 9, "label": "data(count)"},
+            "style": {
+                "line-color": c["accent"],
+                "target-arrow-color": c["accent"],
+                "opacity": 1,
+                "z-index": 9,
+                "label": "data(count)",
+            },
         },
     ]
 

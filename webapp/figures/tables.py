@@ -19,8 +19,22 @@ _NUMBER = {"type": "rightAligned", "cellClass": "number", "filter": "agNumberCol
 _SECONDS = {"valueFormatter": {"function": "d3.format('.1f')(params.value)"}, **_NUMBER}
 
 CLIP_COLUMNS = [
-    {"field": "clip", "headerName": "Clip", "flex": 3, "minWidth": 130, "filter": "agTextColumnFilter", "pinned": "left"},
-    {"field": "strip", "headerName": "Motion", "width": 250, "cellRenderer": "Filmstrip", "sortable": False, "cellClass": "strip-cell"},
+    {
+        "field": "clip",
+        "headerName": "Clip",
+        "flex": 3,
+        "minWidth": 130,
+        "filter": "agTextColumnFilter",
+        "pinned": "left",
+    },
+    {
+        "field": "strip",
+        "headerName": "Motion",
+        "width": 250,
+        "cellRenderer": "Filmstrip",
+        "sortable": False,
+        "cellClass": "strip-cell",
+    },
     {"field": "seconds", "headerName": "Seconds", "width": 92, **_SECONDS},
     {"field": "frames", "headerName": "Frames", "width": 88, **_NUMBER},
     {"field": "fps", "headerName": "Per second", "headerTooltip": "Frames per second", "width": 104, **_NUMBER},
@@ -28,9 +42,25 @@ CLIP_COLUMNS = [
     {"field": "verdict", "headerName": "Import", "width": 112, "cellRenderer": "Verdict"},
 ]
 REPORT_COLUMNS = [
-    {"field": "verdict", "headerName": "Result", "width": 118, "cellRenderer": "Verdict", "sort": "asc", "comparator": {"function": "verdictOrder(params, valueA, valueB)"}},
+    {
+        "field": "verdict",
+        "headerName": "Result",
+        "width": 118,
+        "cellRenderer": "Verdict",
+        "sort": "asc",
+        "comparator": {"function": "verdictOrder(params, valueA, valueB)"},
+    },
     {"field": "path", "headerName": "File", "width": 210, "filter": "agTextColumnFilter", "tooltipField": "path"},
-    {"field": "messages", "headerName": "What was found", "flex": 1, "minWidth": 240, "wrapText": True, "autoHeight": True, "cellClass": "wrapped-cell", "filter": "agTextColumnFilter"},
+    {
+        "field": "messages",
+        "headerName": "What was found",
+        "flex": 1,
+        "minWidth": 240,
+        "wrapText": True,
+        "autoHeight": True,
+        "cellClass": "wrapped-cell",
+        "filter": "agTextColumnFilter",
+    },
 ]
 MOTIF_COLUMNS = [
     {"field": "id", "headerName": "Motif", "width": 76, **_NUMBER},
@@ -48,7 +78,12 @@ def grid(table_id: str, columns: list[dict], rows: list[Row], label: str, *, row
         id=table_id,
         columnDefs=columns,
         rowData=rows,
-        defaultColDef={"sortable": True, "resizable": True, "suppressHeaderMenuButton": False, "tooltipComponent": None},
+        defaultColDef={
+            "sortable": True,
+            "resizable": True,
+            "suppressHeaderMenuButton": False,
+            "tooltipComponent": None,
+        },
         getRowId="params.data.key",
         dashGridOptions={
             "theme": theme.GRID_THEME,

@@ -1,1 +1,6 @@
 """Library: datasets, clips, the import report, uploads."""
+
+from webapp.pages.library.callbacks import register
+from webapp.pages.library.layout import layout
+
+__all__ = ["layout", "register"]

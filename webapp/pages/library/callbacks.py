@@ -32,7 +32,10 @@ def _show(app: Dash, workspace: Workspace) -> None:
         return layout.dataset_cards(workspace.datasets(), chosen)
 
     @app.callback(
-        Output("dataset-detail", "children"), Input("dataset", "data"), Input("revision", "data"), State("selection", "data")
+        Output("dataset-detail", "children"),
+        Input("dataset", "data"),
+        Input("revision", "data"),
+        State("selection", "data"),
     )
     def show_detail(name, _revision, _selection):
         if not name:
@@ -43,12 +46,17 @@ def _show(app: Dash, workspace: Workspace) -> None:
             return empty_state("warning", "This dataset cannot be shown", str(error))
         shown = {
             "clips": tables.grid("clips-table", tables.CLIP_COLUMNS, tables.clip_rows(dataset), "Clips"),
-            "report": tables.grid("report-table", tables.REPORT_COLUMNS, tables.report_rows(dataset.report.files), "Import report"),
+            "report": tables.grid(
+                "report-table", tables.REPORT_COLUMNS, tables.report_rows(dataset.report.files), "Import report"
+            ),
         }
         return layout.detail(name, shown, Counter(file.verdict for file in dataset.report.files))
 
     @app.callback(
-        Output("report-table", "rowData"), Input("report-filter", "value"), State("dataset", "data"), prevent_initial_call=True
+        Output("report-table", "rowData"),
+        Input("report-filter", "value"),
+        State("dataset", "data"),
+        prevent_initial_call=True,
     )
     def filter_report(verdict, name):
         try:
@@ -59,6 +67,7 @@ def _show(app: Dash, workspace: Workspace) -> None:
 
     app.clientside_callback(
         ClientsideFunction("tables", "mark"),
+        Output("clips-marked", "data"),
         Input("selection", "data"),
         Input("clips-table", "rowData"),
         State("clips-table", "id"),

@@ -27,7 +27,9 @@ def layout(limits: Limits) -> Component:
                 children=[
                     html.H1("Library"),
                     html.Div(className="spacer"),
-                    dmc.Button("Trash", id="trash-open", variant="subtle", color="gray", leftSection=icon("restore", 16)),
+                    dmc.Button(
+                        "Trash", id="trash-open", variant="subtle", color="gray", leftSection=icon("restore", 16)
+                    ),
                     dmc.Button("Add recordings", id="upload-open", leftSection=icon("upload", 16)),
                 ],
             ),
@@ -36,7 +38,9 @@ def layout(limits: Limits) -> Component:
             upload_dialog(limits),
             _rename_dialog(),
             dmc.Modal(id="trash-dialog", title="Trash", size="lg", children=html.Div(id="trash-list")),
-            dcc.Store(id="dataset-action"),  # {"action": "rename" | "trash" | "restore" | "empty", "dataset" or "token"}
+            dcc.Store(
+                id="dataset-action"
+            ),  # {"action": "rename" | "trash" | "restore" | "empty", "dataset" or "token"}
             dcc.Store(id="trash-revision"),
             dcc.Store(id="upload", data={}),  # written by assets/upload.js
             dcc.Store(id="uploaded"),  # the token whose import was asked for
@@ -48,7 +52,9 @@ def dataset_cards(datasets: Sequence[DatasetInfo], chosen: str | None) -> Compon
     """All datasets as cards; an invitation where there are none."""
     if not datasets:
         demo = dmc.Button("Open the demo", id={"type": "demo", "at": "empty"}, leftSection=icon("spark", 16))
-        add = dmc.Button("Add recordings", id={"type": "add", "at": "empty"}, variant="default", leftSection=icon("upload", 16))
+        add = dmc.Button(
+            "Add recordings", id={"type": "add", "at": "empty"}, variant="default", leftSection=icon("upload", 16)
+        )
         return html.Div(
             empty_state(
                 "person",
@@ -70,7 +76,11 @@ def _card(info: DatasetInfo, chosen: bool) -> Component:
     if info.errors:
         doubts.append(html.Span(f"{info.errors} not read", className="verdict verdict-error"))
     if info.warnings:
-        doubts.append(html.Span(f"{info.warnings} warnings" if info.warnings > 1 else "1 warning", className="verdict verdict-warning"))
+        doubts.append(
+            html.Span(
+                f"{info.warnings} warnings" if info.warnings > 1 else "1 warning", className="verdict verdict-warning"
+            )
+        )
     return html.Div(
         className="card dataset-card" + (" chosen" if chosen else ""),
         role="listitem",
@@ -81,7 +91,10 @@ def _card(info: DatasetInfo, chosen: bool) -> Component:
                 children=[
                     html.Span(info.name, className="dataset-name ellipsis"),
                     html.Span(" · ".join(facts), className="muted number"),
-                    html.Span(doubts or html.Span("All files read", className="verdict verdict-ok"), className="dataset-doubts"),
+                    html.Span(
+                        doubts or html.Span("All files read", className="verdict verdict-ok"),
+                        className="dataset-doubts",
+                    ),
                 ],
                 **sends("dataset-choice", {"dataset": info.name}, every_time=True),
                 **{"aria-current": "true" if chosen else "false"},
@@ -97,7 +110,13 @@ def _card_menu(name: str) -> Component:
         shadow="md",
         children=[
             dmc.MenuTarget(
-                dmc.ActionIcon(icon("dots"), variant="subtle", color="gray", className="dataset-menu", **{"aria-label": f"More for {name}"})
+                dmc.ActionIcon(
+                    icon("dots"),
+                    variant="subtle",
+                    color="gray",
+                    className="dataset-menu",
+                    **{"aria-label": f"More for {name}"},
+                )
             ),
             dmc.MenuDropdown(
                 [
@@ -143,11 +162,13 @@ def detail(name: str, tables: dict[str, Component], counts: dict[str, int]) -> C
                     dmc.TabsTab(
                         "Import report",
                         value="report",
-                        rightSection=dmc.Badge(doubtful, size="sm", color="orange", variant="light") if doubtful else None,
+                        rightSection=dmc.Badge(doubtful, size="sm", color="orange", variant="light")
+                        if doubtful
+                        else None,
                     ),
                 ]
             ),
-            dmc.TabsPanel(tables["clips"], value="clips", pt="sm"),
+            dmc.TabsPanel([tables["clips"], dcc.Store(id="clips-marked")], value="clips", pt="sm"),
             dmc.TabsPanel(
                 [
                     dmc.SegmentedControl(id="report-filter", data=chips, value="all", size="xs", mb="xs"),
@@ -162,7 +183,6 @@ def detail(name: str, tables: dict[str, Component], counts: dict[str, int]) -> C
 
 def upload_dialog(limits: Limits) -> Component:
     """Choose or drop files, see each arrive, name the dataset, import."""
-    hidden = {"className": "visually-hidden", "tabIndex": "-1", "aria-hidden": "true"}
     return dmc.Modal(
         id="upload-dialog",
         title="Add recordings",
@@ -178,14 +198,16 @@ def upload_dialog(limits: Limits) -> Component:
                     html.Div("Drop files or folders here", className="drop-title"),
                     html.Div(
                         [
-                            dmc.Button("Choose files", variant="default", size="compact-md", **{"data-chooses": "upload-files"}),
-                            dmc.Button("Choose a folder", variant="default", size="compact-md", **{"data-chooses": "upload-folder"}),
+                            dmc.Button(
+                                "Choose files", variant="default", size="compact-md", **{"data-chooses": "files"}
+                            ),
+                            dmc.Button(
+                                "Choose a folder", variant="default", size="compact-md", **{"data-chooses": "folder"}
+                            ),
                         ],
                         className="drop-buttons",
                     ),
                     html.Div(limits.sentence(), className="muted drop-limits"),
-                    dcc.Input(id="upload-files", type="file", multiple=True, **hidden),
-                    dcc.Input(id="upload-folder", type="file", **hidden),
                 ],
                 **{
                     "data-file-bytes": limits.file_bytes,
@@ -201,7 +223,12 @@ def upload_dialog(limits: Limits) -> Component:
                 align="flex-end",
                 mt="md",
                 children=[
-                    dmc.TextInput(id="upload-name", label="Name of the dataset", placeholder="Walks in the park", style={"flex": 1}),
+                    dmc.TextInput(
+                        id="upload-name",
+                        label="Name of the dataset",
+                        placeholder="Walks in the park",
+                        style={"flex": 1},
+                    ),
                     dmc.NumberInput(
                         id="upload-fps",
                         label="Frames per second of AMC files",

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import fields
 from typing import Any
 
 import dash_mantine_components as dmc
@@ -30,10 +29,9 @@ LABELS = {
 
 def parameter_form(values: Mapping[str, Any]) -> Component:
     """One control a parameter; the advanced ones folded away."""
-    hints = _metadata()
-    shown = [p for p in analyses.parameters(MOTIFS) if not hints[p.name].get("advanced")]
-    folded = [p for p in analyses.parameters(MOTIFS) if hints[p.name].get("advanced")]
-    parts = [html.Div([_control(p, hints[p.name], values) for p in shown], className="form-grid")]
+    known = analyses.parameters(MOTIFS)
+    folded = [_control(p, values) for p in known if p.advanced]
+    parts = [html.Div([_control(p, values) for p in known if not p.advanced], className="form-grid")]
     if folded:
         parts.append(
             dmc.Accordion(
@@ -43,9 +41,7 @@ def parameter_form(values: Mapping[str, Any]) -> Component:
                     value="advanced",
                     children=[
                         dmc.AccordionControl("Advanced"),
-                        dmc.AccordionPanel(
-                            html.Div([_control(p, hints[p.name], values) for p in folded], className="form-grid")
-                        ),
+                        dmc.AccordionPanel(html.Div(folded, className="form-grid")),
                     ],
                 ),
             )
@@ -76,29 +72,23 @@ def summary(parameters: Mapping[str, Any]) -> str:
     return ", ".join(f"{name.replace('_', ' ')} {value}" for name, value in parameters.items())
 
 
-def _metadata() -> dict[str, Mapping[str, Any]]:
-    return {f.name: f.metadata for f in fields(analyses.METHODS[MOTIFS].parameters())}
-
-
-def _control(parameter: Parameter, hints: Mapping[str, Any], values: Mapping[str, Any]) -> Component:
+def _control(parameter: Parameter, values: Mapping[str, Any]) -> Component:
     label = _label(parameter)
     identity = {"type": "parameter", "name": parameter.name}
     value = values.get(parameter.name, parameter.default)
-    if parameter.words and not parameter.kinds:
+    if not parameter.kinds:
         data = [{"value": str(word), "label": str(word).capitalize()} for word in parameter.words]
         return dmc.Select(id=identity, label=label, data=data, value=str(value), allowDeselect=False)
-    words = [word for word in parameter.words if word is not None] or ([parameter.default] if isinstance(parameter.default, str) else [])
-    number = None if value in words or isinstance(value, str) and value in map(str, words) else value
-    whole = float not in parameter.kinds
+    word = str(parameter.words[0]) if parameter.words else f"{parameter.default:g}"
     return dmc.NumberInput(
         id=identity,
         label=label,
-        value="" if number is None else float(number) if not whole else int(number),
-        placeholder=str(words[0]) if words else f"{parameter.default:g}",
+        value="" if value in parameter.words else value,
+        placeholder=word,
         min=parameter.minimum,
         max=parameter.maximum,
-        step=hints.get("step") or 1,
-        allowDecimal=not whole,
+        step=parameter.step or 1,
+        allowDecimal=float in parameter.kinds,
         clampBehavior="none",
     )
 

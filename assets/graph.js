@@ -1,0 +1,112 @@
+/* The motif graph: selection, faint rare edges, zoom and pictures. Classes change, elements never do. */
+(function () {
+  "use strict";
+  const clientside = (window.dash_clientside = window.dash_clientside || {});
+  const ID = "motif-graph";
+
+  // Cytoscape leaves itself on its container; it comes a little after the component does
+  async function ready(tries = 100) {
+    for (let i = 0; i < tries; i++) {
+      const box = document.getElementById(ID);
+      const cy = box && box._cyreg && box._cyreg.cy;
+      if (cy && !cy.destroyed() && cy.elements().length) return cy;
+      await new Promise((resolve) => setTimeout(resolve, 30));
+    }
+    return null;
+  }
+
+  function chosenIn(cy, selection) {
+    if (!selection) return cy.collection();
+    if (selection.motif !== undefined) return cy.getElementById("m" + selection.motif);
+    if (selection.edge !== undefined) return cy.getElementById("e" + selection.edge);
+    return cy.collection();
+  }
+
+  const watched = new WeakSet();
+  function watch(cy) {
+    if (watched.has(cy)) return;
+    watched.add(cy);
+    const box = cy.container();
+    box.tabIndex = 0;
+    box.setAttribute("role", "application");
+    box.setAttribute("aria-label", "Motif graph. Arrow keys move, plus and minus zoom, 0 shows all. The table below lists the same motifs.");
+    box.addEventListener("keydown", (event) => {
+      const step = { ArrowLeft: [60, 0], ArrowRight: [-60, 0], ArrowUp: [0, 60], ArrowDown: [0, -60] }[event.key];
+      if (step) cy.panBy({ x: step[0], y: step[1] });
+      else if (event.key === "+" || event.key === "=") zoom(cy, 1.25);
+      else if (event.key === "-") zoom(cy, 0.8);
+      else if (event.key === "0") cy.fit(undefined, 26);
+      else return;
+      event.preventDefault();
+      event.stopPropagation();
+    });
+    let touched = false;
+    cy.on("pan zoom", (event) => { if (event.target === cy && cy._byHand) touched = true; });
+    box.addEventListener("wheel", () => { touched = true; }, { passive: true });
+    box.addEventListener("pointerdown", () => { touched = true; });
+    new ResizeObserver(() => {
+      if (cy.destroyed()) return;
+      cy.resize();
+      if (!touched) cy.fit(undefined, 26);
+    }).observe(box);
+    cy.on("mouseover", "node, edge", () => { box.style.cursor = "pointer"; });
+    cy.on("mouseout", "node, edge", () => { box.style.cursor = ""; });
+    cy.autoungrabify(true);
+    cy.fit(undefined, 26);
+  }
+
+  function zoom(cy, factor) {
+    const box = cy.container().getBoundingClientRect();
+    cy.zoom({ level: cy.zoom() * factor, renderedPosition: { x: box.width / 2, y: box.height / 2 } });
+  }
+
+  function save(blob, name) {
+    const link = document.createElement("a");
+    link.href = URL.createObjectURL(blob);
+    link.download = name;
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+  }
+
+  const put = (value) => window.dash_clientside.set_props("selection", { data: value });
+
+  clientside.graph = {
+    tapped(node, edge) {
+      const which = clientside.callback_context.triggered.map((item) => item.prop_id).join(" ");
+      if (which.includes("tapNodeData") && node) put({ motif: node.motif });
+      else if (which.includes("tapEdgeData") && edge) put({ edge: edge.edge });
+      return clientside.no_update;
+    },
+    async mark(selection, threshold) {
+      const cy = await ready();
+      if (!cy) return clientside.no_update;
+      watch(cy);
+      cy.batch(() => {
+        cy.elements().removeClass("chosen near faded rare");
+        const chosen = chosenIn(cy, selection);
+        const near = chosen.isNode && chosen.nonempty() && chosen.isNode() ? chosen.closedNeighborhood() : chosen.union(chosen.connectedNodes());
+        cy.edges().forEach((edge) => {
+          if (edge.data("count") < (threshold || 1) && !near.contains(edge)) edge.addClass("rare");
+        });
+        if (chosen.nonempty()) {
+          cy.elements().difference(near).addClass("faded");
+          near.difference(chosen).addClass("near");
+          chosen.addClass("chosen");
+        }
+      });
+      return clientside.no_update;
+    },
+    async tool(request, dataset) {
+      const cy = request && (await ready(10));
+      if (!cy) return clientside.no_update;
+      const background = getComputedStyle(document.documentElement).getPropertyValue("--surface").trim();
+      const name = (dataset || "motifs") + "-graph";
+      if (request.graph === "in") zoom(cy, 1.3);
+      else if (request.graph === "out") zoom(cy, 1 / 1.3);
+      else if (request.graph === "fit") cy.animate({ fit: { padding: 26 }, duration: 200 });
+      else if (request.graph === "png") save(await cy.png({ output: "blob-promise", full: true, scale: 2, bg: background, maxWidth: 8000, maxHeight: 8000 }), name + ".png");
+      else if (request.graph === "svg") save(new Blob([cy.svg({ full: true, bg: background })], { type: "image/svg+xml" }), name + ".svg");
+      return clientside.no_update;
+    },
+  };
+})();

@@ -1,0 +1,175 @@
+"""The Motifs page's callbacks: read the form, ask for the work, show what is there."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from urllib.parse import urlencode
+
+from dash import ALL, Dash, Input, Output, State, ctx, no_update, set_props
+from dash.dependencies import ClientsideFunction
+
+from core import analyses
+from core.motifs.graph import MotifGraph
+from core.parameters import ParameterError
+from core.workspace import Workspace, WorkspaceError
+from webapp import jobs, results
+from webapp.components.errors import notice
+from webapp.components.filmstrip import icon_data_uri
+from webapp.figures import graph as graph_figure
+from webapp.figures import tables
+from webapp.pages.motifs import form, layout
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """All of the page's callbacks."""
+    _ask(app, workspace)
+    _show(app, workspace)
+    _browse(app, workspace)
+
+
+def _ask(app: Dash, workspace: Workspace) -> None:
+    @app.callback(Output("motif-form", "children"), Output("settings-summary", "children"), Input("parameters", "data"))
+    def show_form(parameters):
+        request = results.motif_request("", parameters)
+        return form.parameter_form(request.parameters), form.summary(results.not_default(request.parameters))
+
+    @app.callback(
+        Output({"type": "parameter", "name": ALL}, "error"),
+        Input("find-motifs", "n_clicks"),
+        Input("find-again", "data"),
+        State({"type": "parameter", "name": ALL}, "value"),
+        State({"type": "parameter", "name": ALL}, "id"),
+        State("dataset", "data"),
+        prevent_initial_call=True,
+    )
+    def find(_clicks, _again, values, ids, dataset):
+        taken, problems = form.read_form(ids, values)
+        if problems:
+            set_props("settings", {"value": "form"})
+            return [problems.get(component["name"]) for component in ids]
+        try:
+            if not dataset:
+                raise WorkspaceError("Choose a dataset first; the library has none yet.")
+            request = analyses.normalise(analyses.Request(dataset, results.MOTIFS, taken))
+            if analyses.stored(workspace, request) is None:
+                set_props("job-started", {"data": jobs.start(workspace, request).id})
+            set_props("parameters", {"data": results.not_default(request.parameters)})
+        except (ParameterError, WorkspaceError) as error:
+            set_props("notices", {"sendNotifications": [notice("Cannot find motifs", str(error), "red")]})
+        return [None] * len(ids)
+
+
+def _show(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("graph-key", "data"),
+        Input("dataset", "data"),
+        Input("parameters", "data"),
+        Input("jobs-finished", "data"),
+        State("graph-key", "data"),
+    )
+    def find_graph(dataset, parameters, _finished, current):
+        key = _stored_key(workspace, dataset, parameters)
+        return no_update if key == current and ctx.triggered_id == "jobs-finished" else key
+
+    @app.callback(
+        Output("motif-status", "children"),
+        Input("jobs-seen", "data"),
+        Input("graph-key", "data"),
+        State("dataset", "data"),
+        State("parameters", "data"),
+    )
+    def show_status(_seen, key, dataset, parameters):
+        job = results.latest_job(workspace, dataset, parameters) if dataset and not key else None
+        return layout.status(dataset, job, bool(key))
+
+    @app.callback(
+        Output("motif-result", "children"),
+        Output("motif-menus", "children"),
+        Input("graph-key", "data"),
+        State("dataset", "data"),
+        State("parameters", "data"),
+        State("theme", "data"),
+    )
+    def show_result(key, name, parameters, scheme):
+        graph = results.motif_graph(workspace, name, parameters) if key and name else None
+        past = [
+            (job, results.not_default(job.request["parameters"]))
+            for job in (results.earlier(workspace, name) if name else [])
+        ]
+        address = f"/api/motifs.json?{urlencode({'dataset': name or '', **(parameters or {})})}"
+        shown = layout.menus(name or "", graph, past, address)
+        if graph is None:
+            return None, shown
+        dataset = workspace.open(name)
+        table = tables.grid("motif-table", tables.MOTIF_COLUMNS, tables.motif_rows(graph, dataset), "All motifs")
+        return layout.result(graph, dataset, _elements(workspace, name, key, graph), table, scheme or "light"), shown
+
+
+def _browse(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("motif-selection", "children"),
+        Input("selection", "data"),
+        Input("motif-graph", "id"),
+        State("dataset", "data"),
+        State("parameters", "data"),
+    )
+    def show_selection(selection, _graph, name, parameters):
+        try:
+            graph = results.motif_graph(workspace, name, parameters)
+            return layout.selection_panel(workspace.open(name), graph, selection or {}) if graph else None
+        except WorkspaceError:
+            return None
+
+    app.clientside_callback(
+        ClientsideFunction("graph", "tapped"),
+        Output("graph-tapped", "data"),
+        Input("motif-graph", "tapNodeData"),
+        Input("motif-graph", "tapEdgeData"),
+    )
+    app.clientside_callback(
+        ClientsideFunction("graph", "mark"),
+        Output("graph-marked", "data"),
+        Input("selection", "data"),
+        Input("edge-threshold", "value"),
+        Input("motif-graph", "elements"),
+    )
+    app.clientside_callback(ClientsideFunction("graph", "tool"), Input("graph-tool", "data"), State("dataset", "data"))
+    app.clientside_callback(
+        ClientsideFunction("tables", "mark"),
+        Output("motifs-marked", "data"),
+        Input("selection", "data"),
+        Input("motif-table", "rowData"),
+        State("motif-table", "id"),
+    )
+
+    @app.callback(Output("motif-graph", "stylesheet"), Input("theme", "data"), prevent_initial_call=True)
+    def restyle(scheme):
+        return graph_figure.stylesheet(scheme or "light")
+
+
+def _stored_key(workspace: Workspace, dataset: str | None, parameters: dict | None) -> str | None:
+    if not dataset:
+        return None
+    try:
+        request = results.motif_request(dataset, parameters)
+        return analyses.key(workspace, request) if analyses.stored(workspace, request) is not None else None
+    except (ParameterError, WorkspaceError):
+        return None
+
+
+def _elements(workspace: Workspace, name: str, key: str, graph: MotifGraph) -> list[dict]:
+    """Placed and drawn once a result: the layout and the icons are the slow part of showing a graph."""
+
+    @lru_cache(maxsize=1)
+    def dataset():
+        return workspace.open(name)
+
+    if key not in _drawn:
+        icons = graph_figure.icon_addresses(graph, lambda segment, scheme: icon_data_uri(dataset(), segment, scheme))
+        _drawn[key] = graph_figure.graph_elements(graph, icons)
+        while len(_drawn) > 16:
+            _drawn.pop(next(iter(_drawn)))
+    return _drawn[key]
+
+
+_drawn: dict[str, list[dict]] = {}

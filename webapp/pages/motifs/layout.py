@@ -1,0 +1,373 @@
+"""What the Motifs page consists of."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from datetime import datetime
+from typing import Any
+
+import dash_cytoscape as cyto
+import dash_mantine_components as dmc
+from dash import dcc, html
+from dash.development.base_component import Component
+
+from core.mocap.clip import Segment
+from core.mocap.dataset import Dataset
+from core.motifs.graph import MotifGraph
+from core.workspace import Job
+from webapp import theme
+from webapp.components.actions import sends
+from webapp.components.errors import empty_state
+from webapp.components.icons import icon
+from webapp.components.job_bar import stage_words
+from webapp.figures import graph as graph_figure
+from webapp.figures.tables import strip_address
+from webapp.pages.motifs.form import summary
+from webapp.playback import find_edge, find_motif, moment, transition_segment
+
+MOST_ROWS = 60  # motions or transitions listed at once
+
+
+def layout() -> Component:
+    """The page before it knows what there is to show."""
+    return html.Div(
+        className="motifs",
+        children=[
+            html.Div(
+                className="page-head",
+                children=[
+                    html.H1("Motifs"),
+                    html.Div(className="spacer"),
+                    html.Div(id="motif-menus", className="head-menus"),
+                    dmc.Button("Find motifs", id="find-motifs", leftSection=icon("spark", 16)),
+                ],
+            ),
+            dmc.Accordion(
+                id="settings",
+                variant="contained",
+                className="settings",
+                value=None,
+                children=dmc.AccordionItem(
+                    value="form",
+                    children=[
+                        dmc.AccordionControl(
+                            [
+                                html.Span("Settings", className="settings-title"),
+                                html.Span(id="settings-summary", className="muted"),
+                            ]
+                        ),
+                        dmc.AccordionPanel(html.Div(id="motif-form")),
+                    ],
+                ),
+            ),
+            html.Div(id="motif-status"),
+            html.Div(id="motif-result"),
+        ],
+    )
+
+
+def status(dataset: str | None, job: Job | None, ready: bool) -> Component | None:
+    """What stands in place of a graph that is not there (yet)."""
+    if ready:
+        return None
+    if not dataset:
+        link = dcc.Link("Go to the library", href="/library", className="text-link")
+        return _card(empty_state("person", "No dataset yet", "Add recordings, or make the demo, in the library.", link))
+    if job is not None and job.alive:
+        return _card(_running(job))
+    hint = "It shows which movements recur in these recordings, and what follows what."
+    if job is not None and job.state == "failed":
+        return _card(empty_state("error", "Finding motifs failed", job.error, _find_button("Try again")))
+    if job is not None and job.state == "cancelled":
+        return _card(
+            empty_state("graph", "Finding motifs was cancelled", "Nothing was kept of it.", _find_button("Find motifs"))
+        )
+    return _card(empty_state("graph", "No motif graph yet", f"Press Find motifs. {hint}", _find_button("Find motifs")))
+
+
+def _card(child: Component) -> Component:
+    return html.Div(child, className="card section")
+
+
+def _find_button(label: str) -> Component:
+    return dmc.Button(label, variant="light", **sends("find-again", {"find": True}, every_time=True))
+
+
+def _running(job: Job) -> Component:
+    percent = round(100 * job.fraction)
+    return html.Div(
+        className="empty-state running",
+        role="status",
+        children=[
+            html.Div(icon("graph", 34), className="empty-icon"),
+            dmc.Title("Finding motifs", order=2, size="h4"),
+            dmc.Text(stage_words(job).capitalize(), c="dimmed", size="sm", id="motif-stage"),
+            dmc.Progress(
+                value=percent if job.state == "running" else 100,
+                size="md",
+                w="min(420px, 80%)",
+                animated=True,
+                striped=True,
+                **{"aria-label": "Progress of this stage"},
+            ),
+            dmc.Button(
+                "Cancel",
+                variant="default",
+                mt="xs",
+                disabled=job.cancelling,
+                **sends("job-action", {"action": "cancel", "job": job.id}, every_time=True),
+            ),
+        ],
+    )
+
+
+def result(graph: MotifGraph, dataset: Dataset, elements: list[dict], table: Component, scheme: str) -> Component:
+    """Metrics, graph, what is selected, table; or what to try where no motif was found."""
+    if not graph.motifs:
+        return _card(
+            empty_state(
+                "graph",
+                "No motif found",
+                "Nothing recurs under these settings. Try a smaller kappa, a larger speed tolerance, or a smaller shortest motion.",
+            )
+        )
+    return html.Div(
+        [
+            html.Div([_tile(*tile) for tile in metric_tiles(graph, dataset)], className="tiles section"),
+            html.Div(
+                className="graph-and-selection section",
+                children=[
+                    _graph_card(graph, elements, scheme),
+                    html.Div(id="motif-selection", className="card selection-card"),
+                ],
+            ),
+            html.Div([html.H2("All motifs")], className="section-head section"),
+            table,
+            *(dcc.Store(id=name) for name in ("graph-tapped", "graph-marked", "motifs-marked")),
+        ]
+    )
+
+
+def metric_tiles(graph: MotifGraph, dataset: Dataset) -> list[tuple[str, str, str]]:
+    """Name, value and explanation of each figure."""
+    metrics = graph.metrics
+    rates = {clip.name: clip.fps for clip in dataset.clips}
+    lengths = [s.n_frames / rates.get(s.clip, 30.0) for motif in graph.motifs for s in motif.segments]
+    spread = metrics.get("mean_pose_distance", 0)
+    ratio = metrics.get("average_frame_error", 0) / spread if spread else 0.0
+    return [
+        ("Motifs", f"{len(graph.motifs)}", "Movements that recur."),
+        ("Coverage", f"{100 * metrics.get('coverage', 0):.0f} %", "Share of all frames that belong to a motion of some motif."),
+        ("Error ratio", f"{ratio:.2f}", "How far the motions of a motif lie apart, compared with how far poses lie from the average pose. Lower is tighter; the 2008 paper reports .23."),
+        ("Motions each", f"{metrics.get('mean_motions', 0):.1f}", "Mean number of motions of a motif."),
+        ("Mean length", f"{sum(lengths) / len(lengths):.1f} s" if lengths else "–", "Mean duration of a motion."),
+    ]  # fmt: skip
+
+
+def _tile(name: str, value: str, explanation: str) -> Component:
+    return dmc.Tooltip(
+        html.Div(
+            [html.Span(name, className="tile-name"), html.Span(value, className="tile-value number")],
+            className="tile card",
+            tabIndex="0",
+            **{"aria-label": f"{name}: {value}. {explanation}"},
+        ),
+        label=explanation,
+        events={"hover": True, "focus": True, "touch": True},
+    )
+
+
+def _graph_card(graph: MotifGraph, elements: list[dict], scheme: str) -> Component:
+    counts = [edge.count for edge in graph.edges]
+    threshold = graph_figure.first_threshold(counts)
+    return html.Div(
+        className="card graph-card",
+        children=[
+            cyto.Cytoscape(
+                id="motif-graph",
+                elements=elements,
+                layout={"name": "preset", "fit": True, "padding": 26},
+                stylesheet=graph_figure.stylesheet(scheme),
+                style={"width": "100%", "height": "100%"},
+                minZoom=0.05,
+                maxZoom=3,
+                wheelSensitivity=0.25,
+                boxSelectionEnabled=False,
+                autoRefreshLayout=False,
+                responsive=False,
+            ),
+            html.Div(
+                className="graph-tools",
+                children=[
+                    _tool("plus", "Zoom in", {"graph": "in"}),
+                    _tool("minus", "Zoom out", {"graph": "out"}),
+                    _tool("fit", "Show the whole graph", {"graph": "fit"}),
+                ],
+            ),
+            html.Div(
+                className="edge-filter" + ("" if max(counts, default=1) > 1 and len(counts) > 12 else " hidden"),
+                children=[
+                    html.Span("Successions seen at least", className="muted", id="edge-filter-label"),
+                    dmc.Slider(
+                        id="edge-threshold",
+                        min=1,
+                        max=max(2, min(max(counts, default=2), 20)),
+                        value=threshold,
+                        size="xs",
+                        w=120,
+                        **{"aria-label": "Hide successions seen less often"},
+                    ),
+                ],
+            ),
+            html.Div(graph_figure.legend(graph), className="graph-legend muted"),
+        ],
+    )
+
+
+def _tool(symbol: str, label: str, value: dict[str, str]) -> Component:
+    return dmc.ActionIcon(
+        icon(symbol, 16),
+        variant="default",
+        size=30,
+        **sends("graph-tool", value, every_time=True),
+        **{"aria-label": label},
+        attributes={"root": {"title": label}},
+    )
+
+
+def menus(
+    dataset: str, graph: MotifGraph | None, earlier: Sequence[tuple[Job, Mapping[str, str]]], address: str
+) -> list[Component]:
+    """Earlier results and downloads."""
+    parts: list[Component] = []
+    if len(earlier) > (1 if graph else 0):
+        parts.append(
+            dmc.Menu(
+                shadow="md",
+                position="bottom-end",
+                children=[
+                    dmc.MenuTarget(dmc.Button("Earlier results", variant="default", rightSection=icon("chevron", 14))),
+                    dmc.MenuDropdown(
+                        [
+                            dmc.MenuItem(
+                                [
+                                    html.Div(summary(parameters), className="menu-title"),
+                                    html.Div(_when(job.finished), className="muted menu-note"),
+                                ],
+                                **sends("parameters", parameters),
+                            )
+                            for job, parameters in earlier[:15]
+                        ],
+                        className="menu-long",
+                    ),
+                ],
+            )
+        )
+    if graph is not None and graph.motifs:
+        parts.append(
+            dmc.Menu(
+                shadow="md",
+                position="bottom-end",
+                children=[
+                    dmc.MenuTarget(dmc.Button("Download", variant="default", leftSection=icon("download", 16))),
+                    dmc.MenuDropdown(
+                        [
+                            html.A(
+                                "motifs.json",
+                                href=address,
+                                download=f"{dataset}-motifs.json",
+                                className="menu-link",
+                                role="menuitem",
+                            ),
+                            dmc.MenuItem(
+                                "Picture of the graph (PNG)", **sends("graph-tool", {"graph": "png"}, every_time=True)
+                            ),
+                            dmc.MenuItem(
+                                "Drawing of the graph (SVG)", **sends("graph-tool", {"graph": "svg"}, every_time=True)
+                            ),
+                        ]
+                    ),
+                ],
+            )
+        )
+    return parts
+
+
+def _when(moment_: float | None) -> str:
+    return datetime.fromtimestamp(moment_).strftime("%d %b, %H:%M") if moment_ else ""
+
+
+def selection_panel(dataset: Dataset, graph: MotifGraph, selection: Mapping[str, Any]) -> list[Component]:
+    """The motions of the selected motif or the transitions of the selected edge, each with a way to play it alone."""
+    motif = find_motif(graph, selection["motif"]) if "motif" in selection else None
+    if motif is not None:
+        rows = [
+            _row(dataset, segment, {"motif": motif.id, "motion": i}, str(selection.get("motion")) == str(i))
+            for i, segment in enumerate(motif.segments[:MOST_ROWS])
+        ]
+        together = _together({"motif": motif.id}, "Play all", "motion" not in selection)
+        return _panel(f"Motif {motif.id}", f"{len(motif.segments)} motions", together, rows, len(motif.segments))
+    edge = find_edge(graph, selection["edge"]) if "edge" in selection else None
+    if edge is not None:
+        rows = [
+            _row(
+                dataset,
+                transition_segment(dataset, graph, edge, i),
+                {"edge": f"{edge.source}-{edge.target}", "transition": i},
+                int(selection.get("transition", 0)) == i,
+            )
+            for i in range(min(len(edge.transitions), MOST_ROWS))
+        ]
+        return _panel(f"From {edge.source} to {edge.target}", f"seen {edge.count}×", None, rows, len(edge.transitions))
+    hint = (
+        "Choose a box to see all motions of a motif play together, or an arrow to see how one motif leads to the next."
+    )
+    return [
+        html.Div(
+            [html.Div(icon("play", 26), className="empty-icon"), html.P(hint, className="muted")],
+            className="selection-hint",
+        )
+    ]
+
+
+def _panel(title: str, count: str, action: Component | None, rows: list[Component], total: int) -> list[Component]:
+    head = html.Div(
+        [html.H2(title), html.Span(count, className="muted"), html.Div(className="spacer"), action],
+        className="section-head",
+    )
+    more = html.Div(f"and {total - len(rows)} more", className="muted selection-more") if total > len(rows) else None
+    return [head, html.Div([*rows, more], className="motion-list")]
+
+
+def _together(selection: dict[str, Any], label: str, active: bool) -> Component:
+    return dmc.Button(
+        label,
+        size="compact-sm",
+        variant="filled" if active else "default",
+        leftSection=icon("play", 14),
+        **sends("selection", selection),
+    )
+
+
+def _row(dataset: Dataset, segment: Segment, selection: dict[str, Any], chosen: bool) -> Component:
+    where = moment(dataset, segment)
+    return html.Button(
+        className="motion-row" + (" chosen" if chosen else ""),
+        title=f"Play {segment.clip}, {where}, alone",
+        children=[
+            icon("play", 14),
+            html.Span(segment.clip, className="ellipsis motion-clip"),
+            html.Span(where, className="muted number motion-time"),
+            html.Img(
+                src=strip_address(dataset.name, segment, 4, dataset.fingerprint),
+                className="motion-strip",
+                alt="",
+                draggable="false",
+            ),
+        ],
+        **sends("selection", selection),
+        **{"aria-pressed": "true" if chosen else "false"},
+    )
+
+
+__all__ = ["layout", "menus", "metric_tiles", "result", "selection_panel", "status", "theme"]
