@@ -62,8 +62,7 @@
       this.abort?.abort();
       this.request = request;
       if (!request?.items?.length) {
-        this.figures = [];
-        this.prepare();
+        this.clear();
         return this.setStatus("empty");
       }
       const abort = (this.abort = new AbortController());
@@ -73,13 +72,16 @@
       const answers = await Promise.allSettled(items.map((item) => this.cache.get(url(item), abort.signal)));
       if (abort.signal.aborted || this.closed) return undefined;
       const failed = answers.filter((answer) => answer.status === "rejected");
-      if (failed.length === items.length) return this.setStatus("error", failed[0].reason.message);
+      if (failed.length === items.length) {
+        this.clear();
+        return this.setStatus("error", failed[0].reason.message);
+      }
       this.figures = items.flatMap((item, k) =>
         answers[k].status === "fulfilled" ? [new parts.Figure(item, answers[k].value, k)] : []);
       this.layout = request.layout === "side" ? "side" : "overlay";
       this.sync = request.sync === "start" ? "start" : "warp";
       this.clock.time = 0;
-      this.camera.reset();
+      this.camera.reset(parts.homeView(this.figures, this.layout));
       this.prepare();
       this.setStatus("ready");
       this.notice(request, items, failed);
@@ -87,6 +89,11 @@
       if (!calm()) this.clock.play();
       if (this.waiting) this.restore(this.waiting);
       return this.touch(true);
+    }
+
+    clear() {
+      this.figures = [];
+      this.prepare();
     }
 
     notice(request, items, failed) {
@@ -118,7 +125,7 @@
     place() {
       this.scene.resize();
       parts.placeFigures(this.figures, this.layout, this.scene.width / Math.max(this.scene.height, 1));
-      this.scene.bodies.collect(this.figures);
+      this.scene.bodies.collect(this.figures, this.layout === "overlay");
       this.fit();
       this.clock.jumped = true;
       this.draw();
@@ -127,8 +134,8 @@
     /** Frame all figures, unless the person has chosen a distance already. */
     fit() {
       if (!this.figures.length) return;
-      const { radius, height } = parts.measureStage(this.figures, this.clock.duration);
-      this.camera.fit(radius, height, this.scene.width / Math.max(this.scene.height, 1));
+      const { cloud, radius } = parts.measureStage(this.figures, this.clock.duration);
+      this.camera.fit(cloud, this.scene.width / Math.max(this.scene.height, 1));
       this.scene.ground.radius = Math.max(2.2, radius * 1.5 + 0.6);
     }
 
@@ -159,7 +166,7 @@
     setLayout(layout) {
       if (this.figures.length < 2) return;
       this.layout = layout;
-      this.camera.moved = false;
+      this.camera.reset(parts.homeView(this.figures, layout));
       this.place();
       this.say(layout === "side" ? "Side by side" : "Laid over one another");
     }
@@ -196,7 +203,7 @@
     }
 
     resetCamera() {
-      this.camera.reset();
+      this.camera.reset(parts.homeView(this.figures, this.layout));
       this.place();
       this.say("View reset");
     }
@@ -330,13 +337,16 @@
   }
 
   let stage = null;
+  let mounted = null;
   let early = null; // a request or state that came before the page held a stage
 
   /** Take hold of the page's stage; again when the page was rebuilt. */
   function mount() {
     const root = document.getElementById("stage");
-    if (root === (stage?.root ?? null)) return;
+    if (root === mounted) return;
+    mounted = root; // also where the next line fails: once is enough
     stage?.close();
+    stage = null;
     stage = root ? new Stage(root) : null;
     if (stage && early?.request) stage.show(early.request);
     if (stage && early?.state) stage.restore(early.state);

@@ -3,9 +3,10 @@
 (function (parts) {
   "use strict";
 
-  const CAP = [-0.92388, -0.38268, 0.38268, 0.92388]; // sines of the cap's corners
-  const CAP_COS = [0.38268, 0.92388, 0.92388, 0.38268];
-  const CIRCLE = Array.from({ length: 20 }, (_, k) => [Math.cos((k * Math.PI) / 10), Math.sin((k * Math.PI) / 10)]);
+  const corners = (n) => Array.from({ length: n }, (_, k) => -Math.PI / 2 + (Math.PI * (k + 0.5)) / n);
+  const [COARSE, FINE] = [3, 7].map((n) => ({ n, sin: corners(n).map(Math.sin), cos: corners(n).map(Math.cos) }));
+  const FINE_FROM = 7; // pixels of radius
+  const CIRCLE = Array.from({ length: 24 }, (_, k) => [Math.cos((k * Math.PI) / 12), Math.sin((k * Math.PI) / 12)]);
 
   /** A capsule from one circle to another, as a convex polygon. */
   function capsule(context, x1, y1, r1, x2, y2, r2) {
@@ -18,15 +19,16 @@
     }
     dx /= length;
     dy /= length;
+    const { n, sin, cos } = r1 + r2 > 2 * FINE_FROM ? FINE : COARSE;
     context.beginPath();
-    for (let k = 0; k < 4; k++) {
-      const along = r2 * CAP_COS[k];
-      const across = r2 * CAP[k];
+    for (let k = 0; k < n; k++) {
+      const along = r2 * cos[k];
+      const across = r2 * sin[k];
       context.lineTo(x2 + along * dx - across * dy, y2 + along * dy + across * dx);
     }
-    for (let k = 3; k >= 0; k--) {
-      const along = -r1 * CAP_COS[k];
-      const across = r1 * CAP[k];
+    for (let k = n - 1; k >= 0; k--) {
+      const along = -r1 * cos[k];
+      const across = r1 * sin[k];
       context.lineTo(x1 + along * dx - across * dy, y1 + along * dy + across * dx);
     }
     context.fill();
@@ -34,7 +36,7 @@
 
   function disc(context, x, y, r) {
     context.beginPath();
-    for (let k = 0; k < 20; k++) context.lineTo(x + r * CIRCLE[k][0], y + r * CIRCLE[k][1]);
+    for (let k = 0; k < CIRCLE.length; k++) context.lineTo(x + r * CIRCLE[k][0], y + r * CIRCLE[k][1]);
     context.fill();
   }
 
@@ -48,8 +50,8 @@
       this.owners = [];
     }
 
-    /** Call when the set of visible figures changes. */
-    collect(figures) {
+    /** Call when the set of visible figures changes. Many bodies in one place are drawn slender, or none is seen. */
+    collect(figures, overlaid) {
       this.items = [];
       this.owners = figures.filter((figure) => figure.visible);
       for (const figure of this.owners) {
@@ -57,6 +59,9 @@
         if (figure.header.head >= 0) this.items.push({ figure, limb: HEAD, depth: 0 });
         if (figure.header.nose >= 0) this.items.push({ figure, limb: NOSE, depth: 0 });
       }
+      const crowd = overlaid ? this.owners.length : 1;
+      this.girth = crowd > 8 ? 0.5 : crowd > 4 ? 0.62 : crowd > 1 ? 0.78 : 1;
+      this.headSize = 0.3 + 0.7 * this.girth;
       this.detailed = this.owners.length <= 8;
       this.outlined = this.owners.length <= 16;
     }
@@ -86,58 +91,86 @@
     }
 
     paintLimb(context, figure, limb, level) {
-      const { x, y, scale, radii, shades } = figure;
-      const bones = limb.bones;
+      const { shades } = figure;
       if (this.outlined) {
         context.fillStyle = shades.edge[limb.side][level];
-        for (let k = 0; k < bones.length; k += 2) {
-          const a = bones[k];
-        const b = bones[k + 1];
-          const line = 1 + 0.004 * scale[a];
-          capsule(context, x[a], y[a], radii[a] * scale[a] + line, x[b], y[b], radii[b] * scale[b] + line);
-        }
+        this.bones(context, figure, limb.bones, 1);
+        if (limb.flanks) this.bones(context, figure, limb.flanks, 1);
       }
       context.fillStyle = shades.fill[limb.side][level];
-      for (let k = 0; k < bones.length; k += 2) {
-        const a = bones[k];
-        const b = bones[k + 1];
-        capsule(context, x[a], y[a], radii[a] * scale[a], x[b], y[b], radii[b] * scale[b]);
-      }
-      if (!this.detailed) return;
+      if (limb.flanks) this.plate(context, figure, limb.flanks);
+      this.bones(context, figure, limb.bones, 0);
+      if (!this.detailed || limb.flanks) return;
       context.fillStyle = shades.light[limb.side][level];
+      this.highlights(context, figure, limb.bones);
+    }
+
+    /** Each bone as a capsule; `line`: pixels of outline around it. */
+    bones(context, figure, bones, line) {
+      const { x, y, scale, radii } = figure;
       for (let k = 0; k < bones.length; k += 2) {
         const a = bones[k];
         const b = bones[k + 1];
-        const ra = radii[a] * scale[a];
-        const rb = radii[b] * scale[b];
-        capsule(context, x[a] - 0.32 * ra, y[a] - 0.32 * ra, 0.36 * ra, x[b] - 0.32 * rb, y[b] - 0.32 * rb, 0.36 * rb);
+        const around = line && line + 0.003 * scale[a];
+        const ra = radii[a] * this.girth * scale[a] + around;
+        capsule(context, x[a], y[a], ra, x[b], y[b], radii[b] * this.girth * scale[b] + around);
+      }
+    }
+
+    /** The chest and belly between two flanks, shoulder to hip. */
+    plate(context, figure, flanks) {
+      const { x, y } = figure;
+      this.bones(context, figure, flanks, 0);
+      context.beginPath();
+      context.moveTo(x[flanks[0]], y[flanks[0]]);
+      context.lineTo(x[flanks[1]], y[flanks[1]]);
+      context.lineTo(x[flanks[3]], y[flanks[3]]);
+      context.lineTo(x[flanks[2]], y[flanks[2]]);
+      context.fill();
+    }
+
+    highlights(context, figure, bones) {
+      const { x, y, scale, radii } = figure;
+      for (let k = 0; k < bones.length; k += 2) {
+        const a = bones[k];
+        const b = bones[k + 1];
+        const ra = radii[a] * this.girth * scale[a];
+        const rb = radii[b] * this.girth * scale[b];
+        capsule(context, x[a] - 0.32 * ra, y[a] - 0.32 * ra, 0.34 * ra, x[b] - 0.32 * rb, y[b] - 0.32 * rb, 0.34 * rb);
       }
     }
 
     paintHead(context, figure, level) {
       const { header, shades } = figure;
       const [x, y] = [figure.x[header.head], figure.y[header.head]];
-      const r = header.head_radius * figure.scale[header.head];
+      const scale = figure.scale[header.head];
+      const r = header.head_radius * this.headSize * scale;
       if (this.outlined) {
         context.fillStyle = shades.edge[2][level];
-        disc(context, x, y, r + 1 + 0.004 * figure.scale[header.head]);
+        disc(context, x, y, r + 1 + 0.003 * scale);
+      }
+      if (this.detailed) {
+        context.drawImage(shades.ball(level), x - r, y - r, 2 * r, 2 * r);
+        return;
       }
       context.fillStyle = shades.fill[2][level];
       disc(context, x, y, r);
-      if (!this.detailed) return;
-      context.fillStyle = shades.light[2][level];
-      disc(context, x - 0.3 * r, y - 0.32 * r, 0.42 * r);
     }
 
     /** A small cone from the face to the tip. */
     paintNose(context, figure, level) {
       const { header, shades, x, y, scale } = figure;
-      const [h, t] = [header.head, header.nose];
-      const r = header.head_radius * scale[h];
-      const [fx, fy] = [x[h] + 0.72 * (x[t] - x[h]), y[h] + 0.72 * (y[t] - y[h])];
-      const [tx, ty] = [x[h] + 1.25 * (x[t] - x[h]), y[h] + 1.25 * (y[t] - y[h])];
+      const { head: h, nose: t } = header;
+      const r = header.head_radius * this.headSize * scale[h];
+      const out = 1.18 * this.headSize;
+      const fx = x[h] + 0.7 * this.headSize * (x[t] - x[h]);
+      const fy = y[h] + 0.7 * this.headSize * (y[t] - y[h]);
+      const tx = x[h] + out * (x[t] - x[h]);
+      const ty = y[h] + out * (y[t] - y[h]);
       context.fillStyle = shades.edge[2][level];
-      capsule(context, fx, fy, 0.3 * r, tx, ty, 0.13 * r);
+      capsule(context, fx, fy, 0.27 * r + 1, tx, ty, 0.12 * r + 1);
+      context.fillStyle = shades.light[2][level];
+      capsule(context, fx, fy, 0.27 * r, tx, ty, 0.12 * r);
     }
   }
 

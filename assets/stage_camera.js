@@ -4,24 +4,22 @@
 
   const FIELD_OF_VIEW = (30 * Math.PI) / 180;
   const NEAR = 0.1;
-  const HOME = { yaw: 0.62, pitch: 0.2 };
   const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
   class Camera {
     constructor() {
       this.follow = true;
       this.centre = [0, 0]; // followed point on the ground
-      this.fitted = { distance: 5, height: 0.9 };
       this.eye = new Float64Array(3);
-      this.reset();
+      this.reset({ yaw: 0.62, pitch: 0.2 });
     }
 
-    reset() {
+    reset({ yaw, pitch }) {
       this.moved = false; // the person has chosen distance or place
-      this.yaw = HOME.yaw;
-      this.pitch = HOME.pitch;
-      this.pan = [0, this.fitted.height, 0];
-      this.distance = this.fitted.distance;
+      this.yaw = yaw;
+      this.pitch = pitch;
+      this.pan = [0, 0.85, 0];
+      this.distance = 5;
     }
 
     orbit(dx, dy) {
@@ -49,14 +47,34 @@
       this.centre[1] += (z - this.centre[1]) * share;
     }
 
-    /** Stand back far enough to see `radius` metres to each side and `height` metres of figure. */
-    fit(radius, height, aspect) {
-      const vertical = Math.tan(FIELD_OF_VIEW / 2);
-      const distance = Math.max((height * 0.64) / vertical, (radius * 1.12) / (vertical * aspect)) + radius * 0.6;
-      this.fitted = { distance: clamp(distance, 2, 200), height: height * 0.47 };
+    /** Stand as near as shows a cloud of points around the target, with room at the edges. */
+    fit(cloud, aspect) {
       if (this.moved) return;
-      this.distance = this.fitted.distance;
-      this.pan = [0, this.fitted.height, 0];
+      const vertical = Math.tan(FIELD_OF_VIEW / 2);
+      this.prepare(1, 1);
+      let distance = 2.2;
+      let span = this.span(cloud, distance);
+      while (distance < 200 && (span.high - span.low > 1.56 * vertical || span.wide > 0.86 * vertical * aspect)) {
+        distance *= 1.04;
+        span = this.span(cloud, distance);
+      }
+      this.distance = distance;
+      this.pan = [0, (distance * (span.high + span.low)) / 2 / this.up[1], 0];
+    }
+
+    /** Tangents of the angles at which a cloud around the origin is seen from this far: lowest, highest, widest. */
+    span(cloud, distance) {
+      const { right: r, up: u, forward: f } = this;
+      let [low, high, wide] = [Infinity, 0, 0];
+      for (let k = 0; k < cloud.length; k += 3) {
+        const depth = Math.max(distance + cloud[k] * f[0] + cloud[k + 1] * f[1] + cloud[k + 2] * f[2], NEAR);
+        const side = Math.abs(cloud[k] * r[0] + cloud[k + 2] * r[2]) / depth;
+        const rise = (cloud[k] * u[0] + cloud[k + 1] * u[1] + cloud[k + 2] * u[2]) / depth;
+        if (side > wide) wide = side;
+        if (rise > high) high = rise;
+        if (rise < low) low = rise;
+      }
+      return { low, high, wide };
     }
 
     /** Set up for a view of this size in pixels; call before projecting. */
@@ -95,5 +113,5 @@
     }
   }
 
-  Object.assign(parts, { Camera, NEAR, CAMERA_HOME: HOME });
+  Object.assign(parts, { Camera, NEAR });
 })((window.motionscapeStageParts ||= {}));

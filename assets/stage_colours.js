@@ -14,6 +14,7 @@
   function parse(colour) {
     scratch.fillStyle = "#808080";
     scratch.fillStyle = colour;
+    scratch.clearRect(0, 0, 1, 1);
     scratch.fillRect(0, 0, 1, 1);
     return Array.from(scratch.getImageData(0, 0, 1, 1).data.slice(0, 3));
   }
@@ -62,11 +63,30 @@
     const levels = (change) =>
       colours.map((rgb) => Array.from({ length: FOG_LEVELS }, (_, level) =>
         css(mix(change(rgb), theme.haze, fade + (1 - fade) * 0.4 * (level / (FOG_LEVELS - 1))))));
+    const balls = [];
     return {
+      ball: (level) => (balls[level] ??= ball(theme, colours[2], fade + (1 - fade) * 0.4 * (level / (FOG_LEVELS - 1)))),
       fill: levels((rgb) => rgb),
       edge: levels((rgb) => mix(rgb, theme.dark ? [8, 10, 14] : [20, 24, 32], theme.dark ? 0.62 : 0.42)),
       light: levels((rgb) => mix(rgb, [255, 255, 255], theme.dark ? 0.26 : 0.36)),
     };
+  }
+
+  /** A shaded ball, drawn once and then only copied. */
+  function ball(theme, rgb, fog) {
+    const canvas = document.createElement("canvas");
+    canvas.width = canvas.height = 96;
+    const context = canvas.getContext("2d");
+    const gradient = context.createRadialGradient(34, 30, 4, 44, 42, 56);
+    const fogged = (colour) => css(mix(colour, theme.haze, fog));
+    gradient.addColorStop(0, fogged(mix(rgb, [255, 255, 255], 0.42)));
+    gradient.addColorStop(0.5, fogged(rgb));
+    gradient.addColorStop(1, fogged(mix(rgb, [0, 0, 0], 0.22)));
+    context.fillStyle = gradient;
+    context.beginPath();
+    context.arc(48, 48, 48, 0, 2 * Math.PI);
+    context.fill();
+    return canvas;
   }
 
   Object.assign(parts, { FOG_LEVELS, parseColour: parse, mix, css, readTheme, figureColours, shades });

@@ -118,6 +118,14 @@
     bar.addEventListener("pointercancel", release);
   }
 
+  /** What the colours of a single figure mean. */
+  function legend(side) {
+    const entry = document.createElement("span");
+    entry.className = `ms-legend ms-legend-${side}`;
+    entry.textContent = side;
+    return entry;
+  }
+
   class Controls {
     constructor(stage, root) {
       this.stage = stage;
@@ -148,7 +156,7 @@
       const { figures } = this.stage;
       const list = this.find(".ms-figures");
       list.replaceChildren(...(figures.length > 1 ? figures.map((figure, k) => this.chip(figure, k)) : []));
-      list.hidden = figures.length < 2;
+      if (figures.length === 1 && !figures[0].item.colour) list.append(legend("left"), legend("right"));
     }
 
     chip(figure, k) {
@@ -202,7 +210,7 @@
       show("warp", null, null, stage.timeline.warped);
       this.find('[data-action="speed"]').textContent = `${clock.speed}×`;
       const many = stage.figures.length > 1;
-      for (const name of ["overlay", "side"]) this.find(`.ms-tool[data-action="${name}"]`).disabled = !many;
+      this.find(".ms-arrangement").hidden = !many;
       this.find('.ms-tool[data-action="warp"]').disabled = !stage.figures.some((figure) => figure.warp);
       this.find(".ms-controls").inert = stage.status !== "ready";
     }

@@ -4,7 +4,7 @@
 
   // Radii in metres of a body 1.75 m high, by role without its side.
   const RADII = {
-    pelvis: 0.062, spine: 0.062, chest: 0.06, neck: 0.034, head: 0.03,
+    pelvis: 0.062, spine: 0.062, chest: 0.058, neck: 0.034, head: 0.03,
     clavicle: 0.04, shoulder: 0.041, elbow: 0.031, wrist: 0.022, hand: 0.013,
     hip: 0.055, knee: 0.041, ankle: 0.027, toe: 0.023, foot: 0.017,
   };
@@ -91,7 +91,13 @@
       this.origin = [this.positions[root], this.header.floor || 0, this.positions[root + 2]];
       const [x, z] = this.facing();
       const length = Math.hypot(x, z);
-      this.yaw = length > 1e-3 ? [z / length, -x / length] : [1, 0];
+      this.heading = length > 1e-3 ? Math.atan2(-x, z) : 0;
+      this.turn(0);
+    }
+
+    /** Turn to the left of +Z by so many radians. */
+    turn(angle) {
+      this.yaw = [Math.cos(this.heading + angle), Math.sin(this.heading + angle)];
     }
 
     /** Where the trunk faces over the first fifth of a second, on the ground. */
@@ -139,7 +145,8 @@
 
   /**
    * Bones gathered into limbs (trunk, arms, legs), the unit that is sorted by depth: [{side, bones: [[parent, child]],
-   * joints}]. Where the anatomy is unknown every bone is a limb of its own.
+   * joints, flanks}]; flanks
+   * are drawn like bones and the trunk filled between them. Where the anatomy is unknown every bone is its own limb.
    */
   function makeLimbs(header, sides) {
     const { parents, roles, head, nose } = header;
@@ -162,6 +169,9 @@
       limbs[limbOf[j]].bones.push(parent, j);
     });
     for (const limb of limbs) limb.joints = [...new Set(limb.bones)];
+    const flanks = ["left_shoulder", "left_hip", "right_shoulder", "right_hip"].map((role) => roles.indexOf(role));
+    const trunk = limbs.find((limb) => limb.trunk);
+    if (trunk && Math.min(...flanks) >= 0) trunk.flanks = flanks;
     return limbs;
   }
 

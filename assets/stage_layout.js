@@ -2,27 +2,33 @@
 (function (parts) {
   "use strict";
 
-  const LANE = { least: 1.1, most: 2.4, gap: 0.35 };
+  const LANE = { least: 1.0, most: 2.4, gap: 0.3 };
+  const ROW = { least: 1.5, most: 3.2 };
+  const TURN = 0.5; // radians: side by side, the camera looks straight and the figures stand askew
 
   /** "overlay": all start at the origin. "side": each in a lane of its own, in rows that suit the view's shape. */
   function placeFigures(figures, layout, aspect) {
     for (const figure of figures) {
       figure.place = [0, 0];
       figure.walksInPlace = false;
+      figure.turn(0);
     }
     const shown = figures.filter((figure) => figure.visible);
     if (layout !== "side" || shown.length < 2) return;
+    for (const figure of shown) figure.turn(TURN);
     const boxes = shown.map((figure) => figure.extent());
     const span = (low, high) => Math.max(...boxes.map((b) => b[high] - b[low]));
     const width = Math.min(Math.max(span(0, 1) + LANE.gap, LANE.least), LANE.most);
-    const depth = Math.min(Math.max(span(2, 3) + LANE.gap, 1.6), 3.2);
-    const columns = Math.min(shown.length, Math.max(1, Math.round(Math.sqrt((shown.length * aspect * 1.1 * depth) / width / 1.6))));
+    const depth = Math.min(Math.max(span(2, 3) + LANE.gap, ROW.least), ROW.most);
+    // rows lie behind one another and look about a third as deep as they are
+    const wanted = Math.round(Math.sqrt((shown.length * aspect * (0.35 * depth + 0.6)) / width));
+    const columns = Math.min(shown.length, Math.max(wanted, Math.min(shown.length, 2)));
     const rows = Math.ceil(shown.length / columns);
     shown.forEach((figure, k) => {
       const [row, column] = [Math.floor(k / columns), k % columns];
       const inRow = row < rows - 1 ? columns : shown.length - columns * (rows - 1);
       const box = boxes[k];
-      figure.walksInPlace = box[1] - box[0] > LANE.most || box[3] - box[2] > 3.2;
+      figure.walksInPlace = box[1] - box[0] > LANE.most || box[3] - box[2] > ROW.most;
       const middle = figure.walksInPlace ? [0, 0] : [(box[0] + box[1]) / 2, (box[2] + box[3]) / 2];
       figure.place = [(column - (inRow - 1) / 2) * width - middle[0], ((rows - 1) / 2 - row) * depth - middle[1]];
     });
@@ -43,23 +49,33 @@
     return out;
   }
 
-  /** Furthest that any joint gets from the figures' common centre on the ground, and the greatest height. */
+  /**
+   * All places that joints take relative to the figures' common centre on the ground, as seen by a camera that follows
+   * it: {cloud: (n, 3) sampled over the motion, radius: the furthest from the centre on the ground}.
+   */
   function measureStage(figures, duration, samples = 24) {
+    const shown = figures.filter((figure) => figure.visible);
+    const cloud = new Float32Array(samples * shown.reduce((sum, figure) => sum + figure.points.length, 0));
     const centre = [0, 0];
-    let [radius, height] = [0.7, 1.2];
+    let radius = 0.7;
+    let n = 0;
     for (let s = 0; s < samples; s++) {
-      for (const figure of figures) figure.pose((duration * s) / (samples - 1));
-      groundCentre(figures, centre);
-      for (const { visible, points } of figures) {
-        if (!visible) continue;
+      for (const figure of shown) figure.pose((duration * s) / (samples - 1));
+      groundCentre(shown, centre);
+      for (const { points } of shown) {
         for (let k = 0; k < points.length; k += 3) {
-          radius = Math.max(radius, Math.hypot(points[k] - centre[0], points[k + 2] - centre[1]));
-          height = Math.max(height, points[k + 1]);
+          cloud[n++] = points[k] - centre[0];
+          cloud[n++] = points[k + 1];
+          cloud[n++] = points[k + 2] - centre[1];
+          radius = Math.max(radius, Math.hypot(cloud[n - 3], cloud[n - 1]));
         }
       }
     }
-    return { radius, height };
+    return { cloud, radius };
   }
 
-  Object.assign(parts, { placeFigures, groundCentre, measureStage });
+  /** Where the camera stands at first: before a single group, or before rows. */
+  const homeView = (figures, layout) => (layout === "side" && figures.length > 1 ? { yaw: 0.06, pitch: 0.3 } : { yaw: 0.62, pitch: 0.2 });
+
+  Object.assign(parts, { homeView, placeFigures, groundCentre, measureStage });
 })((window.motionscapeStageParts ||= {}));

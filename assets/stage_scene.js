@@ -75,7 +75,8 @@
         const x = Math.round(figure.x[top] - sprite.width / 2);
         let y = Math.round(figure.y[top] - (0.24 * figure.size * figure.scale[top] + sprite.height));
         const hits = (box) => Math.abs(box[0] - x) < (box[2] + sprite.width) / 2 && Math.abs(box[1] - y) < sprite.height;
-        for (let tries = 0; tries < 8 && taken.some(hits); tries++) y -= sprite.height + 2;
+        for (let tries = 0; tries < 4 && shown.length <= 4 && taken.some(hits); tries++) y -= sprite.height + 2;
+        if (taken.some(hits)) continue;
         taken.push([x, y, sprite.width]);
         this.context.drawImage(sprite, x, y);
       }

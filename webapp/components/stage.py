@@ -142,6 +142,7 @@ def _toolbar() -> html.Div:
                 _tool("side", "Side by side", "2", False),
                 _tool("warp", "In step", "S", False),
                 label="Arrangement",
+                name="ms-arrangement",
             ),
             _group(
                 _tool("ghosts", "Ghosts", "G", False),
