@@ -93,11 +93,17 @@ class Dataset:
 
 
 def clip_digest(clip: Clip) -> str:
-    """Hash of a clip's name, skeleton, frame rate and motion."""
-    digest = hashlib.blake2b(repr((clip.name, clip.skeleton.fingerprint, clip.fps)).encode(), digest_size=16)
-    tracks = [track for joint in sorted(clip.translations) for track in (str(joint).encode(), clip.translations[joint])]
-    for part in (clip.root_positions, clip.rotations, *tracks):
-        digest.update(part if isinstance(part, bytes) else part.tobytes())
+    """Hash of a clip's name and motion."""
+    return hashlib.blake2b(f"{clip.name}\n{motion_digest(clip)}".encode(), digest_size=16).hexdigest()
+
+
+def motion_digest(clip: Clip) -> str:
+    """Hash of a clip's skeleton, frame rate and motion, whatever its name."""
+    digest = hashlib.blake2b(repr((clip.skeleton.fingerprint, clip.fps)).encode(), digest_size=16)
+    for part in (clip.root_positions, clip.rotations):
+        digest.update(part.tobytes())
+    for joint in sorted(clip.translations):
+        digest.update(str(joint).encode() + clip.translations[joint].tobytes())
     return digest.hexdigest()
 
 
@@ -130,8 +136,6 @@ def open_dataset(
         if clip is not None:
             read.append(clip)
     first = Path(source if isinstance(source, str | os.PathLike) else next(iter(source)))
-    if not read:
-        raise RecordingError(first, f"none of its {len(files)} recordings can be read: {files[0].messages[0]}")
     fitted, messages = fit_labels(_labels(first, labels), {clip.name: clip.n_frames for clip in read})
     return Dataset(
         name or (first.resolve().name if first.is_dir() else recording_format(first)[0]),

@@ -114,7 +114,8 @@ def load_dataset(folder: str | Path) -> Dataset:
         head = json.loads((folder / "dataset.json").read_text(encoding="utf-8"))
         if head["format"] != FORMAT:
             raise RecordingError(folder, f"a dataset of format {head['format']!r}", FORMAT)
-        numbers = np.load(folder / "motion.npy", mmap_mode="c", allow_pickle=False)
+        mapped = "c" if head["clips"] else None  # a file without numbers cannot be mapped
+        numbers = np.load(folder / "motion.npy", mmap_mode=mapped, allow_pickle=False)
         skeletons = [_skeleton(entry) for entry in head["skeletons"]]
         clips = tuple(_clip(entry, skeletons, np.asarray(numbers)) for entry in head["clips"])
         files = (FileReport(**{**f, "messages": tuple(f["messages"])}) for f in head["report"]["files"])

@@ -1,0 +1,70 @@
+"""Doubts about the body and the space around it: size, which way is up, where the floor is, feet that slide."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from core.editing.contacts import floor_height, sole_points
+from core.mocap.anatomy import find_anatomy
+from core.mocap.clip import Clip
+from core.mocap.skeleton import Skeleton
+from core.mocap.units import span
+
+_LONGEST_BONE = 1.2  # metres
+_SPANS = (0.9, 4.5)  # metres from tip to tip, see core.mocap.units
+_FLOOR = 0.25  # metres from zero that are worth a word
+_SLIDING, _LOW = 1.0, 0.03  # m/s of the slowest foot while the lowest is within 3 cm of the floor
+
+
+def size_doubts(skeleton: Skeleton) -> list[str]:
+    """Bones and bodies of a size that nobody has."""
+    lengths = np.linalg.norm(skeleton.offsets, axis=1)
+    longest = int(lengths.argmax())
+    if lengths[longest] > _LONGEST_BONE:
+        parent = skeleton.names[skeleton.parents[longest]]
+        return [f"{skeleton.names[longest]} is {lengths[longest]:.4g} m away from {parent}: no body is that large"]
+    size = span(skeleton.parents, skeleton.offsets)
+    if skeleton.n_joints > 5 and not _SPANS[0] <= size <= _SPANS[1]:
+        return [f"the skeleton spans {size:.3g} m from tip to tip: not the size of a person; check the unit"]
+    return []
+
+
+def up_doubts(clip: Clip, positions: np.ndarray) -> list[str]:
+    """Whether the head is above the feet most of the time. positions: (n_frames, n_joints, 3), metres, world."""
+    anatomy = find_anatomy(clip.skeleton)
+    if not anatomy.legs or anatomy.head_tip == 0:
+        return []
+    feet = np.mean([positions[:, ankle] for _, _, ankle in anatomy.legs], axis=0)
+    upright = np.median(positions[:, anatomy.head_tip] - feet, axis=0)
+    upright /= max(float(np.linalg.norm(upright)), 1e-9)
+    axis = int(np.abs(upright).argmax())
+    if axis == 1 and upright[1] < 0:
+        return ["the head is below the feet most of the time: a handstand, or Y points down in this file"]
+    if axis != 1 and abs(upright[axis]) > 0.9:
+        sign = "" if upright[axis] > 0 else "-"
+        return [f"the body lies along {sign}{'XYZ'[axis]} most of the time: a person lying, or a file with Z up"]
+    return []
+
+
+def floor_notes(clip: Clip, positions: np.ndarray) -> tuple[list[str], list[str]]:
+    """Doubts (feet that slide) and remarks (a floor that is not at zero).
+
+    positions: (n_frames, n_joints, 3), metres, world.
+    """
+    soles = [points for points in sole_points(clip) if points]
+    if not soles or clip.n_frames < 3:
+        return [], []
+    floor = floor_height(clip, positions)
+    remarks = [f"the floor is at {floor:.2f} m, not at 0"] if abs(floor) > _FLOOR else []
+    speeds, heights = [], []
+    for points in soles:
+        foot = positions[:, points]
+        step = np.linalg.norm(np.diff(foot[..., [0, 2]], axis=0), axis=-1).min(1)
+        speeds.append(step * clip.fps)
+        heights.append(foot[1:, :, 1].min(1))
+    low = np.min(heights, axis=0) < np.percentile(np.min(heights, axis=0), 10) + _LOW
+    sliding = float(np.median(np.min(speeds, axis=0)[low])) if low.sum() > clip.fps else 0.0
+    doubts = []
+    if sliding > _SLIDING:
+        doubts.append(f"the feet slide: both move at {sliding:.1f} m/s or more half the time they are near the floor")
+    return doubts, remarks
