@@ -7,16 +7,15 @@ import json
 import logging
 import math
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from flask import Blueprint, Response, jsonify, request
 
 from core.mocap.clip import Clip
+from core.mocap.dataset import Dataset
 from core.mocap.posture_drawing import DrawnBody, HeadAndFloor, drawn_positions
-
-if TYPE_CHECKING:
-    from core.mocap.dataset import Dataset
+from core.workspace import WorkspaceError
 
 log = logging.getLogger(__name__)
 
@@ -62,6 +61,8 @@ def find_interval(open_dataset: Callable[[str], Dataset], dataset_name: str, cli
     """Dataset, clip and frames of the current request. Raises BadRequest in plain words."""
     try:
         dataset = open_dataset(dataset_name)
+    except WorkspaceError as error:
+        raise BadRequest(str(error), 404) from None
     except (LookupError, OSError, ValueError) as error:
         log.info("no dataset %r: %s", dataset_name, error)
         raise BadRequest(
@@ -143,14 +144,17 @@ def motion_header(asked: Interval, step: int, frames: int, body: DrawnBody, meas
 def cached(asked: Interval, kind: str, details: tuple, make: Callable[[], bytes | str], mimetype: str) -> Response:
     """The answer with an ETag from the dataset's content; nothing is computed for who has it already.
 
-    A name may come to stand for other content, so browsers keep the answer but ask each time whether it still holds.
+    A name may come to stand for other content, so browsers keep the answer but ask each time whether it still holds;
+    who names the content (``v``: at least 8 letters of the fingerprint) need not ask again.
     """
     key = repr((VERSION, kind, asked.dataset.fingerprint, asked.clip.name, asked.start, asked.end, details))
     etag = hashlib.blake2b(key.encode(), digest_size=12).hexdigest()
     fresh = etag in request.if_none_match
     response = Response(status=304) if fresh else Response(make(), mimetype=mimetype)
     response.set_etag(etag)
-    response.headers["Cache-Control"] = "private, no-cache"
+    version = request.args.get("v", "")
+    named = len(version) >= 8 and asked.dataset.fingerprint.startswith(version)
+    response.headers["Cache-Control"] = "private, max-age=31536000, immutable" if named else "private, no-cache"
     return response
 
 

@@ -100,7 +100,7 @@ def _chunks(size: int) -> Iterator[bytes]:
 
 
 def _refuse(message: str, status: int) -> tuple[Response, int]:
-    # A browser that is still sending sees a broken connection instead of the answer, so small bodies are read to the end.
+    # A browser that is still sending sees a broken connection, not the answer: small bodies are read to the end.
     drained = 0
     while drained < _DRAIN and (chunk := request.stream.read(_CHUNK)):
         drained += len(chunk)
