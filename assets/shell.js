@@ -11,7 +11,7 @@
   };
 
   const shown = { dataset: null, parameters: {}, selection: {}, chosen: "{}", stage: {} };
-  let zoomed = false; // by hand: then the distance is worth a place in the link
+  let handled = false; // the view was turned by hand: then it is worth a place in the link
 
   function writeAddress() {
     if (!shown.dataset) return clientside.no_update;
@@ -28,24 +28,26 @@
   // The Stage tells now and then what one sees; the moment counts only where it stands still.
   window.addEventListener("stage-state", (event) => {
     const { time, playing, speed, layout, camera } = event.detail;
-    const usual = new window.motionscapeStageParts.Camera();
-    const round = (value) => Math.round(value * 1000) / 1000;
-    const turned = zoomed || !camera.follow || [["yaw"], ["pitch"]].some(([k]) => camera[k] !== round(usual[k])) || camera.pan.some((v, i) => v !== round(usual.pan[i]));
     shown.stage = {
       time: playing ? "" : time,
       speed: speed === 1 ? "" : speed,
       layout: layout === "overlay" ? "" : layout,
-      camera: turned ? [camera.yaw, camera.pitch, camera.distance, ...camera.pan, camera.follow ? 1 : 0].join(",") : "",
+      camera: handled ? [camera.yaw, camera.pitch, camera.distance, ...camera.pan, camera.follow ? 1 : 0].join(",") : "",
     };
     writeAddress();
   });
-  document.addEventListener("wheel", (event) => { if (event.target.id === "stage-canvas") zoomed = true; }, { passive: true });
+  for (const kind of ["wheel", "pointerdown", "keydown"]) {
+    document.addEventListener(kind, (event) => { if (event.target.id === "stage-canvas") handled = true; }, { passive: true, capture: true });
+  }
 
   clientside.shell = {
     // Everything that names what one sees goes into the address, without a new entry in the history.
     address(pathname, dataset, parameters, selection) {
       const chosen = JSON.stringify(selection || {});
-      if (shown.dataset && (chosen !== shown.chosen || dataset !== shown.dataset)) shown.stage = {};
+      if (shown.dataset && (chosen !== shown.chosen || dataset !== shown.dataset)) {
+        shown.stage = {};
+        handled = false;
+      }
       Object.assign(shown, { dataset, parameters, selection, chosen });
       return writeAddress();
     },
@@ -58,6 +60,7 @@
       if (stage.speed) state.speed = Number(stage.speed);
       if (stage.layout) state.layout = stage.layout;
       if (stage.camera) {
+        handled = true;
         const [yaw, pitch, distance, x, y, z, follow] = stage.camera.split(",").map(Number);
         state.camera = { yaw, pitch, distance, pan: [x, y, z], follow: follow !== 0 };
       }

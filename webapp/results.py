@@ -14,7 +14,7 @@ MOTIFS = "motifs"
 
 
 def motif_request(dataset: str, parameters: Mapping[str, Any] | None) -> analyses.Request:
-    """The request behind ``parameters``; values that cannot be used are left at their defaults (see :func:`refused`)."""
+    """The request behind ``parameters``; unusable values are left at their defaults (see :func:`refused`)."""
     usable = {}
     for parameter in analyses.parameters(MOTIFS):
         if parameter.name in (parameters or {}):

@@ -71,7 +71,7 @@ def layout() -> Component:
 def look(workspace: Workspace, dismissed: Iterable[int] = ()) -> Pulse:
     """A cheap look: two small queries."""
     jobs, now, hidden = workspace.jobs.list(50), time.time(), set(dismissed)
-    shown = [job for job in jobs if job.alive or _failed_lately(job, now) and job.id not in hidden]
+    shown = [job for job in jobs if job.alive or (_failed_lately(job, now) and job.id not in hidden)]
     superseded = {job.key for job in jobs if job.alive or job.state == "done"}
     shown = [job for job in shown if job.alive or job.key not in superseded]
     return Pulse(

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable
+from pathlib import PurePath
 from typing import Any
 from urllib.parse import quote, urlencode
 
 import dash_ag_grid as dag
+from dash import html
 
 from core.mocap.clip import Label, Segment
 from core.mocap.dataset import Dataset, FileReport
@@ -15,66 +17,47 @@ from webapp import theme
 
 Row = dict[str, Any]
 
-_NUMBER = {"type": "rightAligned", "cellClass": "number", "filter": "agNumberColumnFilter"}
+_NUMBER = {"cellClass": "number ag-right-aligned-cell", "headerClass": "ag-right-aligned-header"}
 _SECONDS = {"valueFormatter": {"function": "d3.format('.1f')(params.value)"}, **_NUMBER}
 
+_STRIP = {"headerName": "Motion", "cellRenderer": "Filmstrip", "sortable": False, "cellClass": "strip-cell"}
+_TEXT = {"filter": "agTextColumnFilter"}
+
+
+def _column(field: str, name: str, width: int, tip: str = "", **more: Any) -> dict[str, Any]:
+    tooltip = {"headerTooltip": tip} if tip else {}
+    return {"field": field, "headerName": name, "width": width, **tooltip, **more}
+
+
 CLIP_COLUMNS = [
-    {
-        "field": "clip",
-        "headerName": "Clip",
-        "flex": 3,
-        "minWidth": 130,
-        "filter": "agTextColumnFilter",
-        "pinned": "left",
-    },
-    {
-        "field": "strip",
-        "headerName": "Motion",
-        "width": 250,
-        "cellRenderer": "Filmstrip",
-        "sortable": False,
-        "cellClass": "strip-cell",
-    },
-    {"field": "seconds", "headerName": "Seconds", "width": 92, **_SECONDS},
-    {"field": "frames", "headerName": "Frames", "width": 88, **_NUMBER},
-    {"field": "fps", "headerName": "Per second", "headerTooltip": "Frames per second", "width": 104, **_NUMBER},
-    {"field": "labels", "headerName": "Labels", "width": 82, **_NUMBER},
-    {"field": "verdict", "headerName": "Import", "width": 112, "cellRenderer": "Verdict"},
+    _column("clip", "Clip", 150, flex=1, minWidth=150, tooltipField="clip", **_TEXT),
+    {"field": "strip", "width": 210, **_STRIP},
+    _column("seconds", "Seconds", 88, **_SECONDS),
+    _column("frames", "Frames", 80, **_NUMBER),
+    _column("fps", "Rate", 64, "Frames per second", **_NUMBER),
+    _column("labels", "Labels", 76, "Labelled stretches", **_NUMBER),
+    _column("verdict", "Import", 104, "What the import said of it", cellRenderer="Verdict"),
 ]
 REPORT_COLUMNS = [
-    {
-        "field": "verdict",
-        "headerName": "Result",
-        "width": 118,
-        "cellRenderer": "Verdict",
-        "sort": "asc",
-        "comparator": {"function": "verdictOrder(params, valueA, valueB)"},
-    },
-    {"field": "path", "headerName": "File", "width": 210, "filter": "agTextColumnFilter", "tooltipField": "path"},
-    {
-        "field": "messages",
-        "headerName": "What was found",
-        "flex": 1,
-        "minWidth": 240,
-        "wrapText": True,
-        "autoHeight": True,
-        "cellClass": "wrapped-cell",
-        "filter": "agTextColumnFilter",
-    },
+    _column("verdict", "Result", 118, cellRenderer="Verdict"),
+    _column("path", "File", 200, tooltipField="path", **_TEXT),
+    _column(
+        "messages", "What was found", 240, flex=1, wrapText=True, autoHeight=True, cellClass="wrapped-cell", **_TEXT
+    ),
 ]
 MOTIF_COLUMNS = [
-    {"field": "id", "headerName": "Motif", "width": 76, **_NUMBER},
-    {"field": "strip", "headerName": "Motion", "width": 250, "cellRenderer": "Filmstrip", "sortable": False, "cellClass": "strip-cell"},
-    {"field": "motions", "headerName": "Motions", "headerTooltip": "How many times it occurs", "width": 94, "sort": "desc", **_NUMBER},
-    {"field": "seconds", "headerName": "Seconds", "headerTooltip": "Mean duration of its motions", "width": 94, **_SECONDS},
-    {"field": "clips", "headerName": "Clips", "headerTooltip": "In how many clips it occurs", "width": 78, **_NUMBER},
-    {"field": "label", "headerName": "Mostly", "headerTooltip": "The label that covers most of its frames", "flex": 1, "minWidth": 110},
-]  # fmt: skip
+    _column("id", "Motif", 76, **_NUMBER),
+    {"field": "strip", "width": 250, **_STRIP},
+    _column("motions", "Motions", 94, "How many times it occurs", sort="desc", **_NUMBER),
+    _column("seconds", "Seconds", 94, "Mean duration of its motions", **_SECONDS),
+    _column("clips", "Clips", 78, "In how many clips it occurs", **_NUMBER),
+    _column("label", "Mostly", 120, "The label that covers most of its frames", flex=1, minWidth=110),
+]
 
 
-def grid(table_id: str, columns: list[dict], rows: list[Row], label: str, *, row_height: int = 46) -> dag.AgGrid:
+def grid(table_id: str, columns: list[dict], rows: list[Row], label: str, *, row_height: int = 46) -> html.Div:
     """A table whose rows are chosen by a click or by Enter (assets/actions.js)."""
-    return dag.AgGrid(
+    table = dag.AgGrid(
         id=table_id,
         columnDefs=columns,
         rowData=rows,
@@ -94,12 +77,11 @@ def grid(table_id: str, columns: list[dict], rows: list[Row], label: str, *, row
             "tooltipShowDelay": 400,
             "suppressCellFocus": False,
             "ensureDomOrder": True,
-            "overlayNoRowsTemplate": "<span>Nothing to show</span>",
         },
         eventListeners={"rowClicked": ["chooseRow(params)"], "cellKeyDown": ["chooseRowByKey(params)"]},
         className="grid",
-        **{"aria-label": label} if "aria-*" in dag.AgGrid._valid_wildcard_attributes else {},
     )
+    return html.Div(table, role="group", **{"aria-label": label})
 
 
 def strip_address(dataset: str, segment: Segment, n_poses: int = 6, fingerprint: str = "") -> str:
@@ -135,15 +117,16 @@ def clip_rows(dataset: Dataset) -> list[Row]:
 def report_rows(files: Iterable[FileReport], verdicts: Iterable[str] = ("ok", "warning", "error")) -> list[Row]:
     """One row a file of the import report, of the given verdicts."""
     wanted = set(verdicts)
+    worst_first = sorted(enumerate(files), key=lambda pair: ("error", "warning", "ok").index(pair[1].verdict))
     return [
         {
             "key": f"{i}",
             "verdict": file.verdict,
-            "path": file.path,
+            "path": PurePath(file.path).name,
             "messages": " ".join(_sentence(message) for message in file.messages) or "Read without remarks.",
             **({"selection": {"clip": file.clip}} if file.clip else {}),
         }
-        for i, file in enumerate(files)
+        for i, file in worst_first
         if file.verdict in wanted
     ]
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections import Counter
+from collections.abc import Mapping
 
 import dash_mantine_components as dmc
 from dash import ALL, Dash, Input, Output, State, ctx, no_update, set_props
@@ -77,23 +78,8 @@ def _show(app: Dash, workspace: Workspace) -> None:
 def _act(app: Dash, workspace: Workspace) -> None:
     @app.callback(Input("dataset-action", "data"), prevent_initial_call=True)
     def act(request):
-        request = request or {}
-        action, name, token = (str(request.get(key) or "") for key in ("action", "dataset", "token"))
         try:
-            if action == "rename":
-                for target, value in (("rename-old", {"data": name}), ("rename-name", {"value": name, "error": None})):
-                    set_props(target, value)
-                set_props("rename-problem", {"children": None})
-                set_props("rename-dialog", {"opened": True})
-            elif action == "trash":
-                _say(_undo_notice(name, workspace.trash(name)))
-            elif action == "restore":
-                info = workspace.restore(token)
-                _say(notice("Restored", f"{info.name} is back in the library."))
-                set_props("dataset", {"data": info.name})
-            elif action == "empty":
-                gone = workspace.empty_trash()
-                _say(notice("Trash emptied", f"{gone} dataset{'s' if gone != 1 else ''} deleted for good."))
+            perform(workspace, request or {})
         except WorkspaceError as error:
             _say(notice("That did not work", str(error), "red"))
         set_props("job-poke", {"data": time.time()})
@@ -134,6 +120,25 @@ def _act(app: Dash, workspace: Workspace) -> None:
         if any(clicks):
             _ask(workspace, analyses.Request(analyses.DEMO, "demo"))
             _say(notice("Making the demo", "It appears here in a moment, with its motif graph."))
+
+
+def perform(workspace: Workspace, request: Mapping[str, object]) -> None:
+    """Does what a button of a dataset's card or of the trash asks for; raises WorkspaceError."""
+    action, name, token = (str(request.get(key) or "") for key in ("action", "dataset", "token"))
+    if action == "rename":
+        set_props("rename-old", {"data": name})
+        set_props("rename-name", {"value": name})
+        set_props("rename-problem", {"children": None})
+        set_props("rename-dialog", {"opened": True})
+    elif action == "trash":
+        _say(_undo_notice(name, workspace.trash(name)))
+    elif action == "restore":
+        info = workspace.restore(token)
+        _say(notice("Restored", f"{info.name} is back in the library."))
+        set_props("awaited", {"data": info.name})
+    elif action == "empty":
+        gone = workspace.empty_trash()
+        _say(notice("Trash emptied", f"{gone} dataset{'s' if gone != 1 else ''} deleted for good."))
 
 
 def _upload(app: Dash, workspace: Workspace) -> None:

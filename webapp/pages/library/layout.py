@@ -59,7 +59,8 @@ def dataset_cards(datasets: Sequence[DatasetInfo], chosen: str | None) -> Compon
             empty_state(
                 "person",
                 "No recordings yet",
-                "Drop BVH or AMC files, or whole folders, anywhere on this page; or look at the demo: six minutes of labelled motion.",
+                "Drop BVH or AMC files, or whole folders, anywhere on this page; "
+                "or look at the demo: six minutes of labelled motion.",
                 demo,
                 add,
             ),

@@ -25,6 +25,10 @@ from webapp.figures.tables import strip_address
 from webapp.pages.motifs.form import summary
 from webapp.playback import find_edge, find_motif, moment, transition_segment
 
+ERROR_RATIO = (
+    "How far the motions of a motif lie apart, compared with how far poses lie from the average pose. "
+    "Lower is tighter; the 2008 paper reports .23."
+)
 MOST_ROWS = 60  # motions or transitions listed at once
 
 
@@ -128,7 +132,8 @@ def result(graph: MotifGraph, dataset: Dataset, elements: list[dict], table: Com
             empty_state(
                 "graph",
                 "No motif found",
-                "Nothing recurs under these settings. Try a smaller kappa, a larger speed tolerance, or a smaller shortest motion.",
+                "Nothing recurs under these settings. Try a smaller kappa, a larger speed tolerance, "
+                "or a smaller shortest motion.",
             )
         )
     return html.Div(
@@ -157,8 +162,8 @@ def metric_tiles(graph: MotifGraph, dataset: Dataset) -> list[tuple[str, str, st
     ratio = metrics.get("average_frame_error", 0) / spread if spread else 0.0
     return [
         ("Motifs", f"{len(graph.motifs)}", "Movements that recur."),
-        ("Coverage", f"{100 * metrics.get('coverage', 0):.0f} %", "Share of all frames that belong to a motion of some motif."),
-        ("Error ratio", f"{ratio:.2f}", "How far the motions of a motif lie apart, compared with how far poses lie from the average pose. Lower is tighter; the 2008 paper reports .23."),
+        ("Coverage", f"{100 * metrics.get('coverage', 0):.0f} %", "Share of all frames that belong to some motif."),
+        ("Error ratio", f"{ratio:.2f}", ERROR_RATIO),
         ("Motions each", f"{metrics.get('mean_motions', 0):.1f}", "Mean number of motions of a motif."),
         ("Mean length", f"{sum(lengths) / len(lengths):.1f} s" if lengths else "–", "Mean duration of a motion."),
     ]  # fmt: skip
