@@ -9,12 +9,14 @@ import numpy as np
 from core.demo.gaits import smooth_noise
 from core.demo.motions import FPS, JOINTS, Motion, curve, sample, standing_pose, to_clip
 from core.demo.performers import Performer
+from core.editing.blending import join
 from core.editing.legs import place_ankles, smooth_step
 from core.mocap import quaternions as quat
 from core.mocap.clip import Clip
 from core.mocap.kinematics import joint_positions
 
-_PAD, _DECAY = 0.35, 0.09  # seconds: how long a motion runs on at its ends, and how fast it comes to rest there
+_LOOP = 0.3  # seconds of the cross-fade between two passes of a loop
+RUN_ON, _DECAY = 0.6, 0.09  # seconds: how long a motion runs on at its ends, and how fast it comes to rest there
 _UPPER = [JOINTS.index(j) for j in ("Chest", "Neck", "RightArm", "RightForeArm", "LeftArm", "LeftForeArm")]
 _SWAYING = [JOINTS.index(j) for j in ("Chest", "Neck", "RightArm", "LeftArm")]
 
@@ -55,12 +57,17 @@ MADE = ("idle", "walk", "run", "squat")
 def perform(name: str, performer: Performer, rng: np.random.Generator) -> Clip:
     """One performance of the recorded action ``name``, never twice the same, facing and standing anywhere."""
     action = RECORDED[name]
-    motion = sample(action.source, _times(action, performer, rng))
-    if action.mirror and rng.uniform() < 0.5:
-        motion = motion.mirrored()
-    if action.widen:
-        motion = _widen(motion, performer.amplitude * rng.uniform(0.9, 1.1))
-    return to_clip(_run_on(_lean(motion, performer)), performer, name)
+    mirrored = action.mirror and rng.uniform() < 0.5
+    amplitude = performer.amplitude * rng.uniform(0.9, 1.1)
+    clip = None
+    for _ in range(int(rng.integers(action.repeats[0], action.repeats[1] + 1))):
+        motion = sample(action.source, _times(action, performer, rng))
+        motion = motion.mirrored() if mirrored else motion
+        motion = _lean(_widen(motion, amplitude) if action.widen else motion, performer)
+        # a loop does not close by itself: its passes are cross-faded like any two actions
+        again = to_clip(_run_on(motion), performer, name)
+        clip = again if clip is None else join(_inner(clip, tail=True), _inner(again, head=True), _LOOP, steps=False)[0]
+    return clip
 
 
 def idle(seconds: float, performer: Performer, rng: np.random.Generator) -> Clip:
@@ -107,16 +114,18 @@ def squat(performer: Performer, rng: np.random.Generator) -> Clip:
 
 
 def _times(action: Action, performer: Performer, rng: np.random.Generator) -> np.ndarray:
-    """When the recorded motion is read: faster or slower, unevenly, backwards, more than once."""
+    """When the recorded motion is read: faster or slower, unevenly, backwards."""
     seconds = curve(action.source)[1]
     pace = performer.tempo * rng.uniform(0.9, 1.12)
-    passes = []
-    for _ in range(int(rng.integers(action.repeats[0], action.repeats[1] + 1))):
-        u = np.arange(0, 1, 1 / max(2, round(seconds * FPS / pace)))
-        bend = rng.uniform(-0.12, 0.12)
-        passes.append(seconds * (u + bend * np.sin(2 * np.pi * u) / (2 * np.pi)))
-    times = np.concatenate(passes)
+    u = np.arange(0, 1, 1 / max(2, round(seconds * FPS / pace)))
+    times = seconds * (u + rng.uniform(-0.12, 0.12) * np.sin(2 * np.pi * u) / (2 * np.pi))
     return seconds - times if action.reverse else times
+
+
+def _inner(clip: Clip, head: bool = False, tail: bool = False) -> Clip:
+    """Without all but a short part of the run-on, where another pass of the same motion follows or precedes."""
+    cut = round((RUN_ON - _LOOP / 2) * FPS)
+    return clip.cut(cut if head else 0, clip.n_frames - (cut if tail else 0))
 
 
 def _widen(motion: Motion, amplitude: float) -> Motion:
@@ -139,7 +148,7 @@ def _lean(motion: Motion, performer: Performer) -> Motion:
 
 def _run_on(motion: Motion) -> Motion:
     """Both ends run on with their last speed, which dies away: cross-fades then blend moving with moving."""
-    n = round(_PAD * FPS)
+    n = round(RUN_ON * FPS)
     after = _extension(motion.pelvis[-2:], motion.rotations[-2:], n)
     before = _extension(motion.pelvis[1::-1], motion.rotations[1::-1], n)
     return Motion(
@@ -164,7 +173,7 @@ def _knee_bends(count: int, seconds: float, rng: np.random.Generator) -> np.ndar
         u = np.arange(n) / n
         shape = np.where(u < 0.49, smooth_step(u / 0.49), np.where(u < 0.61, 1, 1 - smooth_step((u - 0.61) / 0.39)))
         bends.append(shape * rng.uniform(0.92, 1.04))
-    rest = np.zeros(round(_PAD * FPS))
+    rest = np.zeros(round(0.35 * FPS))
     return np.concatenate([rest, *bends, rest])
 
 

@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 
 from core.demo.routines import routines
-from core.mocap.clip import Label
+from core.mocap.bvh import write_bvh
+from core.mocap.clip import Clip, Label
+from core.mocap.dataset import Dataset
+from core.mocap.labels import write_labels
 from core.progress import Report, silent
 
 
-def make_demo(minutes: float = 6, seed: int = 0, report: Report = silent):
+def make_demo(minutes: float = 6, seed: int = 0, report: Report = silent) -> Dataset:
     """The demo as a :class:`core.mocap.dataset.Dataset`: at least ``minutes`` of labelled motion, 60 frames a second.
 
     Same seed, same data set. Raises ValueError where minutes is not positive.
     """
-    from core.mocap.dataset import Dataset
-
     clips, labels = [], []
     for clip, clip_labels in _checked(minutes, seed, report):
         clips.append(clip)
@@ -29,9 +31,6 @@ def write_demo(folder: str | Path, minutes: float = 6, seed: int = 0, report: Re
     Routines are made and written one by one, so hours need no more memory than minutes. Same seed, same bytes.
     Raises ValueError where minutes is not positive, OSError where the folder cannot be written.
     """
-    from core.mocap.bvh import write_bvh
-    from core.mocap.labels import write_labels
-
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     written: list[Path] = []
@@ -45,7 +44,7 @@ def write_demo(folder: str | Path, minutes: float = 6, seed: int = 0, report: Re
     return written
 
 
-def _checked(minutes: float, seed: int, report: Report):
+def _checked(minutes: float, seed: int, report: Report) -> Iterator[tuple[Clip, tuple[Label, ...]]]:
     if not minutes > 0:
         raise ValueError(f"the demo needs a positive number of minutes, not {minutes}")
     seconds = 0.0

@@ -8,19 +8,21 @@ from itertools import count
 
 import numpy as np
 
-from core.demo.actions import RECORDED, idle, perform, squat
+from core.demo.actions import RECORDED, RUN_ON, idle, perform, squat
 from core.demo.gaits import gait
 from core.demo.grammar import derive
-from core.demo.motions import to_clip
+from core.demo.motions import FPS
 from core.demo.performers import PERFORMERS, Performer
-from core.editing.blending import concatenate, find_transition, heading, pieces
+from core.editing.blending import Transition, concatenate, find_transition, heading, pieces
 from core.editing.legs import lift_from_floor, lock_feet
 from core.mocap import quaternions as quat
 from core.mocap.clip import Clip, Label
 from core.mocap.kinematics import forward_kinematics
 
 _GAITS = ("walk", "run")
-_FADE, _SLOW_FADE = 0.3, 0.45  # seconds
+_FADE, _SLOW_FADE, _LONGEST_FADE = 0.3, 0.45, 0.7  # seconds
+_RUN_ON = 0.35  # seconds: at least so much of the run-on is kept
+_PACE = 0.4  # metres a second: mean joint speed of a cross-fade between postures far apart
 # how far from its end an action may be left, and how far from its start entered, in seconds
 _EXITS = {"gait": 0.63, "idle": 0.33, "dance": 0.5}
 _ENTRIES = {"gait": 0.63, "idle": 0.17, "dance": 0.5}
@@ -39,6 +41,13 @@ class Take:
     def fade(self) -> float:
         """Seconds of the cross-fade that suits it."""
         return _SLOW_FADE if self.kind == "gait" else RECORDED[self.kind].fade if self.kind in RECORDED else _FADE
+
+    def trimmed(self, head: float | None = None, tail: float | None = None) -> Take:
+        """With only as much of the run-on at its head or tail as a cross-fade of that many seconds asks for."""
+        if self.kind not in RECORDED:
+            return self
+        cut = [0 if fade is None else round((RUN_ON - max(_RUN_ON, 0.8 * fade)) * FPS) for fade in (head, tail)]
+        return replace(self, clip=self.clip.cut(cut[0], self.clip.n_frames - cut[1]))
 
 
 def routines(minutes: float, seed: int, plain: bool = False) -> Iterator[tuple[Clip, tuple[Label, ...]]]:
@@ -74,10 +83,8 @@ def perform_sentence(
             current = take
             marks = list(take.labels)
             continue
-        fade = max(current.fade, take.fade)
-        exit_window, entry_window = _EXITS.get(current.kind, 0.0), _ENTRIES.get(take.kind, 0.0)
-        way = find_transition(current.clip, take.clip, fade, exit_window, entry_window)
-        before, seam, after = pieces(current.clip, take.clip, way, fade)
+        current, take, fade, way = _transition(current, take)
+        before, seam, after = pieces(current.clip, take.clip, way, fade, steps=not plain, floor=0.0)
         done += [piece for piece in (before, seam) if piece is not None]
         frames += (before.n_frames if before else 0) + seam.n_frames
         seams.append((frames - seam.n_frames, frames))
@@ -91,6 +98,22 @@ def perform_sentence(
     ends = [at for at, _ in marks[1:]] + [clip.n_frames]
     labels = tuple(Label(name, at, end, action) for (at, action), end in zip(marks, ends, strict=True))
     return (clip if plain else settle(clip)), labels, tuple(seams)
+
+
+def _transition(a: Take, b: Take) -> tuple[Take, Take, float, Transition]:
+    """Seconds and place of the cross-fade: the further apart the two postures, the longer it takes.
+
+    Recorded actions run on at their ends for as long as the longest cross-fade; of that, only what is needed is kept.
+    """
+    windows = _EXITS.get(a.kind, 0.0), _ENTRIES.get(b.kind, 0.0)
+    fade = max(a.fade, b.fade)
+    first, second = a.trimmed(tail=fade), b.trimmed(head=fade)
+    way = find_transition(first.clip, second.clip, fade, *windows)
+    wanted = min(way.cost / _PACE, _LONGEST_FADE)
+    if wanted > fade:
+        fade, first, second = wanted, a.trimmed(tail=wanted), b.trimmed(head=wanted)
+        way = find_transition(first.clip, second.clip, fade, *windows)
+    return first, second, fade, way
 
 
 def settle(clip: Clip) -> Clip:
@@ -129,8 +152,8 @@ def _take(group: tuple[str, ...], performer: Performer, rng: np.random.Generator
     action = group[0]
     if action in _GAITS:
         stages = [(stage, rng.uniform(2.8, 5.0) if stage == "walk" else rng.uniform(2.5, 4.0)) for stage in group]
-        motion, starts = gait(stages, _turn(before, rng), performer, rng)
-        return Take("gait", to_clip(motion, performer, "gait"), tuple(zip(starts, group, strict=True)))
+        clip, starts = gait(stages, _turn(before, rng), performer, rng)
+        return Take("gait", clip, tuple(zip(starts, group, strict=True)))
     if action == "idle":
         clip = idle(rng.uniform(1.6, 3.0), performer, rng)
     elif action == "squat":

@@ -11,10 +11,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from core.editing.legs import smooth_step
+from core.editing.steps import step_across
 from core.mocap import quaternions as quat
 from core.mocap.anatomy import find_anatomy
 from core.mocap.clip import Clip, Segment
 from core.mocap.kinematics import joint_positions
+from core.sequences.warping import warp_path
 
 
 @dataclass(frozen=True)
@@ -117,8 +119,6 @@ def register(a: np.ndarray, b: np.ndarray, method: str = "linear") -> tuple[np.n
         return np.linspace(0, n - 1, k), np.linspace(0, m - 1, k)
     if method != "dtw":
         raise ValueError(f"time registration is 'linear' or 'dtw', not {method!r}")
-    from core.sequences.warping import warp_path
-
     path = np.asarray(warp_path(a, b), np.float64)
     along = path.sum(1)
     steps = np.linspace(0, n + m - 2, k)
@@ -159,23 +159,34 @@ def join(
     exit_window: float = 0.0,
     entry_window: float = 0.0,
     registration: str = "linear",
+    steps: bool = True,
     name: str | None = None,
 ) -> tuple[Clip, Segment]:
     """``a``, a cross-fade of about ``seconds``, then ``b`` placed where it fits; and the segment of the cross-fade.
 
-    Windows as in :func:`find_transition`; registration as in :func:`register`. ``a`` stays where it is.
+    Windows as in :func:`find_transition`; registration as in :func:`register`; steps: feet that stand in both motions
+    step across (:func:`core.editing.steps.step_across`) instead of sliding. ``a`` stays where it is.
     Raises ValueError where skeletons or frame rates differ.
     """
     way = find_transition(a, b, seconds, exit_window, entry_window)
-    before, seam, after = pieces(a, b, way, seconds, registration)
+    before, seam, after = pieces(a, b, way, seconds, registration, steps)
     clip = concatenate([piece for piece in (before, seam, after) if piece is not None], name or f"{a.name}+{b.name}")
     return clip, Segment(clip.name, way.exit, way.exit + seam.n_frames)
 
 
 def pieces(
-    a: Clip, b: Clip, way: Transition, seconds: float, registration: str = "linear"
+    a: Clip,
+    b: Clip,
+    way: Transition,
+    seconds: float,
+    registration: str = "linear",
+    steps: bool = True,
+    floor: float | None = None,
 ) -> tuple[Clip | None, Clip, Clip | None]:
-    """The parts of a join, the second motion placed: a before the seam, the cross-fade, b after it (None: empty)."""
+    """The parts of a join, the second motion placed: a before the seam, the cross-fade, b after it (None: empty).
+
+    registration and steps as in :func:`join`; floor: metres, or None to estimate it where feet step.
+    """
     n = min(max(2, round(seconds * a.fps)), a.n_frames - way.exit, b.n_frames - way.entry)
     b = place(b.cut(way.entry, b.n_frames), way.yaw, way.translation)
     first, second = a.cut(way.exit, way.exit + n), b.cut(0, n)
@@ -183,6 +194,8 @@ def pieces(
         flat = [joint_positions(part).reshape(n, -1) for part in (first, second)]
         first, second = (at_frames(c, k) for c, k in zip((first, second), register(*flat, registration), strict=True))
     seam = blend(first, second, crossfade_weights(first.n_frames))
+    if steps:
+        seam = step_across(first, second, seam, floor)
     before = a.cut(0, way.exit) if way.exit else None
     return before, seam, b.cut(n, b.n_frames) if b.n_frames > n else None
 

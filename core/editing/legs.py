@@ -13,7 +13,9 @@ from core.mocap.anatomy import SIDES, find_anatomy
 from core.mocap.clip import Clip
 from core.mocap.kinematics import forward_kinematics, joint_positions
 
-_STRETCH = 0.999  # a leg never straightens beyond this share of its length: at 1 the knee angle is all noise
+# A leg never straightens beyond the first share of its length (at 1 the knee angle is all noise), and is held back from
+# the second share on.
+_STRETCH, _SOFT = 0.999, 0.97
 
 
 def smooth_step(u: np.ndarray) -> np.ndarray:
@@ -22,12 +24,13 @@ def smooth_step(u: np.ndarray) -> np.ndarray:
     return u**3 * (u * (6 * u - 15) + 10)
 
 
-def place_ankles(clip: Clip, targets: np.ndarray) -> Clip:
+def place_ankles(clip: Clip, targets: np.ndarray, orientations: np.ndarray | None = None) -> Clip:
     """The clip with its ankles at ``targets`` ``(n_frames, 2, 3)``, metres, world, left then right.
 
     Two-bone leg IK: bone lengths stay, the knee keeps the direction of its hinge, the foot keeps its orientation in the
-    world. A target out of reach is reached for. Frames whose target is not finite, and legs the skeleton lacks, are
-    left as they are.
+    world, or takes that of ``orientations`` ``(n_frames, 2, 4)``. A target (nearly) out of reach
+    is reached for, softly, so that knees do not pop. Frames whose target is not finite, and legs the
+    skeleton lacks, are left as they are.
     """
     anatomy = find_anatomy(clip.skeleton)
     positions, world = (a.astype(np.float64) for a in forward_kinematics(clip))
@@ -37,7 +40,8 @@ def place_ankles(clip: Clip, targets: np.ndarray) -> Clip:
         frames = np.flatnonzero(np.isfinite(targets[:, column]).all(1))
         if min(leg) >= 0 and len(frames):
             turns = _leg_turns(positions[:, leg], world[:, leg[0]], targets[:, column], frames)
-            _turn(clip, leg, turns, world, rotations, frames)
+            foot = world[frames, leg[2]] if orientations is None else orientations[frames, column]
+            _turn(clip, leg, turns, world, rotations, frames, foot)
     return replace(clip, rotations=quat.normalise(rotations).astype(np.float32))
 
 
@@ -82,11 +86,19 @@ def _leg_turns(leg: np.ndarray, hip: np.ndarray, targets: np.ndarray, frames: np
     hinge = _hinge(thigh, shin, hip)[frames]
     thigh, shin, want = thigh[frames], shin[frames], targets[frames] - leg[frames, 0]
     a, b = np.linalg.norm(thigh, axis=1), np.linalg.norm(shin, axis=1)
-    reach = np.clip(np.linalg.norm(want, axis=1), np.abs(a - b) + 1e-3 * (a + b), _STRETCH * (a + b))
+    reach = _soft_reach(np.linalg.norm(want, axis=1), np.linalg.norm(thigh + shin, axis=1), a + b)
+    reach = np.maximum(reach, np.abs(a - b) + 1e-3 * (a + b))
     now = np.arctan2(np.einsum("ij,ij->i", np.cross(thigh, shin), hinge), np.einsum("ij,ij->i", thigh, shin))
     bend = np.arccos(np.clip((reach**2 - a**2 - b**2) / (2 * a * b), -1, 1))
     knee = quat.from_rotvec(hinge * (bend - now)[:, None])
     return _shortest_turn(thigh + quat.rotate(knee, shin), want), knee
+
+
+def _soft_reach(want: np.ndarray, now: np.ndarray, length: np.ndarray) -> np.ndarray:
+    """Wanted distances (n,) from hip to ankle, bent so that a leg nears its full length slowly: knees do not pop."""
+    soft, hard = _SOFT * length, _STRETCH * length
+    eased = np.where(want > soft, soft + (hard - soft) * np.tanh((want - soft) / (hard - soft)), want)
+    return np.where(want > now, np.maximum(eased, np.minimum(now, hard)), np.minimum(want, hard))
 
 
 def _hinge(thigh: np.ndarray, shin: np.ndarray, hip: np.ndarray) -> np.ndarray:
@@ -109,16 +121,14 @@ def _shortest_turn(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     return quat.from_rotvec(axis / np.maximum(sine, 1e-12) * angle[:, None])
 
 
-def _turn(
-    clip: Clip, leg: list[int], turns: tuple, world: np.ndarray, rotations: np.ndarray, frames: np.ndarray
-) -> None:
-    """Write the turns into the local rotations of hip, knee and ankle; the ankle's world rotation stays."""
-    (hip, knee, ankle), (swing, bend) = leg, turns
+def _turn(clip: Clip, leg: list[int], turns: tuple, world, rotations, frames: np.ndarray, foot: np.ndarray) -> None:
+    """Write the turns into the local rotations of hip, knee and ankle; foot: the ankle's world rotation."""
+    swing, bend = turns
     both = quat.multiply(swing, bend)
     parents = [clip.skeleton.parents[j] for j in leg]
     above = [world[frames, parents[0]] if parents[0] >= 0 else np.array([1.0, 0, 0, 0])]
     above += [quat.multiply(swing, world[frames, parents[1]]), quat.multiply(both, world[frames, parents[2]])]
-    new = [quat.multiply(swing, world[frames, hip]), quat.multiply(both, world[frames, knee]), world[frames, ankle]]
+    new = [quat.multiply(swing, world[frames, leg[0]]), quat.multiply(both, world[frames, leg[1]]), foot]
     for joint, parent, rotation in zip(leg, above, new, strict=True):
         rotations[frames, joint] = quat.multiply(quat.conjugate(parent), rotation)
 
