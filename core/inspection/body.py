@@ -8,10 +8,8 @@ from core.editing.contacts import floor_height, sole_points
 from core.mocap.anatomy import find_anatomy
 from core.mocap.clip import Clip
 from core.mocap.skeleton import Skeleton
-from core.mocap.units import span
+from core.mocap.units import LONGEST_BONE, SPANS, span
 
-_LONGEST_BONE = 1.2  # metres
-_SPANS = (0.9, 4.5)  # metres from tip to tip, see core.mocap.units
 _FLOOR = 0.25  # metres from zero that are worth a word
 _SLIDING, _LOW = 1.0, 0.03  # m/s of the slowest foot while the lowest is within 3 cm of the floor
 
@@ -20,11 +18,11 @@ def size_doubts(skeleton: Skeleton) -> list[str]:
     """Bones and bodies of a size that nobody has."""
     lengths = np.linalg.norm(skeleton.offsets, axis=1)
     longest = int(lengths.argmax())
-    if lengths[longest] > _LONGEST_BONE:
+    if lengths[longest] > LONGEST_BONE:
         parent = skeleton.names[skeleton.parents[longest]]
         return [f"{skeleton.names[longest]} is {lengths[longest]:.4g} m away from {parent}: no body is that large"]
     size = span(skeleton.parents, skeleton.offsets)
-    if skeleton.n_joints > 5 and not _SPANS[0] <= size <= _SPANS[1]:
+    if skeleton.n_joints > 5 and not SPANS[0] <= size <= SPANS[1]:
         return [f"the skeleton spans {size:.3g} m from tip to tip: not the size of a person; check the unit"]
     return []
 

@@ -25,6 +25,8 @@ _UNITS = (
     (0.01, 130.0, 450.0, "centimetres"),
     (0.001, 1300.0, 4500.0, "millimetres"),
 )
+SPANS = (0.9, 4.5)  # metres from tip to tip that a body may have, with room for parts of a body and for giants
+LONGEST_BONE = 1.2  # metres
 
 
 def span(parents: Sequence[int], offsets: np.ndarray) -> float:
@@ -43,7 +45,9 @@ def span(parents: Sequence[int], offsets: np.ndarray) -> float:
 
 def guess_unit(parents: Sequence[int], offsets: np.ndarray) -> UnitGuess:
     """The unit in which a skeleton with these offsets (n_joints, 3) is of human size, else the nearest to that."""
-    length = max(span(parents, offsets), 1e-9)
-    doubt = [max(low / length, length / high, 1.0) for _, low, high, _ in _UNITS]
+    length, bone = max(span(parents, offsets), 1e-9), float(np.linalg.norm(offsets, axis=1).max())
+    # The span decides; where it is near two units, a bone longer than any in one of them speaks for the other.
+    doubt = [max(low / length, length / high, bone * metres / LONGEST_BONE, 1.0) for metres, low, high, _ in _UNITS]
     metres, _, _, words = _UNITS[int(np.argmin(doubt))]
-    return UnitGuess(metres, f"{words} ({metres:.6g} m)", min(doubt) <= 1.0)
+    believable = SPANS[0] <= length * metres <= SPANS[1] and bone * metres <= LONGEST_BONE
+    return UnitGuess(metres, f"{words} ({metres:.6g} m)", believable)
