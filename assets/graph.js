@@ -81,6 +81,8 @@
       const cy = await ready();
       if (!cy) return clientside.no_update;
       watch(cy);
+      const label = document.getElementById("edge-filter-label");
+      if (label) label.textContent = `Successions seen at least ${threshold || 1}×`;
       cy.batch(() => {
         cy.elements().removeClass("chosen near faded rare");
         const chosen = chosenIn(cy, selection);

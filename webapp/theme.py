@@ -42,6 +42,8 @@ CANVAS = {
 # borders of the graph's connected parts: distinct, and readable on both themes; the first serves when there is one
 COMPONENTS = ("#4a7cd8", "#d2762b", "#3a9b7a", "#a45fc0", "#c2486a", "#7f8a2e", "#2f95b0", "#8c6d53")
 
+ALONE = "#8793a3"
+
 # ag-grid's own theme, made to follow the page through CSS variables
 GRID_THEME = {
     "function": "themeQuartz.withParams({"

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from core.motifs.graph import Motif, MotifGraph
+from core.motifs.graph import Edge, Motif, MotifGraph
 from webapp import theme
 from webapp.figures.placement import place_boxes
 
@@ -57,11 +57,17 @@ def graph_elements(graph: MotifGraph, icons: Mapping[int, Mapping[str, str]]) ->
                 "target": f"m{edge.target}",
                 "count": edge.count,
                 "width": edge_width(edge.count),
-            }
+            },
+            **_loop(edge, sizes[at[edge.source]]),
         }
         for edge in graph.edges
     ]
     return nodes + edges
+
+
+def _loop(edge: Edge, size: np.ndarray) -> dict[str, Any]:
+    """A motif that follows itself: the loop has to reach out of its box."""
+    return {"classes": f"loop loop-{math.ceil(size.max() / 40)}"} if edge.source == edge.target else {}
 
 
 def edge_width(count: int) -> float:
@@ -70,9 +76,9 @@ def edge_width(count: int) -> float:
 
 
 def component_colours(graph: MotifGraph) -> dict[int, str]:
-    """Motif id -> colour of the part it belongs to; the largest part has the first colour."""
+    """Motif id -> colour of the part it belongs to: the largest has the first; those that stand alone are grey."""
     return {
-        motif: theme.COMPONENTS[i % len(theme.COMPONENTS)]
+        motif: theme.COMPONENTS[i % len(theme.COMPONENTS)] if len(ids) > 1 or i == 0 else theme.ALONE
         for i, ids in enumerate(graph.components("weak"))
         for motif in ids
     }
@@ -135,11 +141,18 @@ def stylesheet(name: str) -> list[dict[str, Any]]:
                 "arrow-scale": 1.0,
                 "curve-style": "bezier",
                 "control-point-step-size": 34,
-                "loop-sweep": "-50deg",
+                "loop-sweep": "-38deg",
                 "opacity": 0.85,
                 "overlay-opacity": 0,
             },
         },
+        *(
+            {
+                "selector": f"edge.loop-{k}",
+                "style": {"control-point-step-size": 24 * k + 26, "loop-direction": "-45deg"},
+            }
+            for k in range(1, 5)
+        ),
         {"selector": "edge.rare", "style": {"display": "none"}},
         {"selector": ".faded", "style": {"opacity": 0.28}},
         {
@@ -184,11 +197,11 @@ def stylesheet(name: str) -> list[dict[str, Any]]:
 
 def legend(graph: MotifGraph) -> str:
     """What the colours and borders mean in this graph."""
-    parts = len(graph.components("weak"))
+    parts = sum(len(ids) > 1 for ids in graph.components("weak"))
     loops = _in_loops(graph)
     words = "Wide boxes: long motions. High boxes: many motions. Arrows: what follows what."
     if parts > 1:
-        words += f" {parts} parts that never meet have colours of their own."
+        words += " Colours: parts that never meet."
     if len(loops) < len(graph.motifs):
         words += " Dashed: no way leads back."
     return words

@@ -12,22 +12,44 @@ from collections.abc import Sequence
 
 import numpy as np
 import pygraphviz
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 
 _GRAPHVIZ = threading.Lock()  # cgraph keeps global state; threads of the server must take turns
 _POINTS_PER_INCH = 72.0
 
 
-def place_boxes(sizes: np.ndarray, edges: Sequence[tuple[int, int, float]], gap: float = 28.0) -> np.ndarray:
+def place_boxes(
+    sizes: np.ndarray, edges: Sequence[tuple[int, int, float]], gap: float = 28.0, aspect: float = 1.5
+) -> np.ndarray:
     """Centres ``(n, 2)`` in pixels, y down, of boxes of ``sizes (n, 2)`` so that no two come closer than ``gap``.
 
-    edges: (source, target, weight). Deterministic: the same graph is always drawn the same way.
+    edges: (source, target, weight). Each connected part is laid out by itself; the parts then stand in rows, largest
+    first, together about ``aspect`` times as wide as high. Deterministic: the same graph is always drawn the same way.
     """
     sizes = np.asarray(sizes, float).reshape(-1, 2)
-    if len(sizes) < 2:
-        return np.zeros((len(sizes), 2))
-    centres = _sfdp(sizes, edges)
-    centres = spread(centres, sizes + gap)
-    return np.round(centres - (centres.min(0) + centres.max(0)) / 2, 1)
+    centres = np.zeros((len(sizes), 2))
+    parts = _parts(len(sizes), edges)
+    frames = np.zeros((len(parts), 2))
+    for k, part in enumerate(parts):
+        at = {node: i for i, node in enumerate(part)}
+        inner = [(at[s], at[t], w) for s, t, w in edges if s in at and s != t]
+        local = spread(_sfdp(sizes[part], inner), sizes[part] + gap) if len(part) > 1 else np.zeros((1, 2))
+        low, high = (local - sizes[part] / 2).min(0), (local + sizes[part] / 2).max(0)
+        centres[part], frames[k] = local - low, high - low
+    corners = _rows(frames + gap, aspect) if len(parts) else frames
+    for part, corner in zip(parts, corners, strict=True):
+        centres[part] += corner
+    return np.round(centres - (centres.min(0) + centres.max(0)) / 2, 1) if len(centres) else centres
+
+
+def _parts(n: int, edges: Sequence[tuple[int, int, float]]) -> list[np.ndarray]:
+    """Nodes of each connected part, the largest part first."""
+    ends = np.array([(source, target) for source, target, _ in edges], int).reshape(-1, 2)
+    links = coo_matrix((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(n, n))
+    count, part_of = connected_components(links, directed=False)
+    parts = [np.nonzero(part_of == k)[0] for k in range(count)]
+    return sorted(parts, key=lambda part: (-len(part), part[0]))
 
 
 def _sfdp(sizes: np.ndarray, edges: Sequence[tuple[int, int, float]]) -> np.ndarray:
@@ -77,18 +99,19 @@ def spread(centres: np.ndarray, sizes: np.ndarray, rounds: int = 400) -> np.ndar
         np.add.at(centres, b[rows], push[rows])
         if step % 40 == 39:
             centres = centres.mean(0) + (centres - centres.mean(0)) * 1.1
-    return _rows(centres, half * 2)
-
-
-def _rows(centres: np.ndarray, sizes: np.ndarray) -> np.ndarray:
-    """A plain shelf packing in reading order: the last resort that always ends without overlaps."""
     order = np.lexsort((centres[:, 0], centres[:, 1]))
-    width = float(np.sqrt((sizes[:, 0] * sizes[:, 1]).sum()) * 1.2)
-    placed, x, y, tallest = np.empty_like(centres), 0.0, 0.0, 0.0
-    for i in order:
-        w, h = sizes[i]
+    placed = np.empty_like(centres)  # the last resort, which always ends without overlaps: plain rows
+    placed[order] = _rows(2 * half[order], 1.0) + half[order]
+    return placed
+
+
+def _rows(sizes: np.ndarray, aspect: float) -> np.ndarray:
+    """Upper left corners ``(n, 2)`` of boxes set in rows one after another, about ``aspect`` times as wide as high."""
+    width = max(float(np.sqrt(sizes.prod(axis=1).sum() * aspect) * 1.05), float(sizes[:, 0].max()))
+    corners, x, y, tallest = np.empty_like(sizes), 0.0, 0.0, 0.0
+    for i, (w, h) in enumerate(sizes):
         if x > 0 and x + w > width:
             x, y, tallest = 0.0, y + tallest, 0.0
-        placed[i] = x + w / 2, y + h / 2
+        corners[i] = x, y
         x, tallest = x + w, max(tallest, h)
-    return placed
+    return corners

@@ -20,7 +20,14 @@ Row = dict[str, Any]
 _NUMBER = {"cellClass": "number ag-right-aligned-cell", "headerClass": "ag-right-aligned-header"}
 _SECONDS = {"valueFormatter": {"function": "d3.format('.1f')(params.value)"}, **_NUMBER}
 
-_STRIP = {"headerName": "Motion", "cellRenderer": "Filmstrip", "sortable": False, "cellClass": "strip-cell"}
+_STRIP = {
+    "headerName": "Motion",
+    "flex": 1,
+    "minWidth": 200,
+    "cellRenderer": "Filmstrip",
+    "sortable": False,
+    "cellClass": "strip-cell",
+}
 _TEXT = {"filter": "agTextColumnFilter"}
 
 
@@ -31,7 +38,7 @@ def _column(field: str, name: str, width: int, tip: str = "", **more: Any) -> di
 
 CLIP_COLUMNS = [
     _column("clip", "Clip", 150, flex=1, minWidth=150, tooltipField="clip", **_TEXT),
-    {"field": "strip", "width": 210, **_STRIP},
+    {"field": "strip", **_STRIP},
     _column("seconds", "Seconds", 88, **_SECONDS),
     _column("frames", "Frames", 80, **_NUMBER),
     _column("fps", "Rate", 64, "Frames per second", **_NUMBER),
@@ -47,11 +54,11 @@ REPORT_COLUMNS = [
 ]
 MOTIF_COLUMNS = [
     _column("id", "Motif", 76, **_NUMBER),
-    {"field": "strip", "width": 250, **_STRIP},
-    _column("motions", "Motions", 94, "How many times it occurs", sort="desc", **_NUMBER),
+    {"field": "strip", **_STRIP},
+    _column("motions", "Motions", 108, "How many times it occurs", sort="desc", **_NUMBER),
     _column("seconds", "Seconds", 94, "Mean duration of its motions", **_SECONDS),
     _column("clips", "Clips", 78, "In how many clips it occurs", **_NUMBER),
-    _column("label", "Mostly", 120, "The label that covers most of its frames", flex=1, minWidth=110),
+    _column("label", "Mostly", 120, "The label that covers most of its frames", flex=1, minWidth=120),
 ]
 
 
@@ -154,6 +161,11 @@ def motif_rows(graph: Any, dataset: Dataset) -> list[Row]:
             }
         )
     return rows
+
+
+def motif_columns(dataset: Dataset) -> list[dict[str, Any]]:
+    """The columns of the motif table; labels only where there are any."""
+    return [column for column in MOTIF_COLUMNS if column["field"] != "label" or dataset.labels]
 
 
 def majority_label(segments: Iterable[Segment], labels: dict[str, list[Label]]) -> str:

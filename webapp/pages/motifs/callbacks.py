@@ -101,7 +101,9 @@ def _show(app: Dash, workspace: Workspace) -> None:
         if graph is None:
             return None, shown
         dataset = workspace.open(name)
-        table = tables.grid("motif-table", tables.MOTIF_COLUMNS, tables.motif_rows(graph, dataset), "All motifs")
+        table = tables.grid(
+            "motif-table", tables.motif_columns(dataset), tables.motif_rows(graph, dataset), "All motifs"
+        )
         return layout.result(graph, dataset, _elements(workspace, name, key, graph), table, scheme or "light"), shown
 
 

@@ -29,6 +29,7 @@ ERROR_RATIO = (
     "How far the motions of a motif lie apart, compared with how far poses lie from the average pose. "
     "Lower is tighter; the 2008 paper reports .23."
 )
+MANY_TO_FILTER = 20  # successions, from which on it helps to hide the rare ones
 MOST_ROWS = 60  # motions or transitions listed at once
 
 
@@ -196,7 +197,6 @@ def _graph_card(graph: MotifGraph, elements: list[dict], scheme: str) -> Compone
                 style={"width": "100%", "height": "100%"},
                 minZoom=0.05,
                 maxZoom=3,
-                wheelSensitivity=0.25,
                 boxSelectionEnabled=False,
                 autoRefreshLayout=False,
                 responsive=False,
@@ -210,9 +210,10 @@ def _graph_card(graph: MotifGraph, elements: list[dict], scheme: str) -> Compone
                 ],
             ),
             html.Div(
-                className="edge-filter" + ("" if max(counts, default=1) > 1 and len(counts) > 12 else " hidden"),
+                className="edge-filter"
+                + ("" if max(counts, default=1) > 1 and len(counts) > MANY_TO_FILTER else " hidden"),
                 children=[
-                    html.Span("Successions seen at least", className="muted", id="edge-filter-label"),
+                    html.Span(f"Successions seen at least {threshold}×", className="number", id="edge-filter-label"),
                     dmc.Slider(
                         id="edge-threshold",
                         min=1,
