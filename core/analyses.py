@@ -229,7 +229,7 @@ def _remember(workspace: Workspace, result_key: str, result: Any) -> None:
 
 def _in_words(workspace: Workspace, job: Job, error: Exception) -> str:
     """What a person is told; everything else goes to a log file that only the server's owner sees."""
-    if isinstance(error, WorkspaceError | RecordingError | ParameterError | AnalysisError):
+    if isinstance(error, WorkspaceError | RecordingError | ParameterError | AnalysisError) or _is_refusal(error):
         return str(error)
     log = workspace.logs / f"job-{job.id}.log"
     with suppress(OSError):
@@ -243,6 +243,14 @@ def _in_words(workspace: Workspace, job: Job, error: Exception) -> str:
     return (
         f"{job.title} failed because of a fault in Motionscape. The details stand in logs/{log.name} of the workspace."
     )
+
+
+def _is_refusal(error: Exception) -> bool:
+    """Whether it is a ValueError that our own code raised, in words for people, and not one from a library."""
+    if type(error) is not ValueError or error.__traceback__ is None:
+        return False
+    *_, (innermost, _) = traceback.walk_tb(error.__traceback__)
+    return innermost.f_globals.get("__name__", "").startswith("core.")
 
 
 def _trace(error: Exception) -> str:
@@ -316,8 +324,7 @@ def _make_demo(workspace: Workspace, name: str, values: DemoParameters, report: 
     from core.demo import make_demo
 
     if name not in {info.name for info in workspace.datasets()}:
-        report("making the demo", 0.0)
-        workspace.add_dataset(name, make_demo(minutes=values.minutes, seed=values.seed), report)
+        workspace.add_dataset(name, make_demo(values.minutes, values.seed, report), report)
     request = Request(name, "motifs")
     if stored(workspace, request) is None:
         submit(workspace, request)

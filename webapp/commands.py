@@ -7,6 +7,7 @@ import sys
 import time
 from argparse import Namespace
 from collections.abc import Iterable, Iterator
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +19,7 @@ MB = 1024 * 1024
 
 
 def import_(asked: Namespace) -> int:
-    """Reads recordings into a workspace; bad files are named on stderr. Raises WorkspaceError where none can be read."""
+    """Reads recordings into a workspace; bad files are named on stderr. Raises WorkspaceError where all are bad."""
     missing = [str(path) for path in asked.paths if not path.expanduser().exists()]
     if missing:
         raise WorkspaceError(f"{missing[0]}: no such file or folder")
@@ -71,7 +72,8 @@ def demo(asked: Namespace) -> int:
 
     if asked.folder.exists() and not asked.folder.is_dir():
         raise WorkspaceError(f"{asked.folder} is a file; the demo needs a folder.")
-    write_demo(asked.folder, minutes=asked.minutes, seed=asked.seed)
+    with progress_bar(asked.quiet) as report:
+        write_demo(asked.folder, asked.minutes, asked.seed, report)
     if not asked.quiet:
         print(f"{asked.minutes:g} minutes of labelled motion are in {asked.folder}")
     return 0
@@ -145,12 +147,16 @@ def _inspect_labels(path: Path) -> Any:
 
 def _files(paths: Iterable[Path]) -> Iterator[Path]:
     from core.mocap.dataset import find_recordings
+    from core.mocap.errors import RecordingError
 
     for path in paths:
-        if path.is_dir():
-            yield from sorted({*map(Path, find_recordings(path)), *path.rglob("*.asf"), *path.rglob("*.ASF")})
-        else:
+        if not path.is_dir():
             yield path
+            continue
+        found = {p for p in path.rglob("*") if p.suffix.lower() == ".asf" and p.is_file()}
+        with suppress(RecordingError):  # no recordings in it; perhaps skeletons
+            found.update(find_recordings(path))
+        yield from sorted(found)
 
 
 def _line(file: Any) -> str:

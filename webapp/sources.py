@@ -36,7 +36,10 @@ def open_source(asked: Namespace, report: Report) -> Dataset:
     refuse_reading_options(asked)
     workspace, name = named
     dataset = workspace.open(name)
-    return dataset.select(asked.clips) if asked.clips else dataset
+    try:
+        return dataset.select(asked.clips) if asked.clips else dataset
+    except KeyError as error:
+        raise WorkspaceError(str(error.args[0])) from error
 
 
 def refuse_reading_options(asked: Namespace) -> None:

@@ -13,13 +13,12 @@ import sqlite3
 import threading
 import time
 from collections import OrderedDict
-from collections.abc import Mapping
+from collections.abc import Callable
 from contextlib import suppress
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-from core.progress import Report, silent
 from core.workspace.database import Database
 from core.workspace.errors import NameRefused, WorkspaceError, plain_errors
 from core.workspace.files import atomic_file, atomic_folder, sweep_abandoned
@@ -30,6 +29,7 @@ if TYPE_CHECKING:
 
 _CARD = "motionscape.json"  # beside the data: what the table knows, should the table be lost
 _OPEN_AT_ONCE = 8
+Fill = Callable[[Path, str], None]  # writes a data set of this name into this folder
 
 
 @dataclass(frozen=True)
@@ -119,10 +119,10 @@ class DatasetStore:
                 self._opened.popitem(last=False)
         return dataset
 
-    def add(self, name: str, dataset: Dataset, report: Report = silent) -> DatasetInfo:
-        """Stores ``dataset`` as ``name``, whole or not at all. Raises NameRefused, WorkspaceError (disk full ...)."""
+    def add(self, name: str, fill: Fill) -> DatasetInfo:
+        """Stores under ``name`` what ``fill`` writes, whole or not at all. Raises NameRefused, WorkspaceError."""
         name = self.check_free(name)
-        info = self._store(_card(secrets.token_hex(8), name, dataset), dataset, report)
+        info = self._store(name, fill)
         try:
             with self._database.transaction(f"enter the data set {name!r}") as table:
                 _insert(table, info)
@@ -133,12 +133,13 @@ class DatasetStore:
             raise
         return info
 
-    def replace(self, info: DatasetInfo, dataset: Dataset, report: Report = silent) -> DatasetInfo:
+    def replace(self, info: DatasetInfo, fill: Fill) -> DatasetInfo:
         """Gives a data set new content in a new folder; the old folder goes to the bin. Raises WorkspaceError."""
-        new = self._store(_card(info.id, info.name, dataset, info.imported), dataset, report)
+        new = replace(self._store(info.name, fill), id=info.id, imported=info.imported)
         with self._database.transaction(f"change the data set {info.name!r}") as table:
             table.execute("DELETE FROM datasets WHERE id = ?", (info.id,))
             _insert(table, new)
+        self._write_card(new)
         self._discard(info)
         return new
 
@@ -198,17 +199,16 @@ class DatasetStore:
             shutil.rmtree(path, ignore_errors=True)
         return len(gone)
 
-    def _store(self, card: dict[str, Any], dataset: Dataset, report: Report) -> DatasetInfo:
-        from core.mocap.storage import save_dataset
+    def _store(self, name: str, fill: Fill) -> DatasetInfo:
+        from core.mocap.storage import load_dataset
 
-        report("storing", 0.0)
-        info = DatasetInfo(folder=secrets.token_hex(8), **card)
-        with plain_errors(f"store the data set {info.name!r}"):
+        token = secrets.token_hex(8)
+        with plain_errors(f"store the data set {name!r}"):
             sweep_abandoned(self.folder)
-            with atomic_folder(self._path(info.folder)) as folder:
-                save_dataset(folder, dataset)
+            with atomic_folder(self._path(token)) as folder:
+                fill(folder, name)
+                info = _info(load_dataset(folder), name, token)
                 (folder / _CARD).write_text(json.dumps(asdict(info)), encoding="utf-8")
-        report("storing", 1.0)
         return info
 
     def _discard(self, info: DatasetInfo) -> None:
@@ -256,17 +256,17 @@ def _insert(table: sqlite3.Connection, info: DatasetInfo) -> None:
     table.execute(f"INSERT INTO datasets ({_COLUMNS}) VALUES ({marks})", tuple(asdict(info).values()))
 
 
-def _card(dataset_id: str, name: str, dataset: Dataset, imported: float | None = None) -> Mapping[str, Any]:
-    verdicts = [file.verdict for file in dataset.report.files]
-    return {
-        "id": dataset_id,
-        "name": name,
-        "fingerprint": dataset.fingerprint,
-        "clips": len(dataset.clips),
-        "frames": int(sum(clip.n_frames for clip in dataset.clips)),
-        "seconds": float(sum(clip.seconds for clip in dataset.clips)),
-        "labels": len(dataset.labels),
-        "warnings": verdicts.count("warning"),
-        "errors": verdicts.count("error"),
-        "imported": time.time() if imported is None else imported,
-    }
+def _info(dataset: Dataset, name: str, folder: str) -> DatasetInfo:
+    return DatasetInfo(
+        id=secrets.token_hex(8),
+        name=name,
+        fingerprint=dataset.fingerprint,
+        folder=folder,
+        clips=len(dataset.clips),
+        frames=dataset.n_frames,
+        seconds=dataset.seconds,
+        labels=len(dataset.labels),
+        warnings=dataset.report.count("warning"),
+        errors=dataset.report.count("error"),
+        imported=time.time(),
+    )

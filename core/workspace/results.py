@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import zipfile
 from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
@@ -44,15 +43,15 @@ class ResultStore:
             return _read_npz(path) if path.suffix == ".npz" else Result(_read_json(path), {})
         except FileNotFoundError:
             return None
-        except (ValueError, KeyError, EOFError, zipfile.BadZipFile, NotImplementedError) as error:
+        except OSError as error:
+            with plain_errors("read the stored result"):
+                raise error
+        except Exception as error:  # numpy and zipfile raise all kinds of errors on damaged files
             with suppress(OSError):
                 path.replace(path.with_name(f"{path.name}.damaged"))
             raise ResultDamaged(
                 "The stored result is damaged and has been set aside; run the analysis again."
             ) from error
-        except OSError as error:
-            with plain_errors("read the stored result"):
-                raise error
 
     def put(self, key: str, document: dict[str, Any], arrays: Mapping[str, np.ndarray] | None = None) -> None:
         """Stores a result atomically. ``arrays`` may have any shape (n, ...); raises WorkspaceError (disk full ...)."""

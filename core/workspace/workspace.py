@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import os
 import threading
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
+from types import ModuleType
 from typing import TYPE_CHECKING
 
 from core.progress import Report, silent
 from core.workspace.database import Database
-from core.workspace.datasets import DatasetInfo, DatasetStore
+from core.workspace.datasets import DatasetInfo, DatasetStore, Fill
 from core.workspace.errors import WorkspaceError, plain_errors
 from core.workspace.jobs import JobTable
 from core.workspace.names import clean_name
@@ -19,9 +21,10 @@ from core.workspace.uploads import Uploads
 
 if TYPE_CHECKING:
     from core.mocap.dataset import Dataset, ImportReport
+    from core.workspace.importing import Recordings
 
 TABLE = "workspace.sqlite"
-Source = str | Path
+Source = str | os.PathLike
 
 
 class Workspace:
@@ -90,9 +93,36 @@ class Workspace:
         A bad file among good ones is reported, not fatal. ``fps``: frames per second of AMC files. The report is kept
         with the data set. Raises NameRefused, WorkspaceError where no file can be read, or Cancelled from ``report``.
         """
-        name = self._datasets.check_free(name)
-        dataset = _read(sources, name, skeleton=skeleton, fps=fps, clips=clips, labels=labels, report=report)
-        return self.add_dataset(name, dataset, report)
+        what = _recordings(sources, skeleton=skeleton, fps=fps, clips=clips, labels=labels)
+        return self._add(name, lambda folder, name: _importing().store_recordings(folder, name, what, report))
+
+    def add_files(
+        self,
+        name: str,
+        sources: Source | Sequence[Source],
+        *,
+        skeleton: Source | None = None,
+        fps: float | None = None,
+        labels: Source | None = None,
+        report: Report = silent,
+    ) -> ImportReport:
+        """Adds recordings to the data set ``name``; a clip whose name is taken gets a number behind it.
+
+        Raises as :meth:`import_dataset`.
+        """
+        before = self.open(name)
+        what = _recordings(sources, skeleton=skeleton, fps=fps, labels=labels, before=before)
+        return self._change(name, lambda folder, name: _importing().store_recordings(folder, name, what, report))
+
+    def remove_clips(self, name: str, clips: Iterable[str], report: Report = silent) -> ImportReport:
+        """Removes clips from the data set ``name``; raises WorkspaceError for an unknown one, or all."""
+        before, gone = self.open(name), set(clips)
+        if unknown := sorted(gone.difference(before.names)):
+            raise WorkspaceError(f"There is no clip {unknown[0][:80]!r} in {name!r}.")
+        if gone.issuperset(before.names):
+            raise WorkspaceError("These are all its clips; delete the data set instead.")
+        left = before.select(clip for clip in before.names if clip not in gone)
+        return self._change(name, lambda folder, _: _importing().store_dataset(folder, left, report))
 
     def import_upload(
         self,
@@ -106,17 +136,15 @@ class Workspace:
     ) -> ImportReport:
         """Imports an upload as the data set ``name`` and then removes the upload.
 
-        ``skeleton`` and ``labels`` name files of the upload; without ``labels`` any CSV file in it is read as labels.
+        ``skeleton`` and ``labels`` name files of the upload (without ``labels``: its ``labels.csv``, if any).
         Raises as :meth:`import_dataset`, and NameRefused where a name leaves the upload.
         """
         folder = self.uploads.path(upload)
-        if not labels and any(folder.rglob("*.csv")):
-            labels = "."
         imported = self.import_dataset(
             name,
             folder,
             skeleton=self.uploads.file(upload, skeleton) if skeleton else None,
-            labels=folder if labels == "." else self.uploads.file(upload, labels) if labels else None,
+            labels=self.uploads.file(upload, labels) if labels else None,
             fps=fps,
             report=report,
         )
@@ -133,10 +161,13 @@ class Workspace:
 
     def add_dataset(self, name: str, dataset: Dataset, report: Report = silent) -> ImportReport:
         """Stores a data set that is in memory; raises NameRefused, WorkspaceError (no clips, disk full ...)."""
-        if not dataset.clips:
-            raise WorkspaceError(f"Nothing to store as {name!r}: {_why_empty(dataset)}")
-        self._datasets.add(name, dataset, report)
-        return dataset.report
+        return self._add(name, lambda folder, _: _importing().store_dataset(folder, dataset, report))
+
+    def _add(self, name: str, fill: Fill) -> ImportReport:
+        return self._datasets.open(self._datasets.add(name, fill)).report
+
+    def _change(self, name: str, fill: Fill) -> ImportReport:
+        return self._datasets.open(self._datasets.replace(self.info(name), fill)).report
 
     def rename(self, name: str, new_name: str) -> DatasetInfo:
         """Renames a data set; raises WorkspaceError where there is none, NameRefused for a bad or taken name."""
@@ -181,19 +212,15 @@ def shared_workspace(path: Source) -> Workspace:
         return _OPEN[key]
 
 
-def _read(sources: Source | Sequence[Source], name: str, **options: object) -> Dataset:
-    from core.mocap.dataset import open_dataset  # numba comes with it: only who reads recordings pays
+def _importing() -> ModuleType:
+    """Reading and inspecting bring numba along, so they are imported when there is something to import."""
+    from core.workspace import importing
 
-    paths = [sources] if isinstance(sources, str | Path) else list(sources)
+    return importing
+
+
+def _recordings(sources: Source | Sequence[Source], **how: object) -> Recordings:
+    paths = [sources] if isinstance(sources, str | os.PathLike) else list(sources)
     if not paths:
         raise WorkspaceError("Nothing to import: name at least one file or folder.")
-    return open_dataset(paths[0] if len(paths) == 1 else paths, name=name, on_error="report", **options)
-
-
-def _why_empty(dataset: Dataset) -> str:
-    bad = [file for file in dataset.report.files if file.verdict == "error"]
-    if not bad:
-        return "there are no recordings (.bvh, .amc) in what was given."
-    reasons = "; ".join(" ".join(file.messages) or str(file.path) for file in bad[:3])
-    more = f"; and {len(bad) - 3} more" if len(bad) > 3 else ""
-    return f"none of the {len(bad)} files can be read: {reasons}{more}"
+    return _importing().Recordings([Path(path) for path in paths], **how)
