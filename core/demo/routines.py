@@ -13,11 +13,9 @@ from core.demo.gaits import gait
 from core.demo.grammar import derive
 from core.demo.motions import FPS
 from core.demo.performers import PERFORMERS, Performer
+from core.demo.settling import settle
 from core.editing.blending import Transition, concatenate, find_transition, heading, pieces
-from core.editing.legs import lift_from_floor, lock_feet
-from core.mocap import quaternions as quat
 from core.mocap.clip import Clip, Label
-from core.mocap.kinematics import forward_kinematics
 
 _GAITS = ("walk", "run")
 _FADE, _SLOW_FADE, _LONGEST_FADE = 0.3, 0.45, 0.7  # seconds
@@ -114,27 +112,6 @@ def _transition(a: Take, b: Take) -> tuple[Take, Take, float, Transition]:
         fade, first, second = wanted, a.trimmed(tail=wanted), b.trimmed(head=wanted)
         way = find_transition(first.clip, second.clip, fade, *windows)
     return first, second, fade, way
-
-
-def settle(clip: Clip) -> Clip:
-    """Toes that bend, feet that stay where they stand, nothing below the floor; the path starts at the origin."""
-    clip = bend_toes(clip)
-    clip = lift_from_floor(lock_feet(clip, floor=0.0), 0.0)
-    return replace(clip, root_positions=clip.root_positions - clip.root_positions[0] * np.float32([1, 0, 1]))
-
-
-def bend_toes(clip: Clip) -> Clip:
-    """The toes stay flat on the floor while the heel rises: the source's feet are stiff."""
-    rotations = np.array(clip.rotations)
-    positions, world = forward_kinematics(clip)
-    for side in ("Left", "Right"):
-        ball, tip = (clip.skeleton.index(f"{side}ToeBase{end}") for end in ("", "_end"))
-        ahead = quat.rotate(world[:, ball], np.float32([0, 0, 1]))
-        steep = np.arcsin(np.clip(-ahead[:, 1], -1, 1))
-        near = np.clip((0.12 - positions[:, [ball, tip], 1].min(1)) / 0.08, 0, 1)
-        angle = np.clip(steep, 0, np.radians(50)) * near * near * (3 - 2 * near)
-        rotations[:, ball] = quat.from_rotvec(-angle[:, None] * np.float32([1, 0, 0]))
-    return replace(clip, rotations=rotations)
 
 
 def _groups(sentence: tuple[str, ...]) -> Iterator[tuple[str, ...]]:

@@ -9,8 +9,8 @@ from core.mocap.clip import Clip
 from core.mocap.kinematics import joint_positions
 
 # In body heights (and body heights a second): a contact begins below the first of each pair, lasts below the second.
-_HEIGHT = (0.02, 0.035)
-_SPEED = (0.3, 0.45)
+_HEIGHT = (0.02, 0.03)
+_SPEED = (0.2, 0.32)
 _SLOW = 0.25
 _SHORTEST, _GAP = 0.06, 0.05  # seconds: shorter contacts are dropped, shorter gaps closed
 _SPEED_SPAN = 0.05  # seconds over which a speed is measured

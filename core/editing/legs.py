@@ -151,7 +151,7 @@ def _shift(clip: Clip, positions: np.ndarray, points: list[int], contact: np.nda
     limit = 0.1 * body
     shift *= limit * np.tanh(long / limit) / np.maximum(long, 1e-9)
     _ease(shift, spans, max(1, round(ease * clip.fps)))
-    return gaussian_filter1d(shift, 0.025 * clip.fps, axis=0, mode="nearest")
+    return gaussian_filter1d(shift, 0.015 * clip.fps, axis=0, mode="nearest")
 
 
 def _ease(shift: np.ndarray, spans: np.ndarray, n: int) -> None:
