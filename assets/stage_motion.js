@@ -4,15 +4,12 @@
 
   const CACHE_BYTES = 96 * 1024 * 1024;
 
-  /** Path segment of a name that may hold anything, slashes and dots included. */
-  const escape = (name) => encodeURIComponent(name).replace(/^\.+$/, (dots) => dots.replace(/\./g, "%2E"));
-
   function motionUrl(api, dataset, item) {
     const interval = new URLSearchParams();
     if (item.start != null) interval.set("start", item.start);
     if (item.end != null) interval.set("end", item.end);
     const query = interval.toString();
-    return `${api}/motion/${escape(dataset)}/${escape(item.clip)}${query ? "?" + query : ""}`;
+    return `${api}/motion/${encodeURIComponent(dataset)}/${encodeURIComponent(item.clip)}${query ? "?" + query : ""}`;
   }
 
   /** uint32 header length, JSON header, float32 positions (frames, joints, 3): see docs/architecture.md. */
