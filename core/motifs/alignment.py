@@ -88,16 +88,20 @@ def _spread(group, pointers, members, frames, poses):
     return total
 
 
-def spans_of(motifs: list[np.ndarray], frames: np.ndarray) -> list[np.ndarray]:
+def spans_of(runs: Runs, motifs: list[np.ndarray], frames: np.ndarray, hold: int = 0) -> list[np.ndarray]:
     """Frame spans of each motif's motions, ``(n_motions, 2)``, half-open and never overlapping.
 
     frames: ``(m,)`` from :func:`entry_frames`. Where a motion begins with the letter in which another ends, the frame of
-    that letter belongs to the one that begins.
+    that letter belongs to the one that begins. Elsewhere a motion takes in up to ``hold`` more frames at either end that
+    show its first or last letter: whichever of them the alignment preferred, they are part of the same pose.
     """
-    begins = np.zeros(len(frames), bool)
+    begins, ends = np.zeros(len(frames), bool), np.zeros(len(frames), bool)
     for motif in motifs:
         begins[motif[:, 0]] = True
-    return [np.column_stack([frames[m[:, 0]], frames[m[:, 1]] + ~begins[m[:, 1]]]) for m in motifs]
+        ends[motif[:, 1]] = True
+    first = np.where(ends, frames, np.maximum(frames - hold, runs.starts))
+    stop = np.where(begins, frames, np.minimum(frames + hold + 1, runs.ends))
+    return [np.column_stack([first[m[:, 0]], stop[m[:, 1]]]) for m in motifs]
 
 
 def align_motifs(spans: list[np.ndarray], poses: np.ndarray, report: Report = silent) -> list[AlignedMotif]:

@@ -12,9 +12,9 @@ import numpy as np
 from core.mocap.clip import Segment
 from core.motifs.adjacency import Adjacency, nearest_pairs_radius, radius_adjacency, sphere_adjacency
 from core.motifs.alignment import AlignedMotif, align_motifs, entry_frames, spans_of
-from core.motifs.discovery import largest_first, random_seeds
+from core.motifs.discovery import join_leftovers, largest_first, random_seeds
 from core.motifs.graph import Motif, MotifGraph, dataset_head, succession_edges
-from core.motifs.matching import Rule, find_matches
+from core.motifs.matching import Matcher, Rule
 from core.motifs.parameters import MotifParameters
 from core.motifs.quantize import Letters, automatic_kappa, k_means
 from core.poses.features import Poses, pose_features
@@ -58,24 +58,21 @@ def motifs_of_poses(poses: Poses, parameters: MotifParameters, report: Report = 
         letters = k_means(poses.values, kappa, parameters.seed, report=report)
         runs = remove_runs(letters.labels, poses.clip_starts)
     with _timed("matching", seconds):
-        adjacency = _adjacency(letters, parameters)
-        rule = Rule(
-            parameters.min_letters,
-            parameters.max_letters,
-            parameters.gamma,
-            parameters.slack,
-            np.float32(parameters.strictness * adjacency.radius),
-        )
-        matches = find_matches(runs, adjacency, rule, report)
+        matcher = Matcher(runs, adjacency := _adjacency(letters, parameters))
+        rule = _rule(parameters, adjacency, parameters.strictness)
+        matches = matcher.all(rule, report)
     with _timed("discovery", seconds):
         if parameters.seeding == "random":
             found = random_seeds(runs, matches, rule, parameters.rho, parameters.seed, report)
         else:
             found = largest_first(runs, matches, rule, parameters.rho, report)
-    del matches
+        del matches
+        if parameters.adjacency == "radius" and parameters.join > parameters.strictness:
+            found = join_leftovers(runs, matcher, found, _rule(parameters, adjacency, parameters.join), report)
     with _timed("alignment", seconds):
         frames = entry_frames(runs, found, poses.values, parameters.seed)
-        aligned = align_motifs(spans_of(found, frames), poses.values, report)
+        spans = spans_of(runs, found, frames, round(parameters.hold * parameters.analysis_fps))
+        aligned = align_motifs(spans, poses.values, report)
     with _timed("graph", seconds):
         graph = _graph(poses, aligned, asdict(parameters) | {"kappa": len(letters.centres)})
     return replace(graph, seconds=seconds)
@@ -85,6 +82,18 @@ def _adjacency(letters: Letters, parameters: MotifParameters) -> Adjacency:
     if parameters.adjacency == "spheres":
         return sphere_adjacency(letters.centres, letters.labels, letters.distances)
     return radius_adjacency(letters.centres, nearest_pairs_radius(letters.centres, parameters.reach))
+
+
+def _rule(parameters: MotifParameters, adjacency: Adjacency, share: float) -> Rule:
+    """The matching rule; the paper's spheres know no limit of the mean distance."""
+    return Rule(
+        parameters.min_letters,
+        parameters.max_letters,
+        parameters.gamma,
+        parameters.slack,
+        share * adjacency.radius if parameters.adjacency == "radius" else np.inf,
+        parameters.min_seconds * parameters.analysis_fps,
+    )
 
 
 @contextmanager

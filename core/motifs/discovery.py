@@ -7,9 +7,9 @@ from typing import NamedTuple
 
 import numpy as np
 from numba import njit, prange
-from numba.typed import List  # noqa
+from numba.typed import List
 
-from core.motifs.matching import Matches, Rule
+from core.motifs.matching import Matcher, Matches, Rule
 from core.progress import Report, silent
 from core.sequences.repeats import Runs
 
@@ -200,6 +200,32 @@ def random_seeds(
         report("discovery", float((cut == last).mean()))
     report("discovery", 1.0)
     return motifs
+
+
+def join_leftovers(
+    runs: Runs, matcher: Matcher, motifs: list[Substrings], rule: Rule, report: Report = silent
+) -> list[Substrings]:
+    """Ours: unpartitioned substrings join the motif whose motions they match, under a looser rule than it was found with.
+
+    Two thresholds, as in edge tracing: a motif has to be found among near motions, but takes in one somewhat further off.
+    Nearest first; motifs neither appear nor meet, and who joined attracts nobody else.
+    """
+    cut = _first_cuts(runs)
+    for motif in motifs:
+        _partition(motif, cut)
+    offers = []
+    for number, motif in enumerate(motifs):
+        for first, last in motif:
+            found = matcher.of(int(first), int(last), rule)
+            free = np.flatnonzero(cut[found.starts] >= found.ends)
+            offers += [(found.costs[q], number, found.starts[q], found.ends[q]) for q in free]
+        report("joining", (number + 1) / len(motifs))
+    grown = [list(map(tuple, motif)) for motif in motifs]
+    for _, number, first, last in sorted(offers):
+        if cut[first] >= last:
+            grown[number].append((int(first), int(last)))
+            _partition(np.array([[first, last]]), cut)
+    return [np.array(motif, np.int64) for motif in grown]
 
 
 def _seeds_left(index: _Index, cut: np.ndarray, last: np.ndarray) -> np.ndarray:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from concurrent.futures import ThreadPoolExecutor
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -15,13 +16,19 @@ from core.sequences.repeats import Runs
 
 
 class Rule(NamedTuple):
-    """When an alignment is a match: lengths in letters, slope limit gamma, slack in run lengths, highest mean cost."""
+    """When an alignment is a match.
 
-    min_letters: int
-    max_letters: int
-    gamma: float
-    slack: float
-    max_cost: float
+    min_letters, max_letters: lengths of the seed; gamma: slope limit of the alignment and of the durations; slack: freedom
+    around a held pose, in shares of its duration; max_cost: highest mean distance along the alignment; min_frames: the
+    shortest motion on either side.
+    """
+
+    min_letters: int = 5
+    max_letters: int = 30
+    gamma: float = 1.5
+    slack: float = 0.5
+    max_cost: float = np.inf
+    min_frames: float = 0.0
 
 
 class Text(NamedTuple):
@@ -141,7 +148,7 @@ def _match_block(begin, end, text, distances, costs, rule, pointers, places):
                 low, high = _next_row(text, costs, rule, seed, start, row, width, low, high, totals, steps)
                 if high < low:
                     break
-                if row + 1 < rule.min_letters:
+                if row + 1 < rule.min_letters or text.middles[seed + row] - text.middles[seed] < rule.min_frames:
                     continue
                 if found + high - low + 1 > len(values):
                     spans, values = _grown(spans, values, found, high - low + 1)
@@ -177,7 +184,7 @@ def _collect(text, distances, rule, seed, start, row, low, high, totals, steps, 
         if not total <= rule.max_cost * steps[row % 2, c]:
             continue
         time = text.middles[start + c] - text.middles[start]
-        if time > rule.gamma * seed_time or seed_time > rule.gamma * time:
+        if time < rule.min_frames or time > rule.gamma * seed_time or seed_time > rule.gamma * time:
             continue
         if _is_nearest(text, distances, x, start + c):
             spans[found, 0], spans[found, 1] = seed, row
@@ -205,29 +212,45 @@ def _by_seed(begin, end, spans, values, rule):
     return pointers, starts, ends, costs
 
 
-def find_matches(runs: Runs, adjacency: Adjacency, rule: Rule, report: Report = silent) -> Matches:
-    """All matches of all seeds of the string; m runs. Cost: about linear in the pairs of places with adjacent letters."""
-    text = Text(runs.letters, runs.middles, runs.lengths, runs.firsts, runs.stops)
-    pointers, places = _candidates(text, adjacency.distances, adjacency.costs)
-    work = np.cumsum(np.diff(pointers)[text.letters])
+class Matcher:
+    """The string and its inverted lists, ready to be asked for matches; m runs."""
 
-    def block(begin: int, end: int) -> Matches:
-        spans, values = _match_block(begin, end, text, adjacency.distances, adjacency.costs, rule, pointers, places)
+    def __init__(self, runs: Runs, adjacency: Adjacency):
+        self.text = Text(runs.letters, runs.middles, runs.lengths, runs.firsts, runs.stops)
+        self.adjacency = adjacency
+        self.pointers, self.places = _candidates(self.text, adjacency.distances, adjacency.costs)
+
+    def block(self, begin: int, end: int, rule: Rule) -> Matches:
+        """Matches of all seeds that start at letters [begin, end); pointers: one row a seed of these, (n_seeds + 1,)."""
+        a, rule = self.adjacency, _typed(rule)
+        spans, values = _match_block(begin, end, self.text, a.distances, a.costs, rule, self.pointers, self.places)
         return Matches(*_by_seed(begin, end, spans, values, rule))
 
-    cuts = _even_blocks(work)
-    blocks = []
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        futures = [pool.submit(block, b, e) for b, e in zip(cuts[:-1], cuts[1:], strict=True)]
-        try:
-            for k, future in enumerate(futures):
-                blocks.append(future.result())
-                report("matching", (k + 1) / len(futures))
-        except BaseException:
-            for future in futures:
-                future.cancel()
-            raise
-    return _join(blocks)
+    def of(self, first: int, last: int, rule: Rule) -> Matches:
+        """Matches of the one seed (first, last), whatever its length."""
+        return self.block(first, first + 1, rule._replace(min_letters=last - first + 1, max_letters=last - first + 1))
+
+    def all(self, rule: Rule, report: Report = silent) -> Matches:
+        """Matches of all seeds, in parallel; cost about linear in the pairs of places with adjacent letters."""
+        cuts = _even_blocks(np.cumsum(np.diff(self.pointers)[self.text.letters]))
+        blocks: list[Matches] = []
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            futures = [pool.submit(self.block, b, e, rule) for b, e in pairwise(cuts)]
+            try:
+                for k, future in enumerate(futures):
+                    blocks.append(future.result())
+                    report("matching", (k + 1) / len(futures))
+            except BaseException:
+                for future in futures:
+                    future.cancel()
+                raise
+        return _concatenated(blocks)
+
+
+def _typed(rule: Rule) -> Rule:
+    """One set of types for the kernels, so that they are compiled once."""
+    low, high, *rest = rule
+    return Rule(int(low), int(high), *(np.float32(x) for x in rest))
 
 
 def _even_blocks(work: np.ndarray, size: int = 200_000) -> np.ndarray:
@@ -237,7 +260,7 @@ def _even_blocks(work: np.ndarray, size: int = 200_000) -> np.ndarray:
     return np.unique(np.concatenate([[0], inner, [len(work)]])).astype(np.int64)
 
 
-def _join(blocks: list[Matches]) -> Matches:
+def _concatenated(blocks: list[Matches]) -> Matches:
     total = sum(len(b.costs) for b in blocks)
     starts, ends, costs = np.empty(total, np.int32), np.empty(total, np.int32), np.empty(total, np.float32)
     pointers, at = [np.zeros(1, np.int64)], 0

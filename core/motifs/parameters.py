@@ -58,8 +58,21 @@ class MotifParameters:
         advanced=True,
     )
     strictness: float = _parameter(
-        0.5, "Mean distance along two motions up to which they match, as a share of the radius.", 0.05, 1.0, 0.05,
+        0.525, "Mean distance along two motions up to which they match, as a share of the radius.", 0.05, 1.0, 0.05,
         advanced=True,
+    )  # fmt: skip
+    join: float = _parameter(
+        0.7,
+        "Leftover motions join a motif they match up to this mean distance, as a share of the radius; 0: none.",
+        0.0, 1.5, 0.05, advanced=True,
+    )  # fmt: skip
+    min_seconds: float = _parameter(
+        0.0, "Shortest motion in seconds, whatever its number of letters.", 0.0, 10.0, 0.1, advanced=True
+    )
+    hold: float = _parameter(
+        0.13,
+        "Seconds of a held first or last pose that count as part of a motion.",
+        0.0, 2.0, 0.01, advanced=True,
     )  # fmt: skip
     slack: float = _parameter(
         0.5, "Freedom of the time alignment around a pose that is held, in shares of its duration.", 0.0, 4.0, 0.1,
