@@ -372,6 +372,8 @@
     get time() { return stage?.clock.time ?? 0; },
     get duration() { return stage?.clock.duration ?? 0; },
     get frame() { return stage?.figures.length ? stage.figures[stage.timeline.reference].recordedFrame(stage.clock.time) : 0; },
+    /** Frame of each figure, counted from its start, at a time in seconds. */
+    framesAt: (time) => stage?.figures.map((figure) => figure.frameAt(time) * figure.header.step),
     get camera() { return stage?.state().camera; },
     get playing() { return stage?.clock.playing ?? false; },
     get speed() { return stage?.clock.speed ?? 1; },

@@ -1,0 +1,408 @@
+"""The Stage in a real browser, with a small app of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+from dash import Dash, html
+from playwright.sync_api import Page
+
+from core.mocap.dataset import Dataset
+from tests.browser.conftest import running
+from tests.webapp.generated import walkers
+from webapp.api.motion import motion_blueprint
+from webapp.components import stage
+
+pytestmark = pytest.mark.browser
+
+ASSETS = Path(__file__).resolve().parents[2] / "assets"
+NAMES = tuple(f"walk {k}/a" for k in range(12))
+DATASET = walkers(NAMES, seconds=3.0)
+PIXELS = """() => {
+    const c = document.getElementById('stage-canvas');
+    const data = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
+    let sum = 0;
+    for (let k = 0; k < data.length; k += 4) sum = (sum * 31 + data[k] + 7 * data[k + 1] + 13 * data[k + 2]) >>> 0;
+    return sum;
+}"""
+INK = """() => {  // centre and width of what is much darker or more colourful than the ground
+    const c = document.getElementById('stage-canvas');
+    const data = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
+    const xs = [];
+    for (let k = 0; k < data.length; k += 4) {
+        const [r, g, b] = [data[k], data[k + 1], data[k + 2]];
+        if (Math.max(r, g, b) - Math.min(r, g, b) > 70) xs.push((k / 4) % c.width);
+    }
+    xs.sort((a, b) => a - b);
+    return { count: xs.length, left: xs[Math.floor(xs.length * .01)], right: xs[Math.floor(xs.length * .99)] };
+}"""
+
+
+@pytest.fixture(scope="session")
+def stage_app() -> str:
+    datasets: dict[str, Dataset] = {"walkers": DATASET}
+    app = Dash(__name__, assets_folder=str(ASSETS), assets_ignore="^(?!stage).*")
+    app.layout = html.Div(stage.stage(), style={"height": "90vh"})
+    stage.register(app)
+    app.server.register_blueprint(motion_blueprint(datasets.__getitem__))
+    with running(app.server) as address:
+        yield address
+
+
+@pytest.fixture
+def page(open_page: Callable[..., Page], stage_app: str) -> Page:
+    page = open_page(stage_app)
+    page.wait_for_selector("#stage-canvas")
+    page.wait_for_function("window.dash_clientside?.set_props && motionscapeStage.status !== 'absent'")
+    return page
+
+
+def request(n: int = 1, **more) -> dict:
+    items = [{"clip": name, "start": 0, "end": 180, "label": name} for name in NAMES[:n]]
+    return {"dataset": "walkers", "items": items, "title": "Walks", **more}
+
+
+def warped(n: int = 3) -> dict:
+    """All in step with the first, which takes 100 frames; the others run faster, their starts slower still."""
+    asked = request(n)
+    for k, item in enumerate(asked["items"]):
+        item["warp"] = [99 * (i / 99) ** (1 + 0.5 * k) * (1 + 0.2 * k) for i in range(100)]
+    return asked
+
+
+def play(page: Page, asked: dict, *, pause: bool = False) -> None:
+    """Show as the app does: through the store."""
+    page.evaluate("asked => dash_clientside.set_props('stage-request', { data: asked })", asked)
+    page.wait_for_function(
+        "n => motionscapeStage.status === 'ready' && motionscapeStage.figures === n", arg=len(asked["items"])
+    )
+    if pause:
+        page.evaluate("motionscapeStage.pause(); motionscapeStage.seek(0)")
+        settle(page)
+
+
+def get(page: Page, what: str):
+    return page.evaluate(f"motionscapeStage.{what}")
+
+
+def settle(page: Page, frames: int = 3) -> None:
+    page.evaluate("""async n => { for (let k = 0; k < n; k++) await new Promise(requestAnimationFrame); }""", frames)
+
+
+def test_empty_stage_gives_a_hint(page):
+    assert get(page, "status") == "empty"
+    assert page.get_by_text("Nothing on stage yet").is_visible()
+    assert not page.get_by_text("Try again").first.is_visible()
+
+
+def test_figures_move_and_pause_holds_them(page):
+    play(page, request())
+    before = page.evaluate(PIXELS)
+    page.wait_for_function("t => motionscapeStage.time > t + .2", arg=get(page, "time"))
+    assert page.evaluate(PIXELS) != before
+    page.get_by_role("button", name="Pause").click()
+    settle(page)
+    held, time = page.evaluate(PIXELS), get(page, "time")
+    page.wait_for_timeout(300)
+    assert (page.evaluate(PIXELS), get(page, "time")) == (held, time)
+    page.get_by_role("button", name="Play", exact=True).click()
+    page.wait_for_function("t => motionscapeStage.time !== t", arg=time)
+
+
+def test_speed_changes_the_rate(page):
+    play(page, request())
+    rate = """async () => {
+        const s = motionscapeStage, before = s.time, start = performance.now();
+        await new Promise((done) => setTimeout(done, 600));
+        return ((s.time - before + s.duration) % s.duration) / ((performance.now() - start) / 1000);
+    }"""
+    page.evaluate("motionscapeStage.seek(0)")
+    assert page.evaluate(rate) == pytest.approx(1.0, rel=0.25)
+    for _ in range(3):
+        page.get_by_role("button", name="Slower").click()
+    assert get(page, "speed") == 0.25
+    page.evaluate("motionscapeStage.seek(0)")
+    assert page.evaluate(rate) == pytest.approx(0.25, rel=0.3)
+    page.locator(".ms-speed").click()
+    assert get(page, "speed") == 1
+
+
+def test_scrubbing_seeks_and_goes_on(page):
+    play(page, request())
+    box = page.locator(".ms-scrub").bounding_box()
+    page.mouse.move(box["x"] + 0.25 * box["width"], box["y"] + box["height"] / 2)
+    page.mouse.down()
+    assert get(page, "time") == pytest.approx(0.25 * get(page, "duration"), abs=0.02)
+    page.mouse.move(box["x"] + 0.5 * box["width"], box["y"] + box["height"] / 2, steps=4)
+    settle(page)
+    assert get(page, "time") == pytest.approx(0.5 * get(page, "duration"), abs=0.02)
+    assert not get(page, "playing")
+    page.mouse.up()
+    assert get(page, "playing")
+
+
+def test_keyboard(page):
+    play(page, request(2), pause=True)
+    page.locator("#stage-canvas").focus()
+    for _ in range(3):
+        page.keyboard.press("ArrowRight")
+    assert get(page, "frame") == 3
+    page.keyboard.press("ArrowLeft")
+    assert get(page, "frame") == 2
+    page.keyboard.press("End")
+    assert get(page, "frame") == 179
+    page.keyboard.press("Home")
+    assert get(page, "frame") == 0
+    page.keyboard.press("+")
+    assert get(page, "speed") == 1.5
+    yaw = get(page, "camera.yaw")
+    page.keyboard.press("Shift+ArrowRight")
+    assert get(page, "camera.yaw") != yaw
+    distance = get(page, "camera.distance")
+    page.keyboard.press("ArrowUp")
+    assert get(page, "camera.distance") < distance
+    for key, state in (("l", "loop"), ("g", "ghosts"), ("t", "trails")):
+        before = get(page, "state()")[state]
+        page.keyboard.press(key)
+        assert get(page, "state()")[state] != before
+    page.keyboard.press("f")
+    assert get(page, "camera.follow") is False
+    page.keyboard.press("2")
+    assert get(page, "layout") == "side"
+    page.keyboard.press("1")
+    assert get(page, "layout") == "overlay"
+    page.keyboard.press("?")
+    assert page.locator(".ms-help").is_visible()
+    page.keyboard.press("Escape")
+    assert not page.locator(".ms-help").is_visible()
+    page.keyboard.press(" ")
+    assert get(page, "playing")
+
+
+def test_space_on_a_button_presses_that_button(page):
+    play(page, request(), pause=True)
+    page.get_by_role("button", name="Ghosts").focus()
+    page.keyboard.press(" ")
+    assert get(page, "state()")["ghosts"] is True
+    assert not get(page, "playing")
+
+
+def test_pointer_orbits_pans_and_zooms(page):
+    play(page, request(), pause=True)
+    box = page.locator("#stage-canvas").bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    home, before = get(page, "camera"), page.evaluate(PIXELS)
+
+    def drag(dx: float, dy: float) -> dict:
+        page.mouse.move(x, y)
+        page.mouse.down()
+        page.mouse.move(x + dx, y + dy, steps=3)
+        page.mouse.up()
+        return get(page, "camera")
+
+    turned = drag(120, 30)
+    assert turned["yaw"] != home["yaw"] and turned["pitch"] != home["pitch"] and turned["pan"] == home["pan"]
+    page.keyboard.down("Shift")
+    shifted = drag(60, -20)
+    page.keyboard.up("Shift")
+    assert shifted["yaw"] == turned["yaw"] and shifted["pan"] != home["pan"]
+    page.mouse.wheel(0, 300)
+    page.wait_for_function("d => motionscapeStage.camera.distance > d", arg=home["distance"])
+    settle(page)
+    assert page.evaluate(PIXELS) != before
+    page.mouse.dblclick(x, y)
+    settle(page)
+    assert get(page, "camera") == home
+
+
+def test_overlaid_figures_stand_together_side_by_side_apart(page):
+    play(page, request(4), pause=True)
+    together = page.evaluate(INK)
+    page.get_by_role("button", name="Side by side").click()
+    settle(page)
+    apart = page.evaluate(INK)
+    assert together["count"] > 500 and apart["count"] > 500
+    assert apart["right"] - apart["left"] > 2 * (together["right"] - together["left"])
+
+
+def test_chips_hide_figures(page):
+    play(page, request(3), pause=True)
+    chips = page.locator(".ms-chip")
+    assert chips.all_inner_texts() == list(NAMES[:3])
+    before = page.evaluate(PIXELS)
+    chips.nth(1).click()
+    page.mouse.move(5, 5)
+    settle(page)
+    assert get(page, "figures") == 2
+    assert chips.nth(1).get_attribute("aria-pressed") == "false"
+    assert page.evaluate(PIXELS) != before
+
+
+def test_motions_of_a_motif_play_in_step(page):
+    play(page, warped(), pause=True)
+    assert get(page, "sync") == "warp"
+    assert get(page, "duration") == pytest.approx(99 / 60)
+    frames = "t => motionscapeStage.framesAt(t)"
+    middle = page.evaluate(frames, 49.5 / 60)
+    assert middle == pytest.approx([49.5, 99 * 0.5**1.5 * 1.2, 99 * 0.5**2 * 1.4], abs=0.1)
+    page.get_by_role("button", name="In step").click()
+    assert get(page, "sync") == "start"
+    assert page.evaluate(frames, 0.5) == pytest.approx([30, 30, 30], abs=0.01)
+    assert not page.locator(".ms-warp").is_visible()
+
+
+def test_warp_strip_seeks(page):
+    play(page, warped(), pause=True)
+    strip = page.locator(".ms-warp-rows")
+    assert strip.is_visible()
+    box = strip.bounding_box()
+    strip.click(position={"x": 0.75 * box["width"], "y": box["height"] / 2})
+    assert get(page, "time") == pytest.approx(0.75 * get(page, "duration"), abs=0.02)
+    settle(page)
+    cursor = page.locator(".ms-warp-cursor").bounding_box()
+    assert cursor["x"] == pytest.approx(box["x"] + 0.75 * box["width"], abs=4)
+    assert "as the middle motion here" in strip.get_attribute("title")
+
+
+def test_a_missing_clip_says_so_and_can_be_tried_again(page):
+    page.watch.expected.append("404")
+    asked = request()
+    asked["items"][0]["clip"] = "swim"
+    page.evaluate("asked => dash_clientside.set_props('stage-request', { data: asked })", asked)
+    page.wait_for_function("motionscapeStage.status === 'error'")
+    assert page.get_by_text("There is no clip called “swim” in “walkers”.").is_visible()
+    with page.expect_response("**/swim**"):
+        page.get_by_role("button", name="Try again").click()
+    play(page, request())
+    assert not page.get_by_role("button", name="Try again").is_visible()
+
+
+def test_some_missing_clips_leave_the_others_playing(page):
+    page.watch.expected.append("404")
+    asked = request(3)
+    asked["items"][1]["clip"] = "swim"
+    page.evaluate("asked => motionscapeStage.show(asked)", asked)
+    page.wait_for_function("motionscapeStage.status === 'ready'")
+    assert get(page, "figures") == 2
+    assert "1 of 3 motions could not be loaded" in page.locator(".ms-stage-note").inner_text()
+
+
+def test_last_request_wins(page):
+    page.evaluate("([a, b]) => { motionscapeStage.show(a); motionscapeStage.show(b); }", [request(12), request(2)])
+    page.wait_for_function("motionscapeStage.status === 'ready'")
+    page.wait_for_timeout(300)
+    assert get(page, "figures") == 2
+
+
+def test_known_motions_are_not_fetched_again(page):
+    play(page, request(3))
+    asked = []
+    page.on("request", lambda r: asked.append(r.url))
+    play(page, request(2))
+    play(page, request(3))
+    assert not [url for url in asked if "/api/motion" in url]
+
+
+def test_nothing_is_asked_while_playing(page):
+    play(page, request(3))
+    asked = []
+    page.on("request", lambda r: asked.append(r.url))
+    page.wait_for_timeout(1000)
+    assert asked == []
+
+
+def test_loop_modes(page):
+    play(page, request(), pause=True)
+    page.evaluate("motionscapeStage.restore({ loop: 'once', speed: 4, time: 2.8, playing: true })")
+    page.wait_for_function("!motionscapeStage.playing")
+    assert get(page, "time") == get(page, "duration")
+    page.evaluate("motionscapeStage.restore({ loop: 'loop', time: 2.9, playing: true })")
+    page.wait_for_function("motionscapeStage.time < 2")
+    page.evaluate("motionscapeStage.restore({ loop: 'bounce', time: 2.9, playing: true })")
+    page.wait_for_function("motionscapeStage.time < 2")
+    assert get(page, "playing")
+
+
+def test_state_comes_out_and_goes_back_in(page, open_page, stage_app):
+    page.evaluate("window.states = []; addEventListener('stage-state', (event) => states.push(event.detail))")
+    play(page, request(3), pause=True)
+    page.get_by_role("button", name="Side by side").click()
+    page.locator(".ms-chip").first.click()
+    page.evaluate("motionscapeStage.seek(1.25)")
+    page.mouse.wheel(0, 100)
+    page.wait_for_function("states.some((state) => state.time === 1.25)")
+    state = get(page, "state()")
+    other = open_page(stage_app)
+    other.wait_for_function("window.motionscapeStage?.status === 'empty'")
+    other.evaluate(
+        "([state, asked]) => { motionscapeStage.restore(state); motionscapeStage.show(asked); }", [state, request(3)]
+    )
+    other.wait_for_function("motionscapeStage.status === 'ready'")
+    assert get(other, "state()") == state
+    assert get(other, "figures") == 2
+
+
+def test_nonsense_states_are_harmless(page):
+    play(page, request(2), pause=True)
+    before = get(page, "state()")
+    nonsense = {
+        "time": "x",
+        "speed": None,
+        "layout": "pile",
+        "camera": {"yaw": "east", "pan": [1]},
+        "loop": 3,
+        "hidden": "ab",
+    }
+    page.evaluate("state => motionscapeStage.restore(state)", nonsense)
+    assert get(page, "state()") == before
+
+
+def test_reduced_motion_does_not_autoplay(open_page, stage_app):
+    page = open_page(stage_app, reduced_motion="reduce")
+    page.wait_for_function("window.motionscapeStage?.status === 'empty'")
+    page.evaluate("asked => motionscapeStage.show(asked)", request())
+    page.wait_for_function("motionscapeStage.status === 'ready'")
+    assert not get(page, "playing")
+    page.get_by_role("button", name="Play", exact=True).click()
+    page.wait_for_function("motionscapeStage.time > 0")
+
+
+def test_theme_change_repaints(page):
+    play(page, request(), pause=True)
+    light = page.evaluate("[...document.getElementById('stage-canvas').getContext('2d').getImageData(4, 4, 1, 1).data]")
+    page.evaluate("document.documentElement.setAttribute('data-mantine-color-scheme', 'dark')")
+    settle(page)
+    dark = page.evaluate("[...document.getElementById('stage-canvas').getContext('2d').getImageData(4, 4, 1, 1).data]")
+    assert sum(light[:3]) > 600 and sum(dark[:3]) < 200
+
+
+@pytest.mark.parametrize("width", [420, 640, 1600])
+def test_controls_fit_every_width(page, width):
+    page.set_viewport_size({"width": width, "height": 700})
+    play(page, warped(12))
+    stage_box = page.locator("#stage").bounding_box()
+    boxes = [button.bounding_box() for button in page.locator(".ms-toolbar button").all() if button.is_visible()]
+    assert len(boxes) == 15
+    for box in boxes:
+        assert stage_box["x"] <= box["x"] and box["x"] + box["width"] <= stage_box["x"] + stage_box["width"]
+        assert box["y"] + box["height"] <= stage_box["y"] + stage_box["height"]
+    for k, a in enumerate(boxes):
+        for b in boxes[:k]:
+            assert a["x"] >= b["x"] + b["width"] or b["x"] >= a["x"] + a["width"] or abs(a["y"] - b["y"]) > 20
+    assert page.locator("#stage-canvas").bounding_box()["height"] > 200
+    assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
+
+
+def test_sharp_on_dense_screens(open_page, stage_app):
+    page = open_page(stage_app, device_scale_factor=2)
+    page.wait_for_function("window.motionscapeStage?.status === 'empty'")
+    page.wait_for_function("(c => c.width === 2 * c.clientWidth)(document.getElementById('stage-canvas'))")
+
+
+def test_buttons_have_names(page):
+    play(page, request(2))
+    for button in page.locator("#stage button").all():
+        if button.is_visible():
+            assert button.get_attribute("aria-label") or button.inner_text().strip()
