@@ -35,7 +35,7 @@ def read_bvh(path: str | Path, unit: float | None = None) -> Clip:
     rotations = rotations_from_angles(raw.values, *_rotation_columns(raw.joints))
     root, rotations = _fold(raw, rotations, pelvis, names, notes)
     offsets, tracks = _offsets(raw, pelvis)
-    keep = [j for j in range(len(names)) if j == pelvis or _below(raw.joints, j, pelvis)]
+    keep = _at_or_below(raw.joints, pelvis)
     index = {j: k for k, j in enumerate(keep)}
     parents = tuple(-1 if j == pelvis else index[raw.joints[j].parent] for j in keep)
     offsets = offsets[keep]
@@ -118,10 +118,12 @@ def _fold(raw: RawBvh, rotations: np.ndarray, pelvis: int, names: list[str], not
     return path, rotations
 
 
-def _below(joints: Sequence[RawJoint], joint: int, ancestor: int) -> bool:
-    while joint > ancestor:
-        joint = joints[joint].parent
-    return joint == ancestor
+def _at_or_below(joints: Sequence[RawJoint], pelvis: int) -> list[int]:
+    kept = {pelvis}
+    for j, joint in enumerate(joints):
+        if joint.parent in kept:
+            kept.add(j)
+    return sorted(kept)
 
 
 def _offsets(raw: RawBvh, pelvis: int) -> tuple[np.ndarray, dict[int, np.ndarray]]:

@@ -168,6 +168,8 @@ def read_recordings(
     if fps is not None and not 0 < fps < 1e6:
         raise ValueError(f"frame rate must be positive, not {fps}")
     recordings = name_recordings(source, clips)
+    if not recordings:
+        raise RecordingError(source if isinstance(source, str | os.PathLike) else source[0], "no clip is chosen")
     skeletons: dict[Path, AsfSkeleton | RecordingError] = {}
     jobs = [(r, _skeleton_of(r.path, skeleton, skeletons)) for r in recordings]
     shared: dict[Skeleton, Skeleton] = {}
