@@ -64,7 +64,7 @@ def latest_job(workspace: Workspace, dataset: str, parameters: Mapping[str, Any]
 
 
 def earlier(workspace: Workspace, dataset: str) -> list[Job]:
-    """Finished motif jobs on the content of ``dataset``, newest first, one a result."""
+    """Finished motif jobs on the content of ``dataset``, newest first, one a result that this version can open."""
     try:
         fingerprint = workspace.info(dataset).fingerprint
     except WorkspaceError:
@@ -74,4 +74,13 @@ def earlier(workspace: Workspace, dataset: str) -> list[Job]:
         request = job.request
         if job.state == "done" and request.get("method") == MOTIFS and request.get("fingerprint") == fingerprint:
             found.setdefault(job.key, job)
-    return [job for job in found.values() if workspace.results.has(job.key)]
+    return [job for job in found.values() if motif_graph_key(workspace, dataset, job.request["parameters"]) == job.key]
+
+
+def motif_graph_key(workspace: Workspace, dataset: str, parameters: Mapping[str, Any] | None) -> str | None:
+    """Key of the graph where it is stored and this version can use it, else None."""
+    try:
+        key = analyses.key(workspace, motif_request(dataset, parameters))
+    except (ParameterError, WorkspaceError):
+        return None
+    return key if workspace.results.has(key) else None

@@ -46,14 +46,8 @@ def register(server: Flask) -> None:
 def on_callback_error(error: Exception) -> None:
     """Dash's handler: the view stays as it was and a notice says so; details go to the log."""
     log.exception("callback failed", exc_info=error)
-    set_props(
-        "notices",
-        {
-            "sendNotifications": [
-                notice("Something went wrong", "The view stays as it was. Details are in the server's log.", "red")
-            ]
-        },
-    )
+    message = "The view stays as it was. Details are in the server's log."
+    set_props("notices", {"sendNotifications": [notice("Something went wrong", message, "red", id="fault")]})
 
 
 def notice(title: str, message: str | Component, colour: str = "accent", **more: object) -> dict:

@@ -26,15 +26,15 @@ FAST, SLOW = 600, 4000  # milliseconds between two looks
 FAILED_SHOWN = 600.0  # seconds a failed job stays in the bar
 STAGES = {  # words for the stages that computations report
     "": "starting",
-    "reading": "reading recordings",
-    "storing": "storing",
-    "features": "computing postures",
-    "quantize": "clustering postures",
-    "quantise": "clustering postures",
+    "poses": "computing postures",
+    "quantisation": "clustering postures",
     "matching": "looking for repetitions",
     "discovery": "choosing motifs",
+    "joining": "joining leftovers",
     "alignment": "aligning motions",
     "graph": "building the graph",
+    "opening": "opening the recordings",
+    "demo": "making the demo",
 }
 
 
@@ -97,7 +97,7 @@ def stage_words(job: Job) -> str:
         return "stopping"
     if job.state == "queued":
         return "waiting for its turn"
-    return STAGES.get(job.stage, job.stage)
+    return STAGES.get(job.stage, job.stage[:1].lower() + job.stage[1:])
 
 
 def _alive(job: Job) -> Component:

@@ -43,10 +43,10 @@ CLIP_COLUMNS = [
     _column("frames", "Frames", 80, **_NUMBER),
     _column("fps", "Rate", 64, "Frames per second", **_NUMBER),
     _column("labels", "Labels", 76, "Labelled stretches", **_NUMBER),
-    _column("verdict", "Import", 104, "What the import said of it", cellRenderer="Verdict"),
+    _column("verdict", "Import", 104, "What the import said of it", cellRenderer="Verdict", cellClass="strip-cell"),
 ]
 REPORT_COLUMNS = [
-    _column("verdict", "Result", 118, cellRenderer="Verdict"),
+    _column("verdict", "Result", 118, cellRenderer="Verdict", cellClass="strip-cell"),
     _column("path", "File", 200, tooltipField="path", **_TEXT),
     _column(
         "messages", "What was found", 240, flex=1, wrapText=True, autoHeight=True, cellClass="wrapped-cell", **_TEXT

@@ -5,6 +5,8 @@ from __future__ import annotations
 import time
 from collections import Counter
 from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
 
 import dash_mantine_components as dmc
 from dash import ALL, Dash, Input, Output, State, ctx, no_update, set_props
@@ -163,7 +165,7 @@ def _upload(app: Dash, workspace: Workspace) -> None:
         ready = bool(upload.get("done") and upload.get("received"))
         if not upload.get("total"):
             return True, ""
-        return not ready, name or analyses.free_name(workspace, str(upload.get("name") or ""))
+        return not ready, name or workspace.free_name(str(upload.get("name") or ""))
 
     @app.callback(
         Output("upload-problem", "children"),
@@ -182,8 +184,11 @@ def _upload(app: Dash, workspace: Workspace) -> None:
             return "Add at least one file, and wait until all have arrived.", no_update, no_update
         try:
             name = check_name(name or "")
-            options = {"fps": float(fps)} if fps not in (None, "") else {}
-            _ask(workspace, analyses.import_request(name, str(upload.get("token")), **options))
+            token = str(upload.get("token"))
+            options = companions(workspace.uploads.path(token))
+            if fps not in (None, ""):
+                options["fps"] = float(fps)
+            _ask(workspace, analyses.import_request(name, token, **options))
         except (WorkspaceError, ParameterError, ValueError) as error:
             return str(error), no_update, no_update
         set_props("awaited", {"data": name})
@@ -196,6 +201,12 @@ def _upload(app: Dash, workspace: Workspace) -> None:
         State("uploaded", "data"),
         prevent_initial_call=True,
     )
+
+
+def companions(folder: Path) -> dict[str, Any]:
+    """The only label file and the only skeleton of an upload, wherever in it they lie, as options of the import."""
+    found = {"labels": sorted(folder.rglob("*.csv")), "skeleton": sorted(folder.rglob("*.asf"))}
+    return {name: paths[0].relative_to(folder).as_posix() for name, paths in found.items() if len(paths) == 1}
 
 
 def _ask(workspace: Workspace, request: analyses.Request) -> None:

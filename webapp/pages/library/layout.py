@@ -200,10 +200,10 @@ def upload_dialog(limits: Limits) -> Component:
                     html.Div(
                         [
                             dmc.Button(
-                                "Choose files", variant="default", size="compact-md", **{"data-chooses": "files"}
+                                "Choose files", variant="default", size="compact-sm", **{"data-chooses": "files"}
                             ),
                             dmc.Button(
-                                "Choose a folder", variant="default", size="compact-md", **{"data-chooses": "folder"}
+                                "Choose a folder", variant="default", size="compact-sm", **{"data-chooses": "folder"}
                             ),
                         ],
                         className="drop-buttons",

@@ -68,7 +68,7 @@ def _show(app: Dash, workspace: Workspace) -> None:
         State("graph-key", "data"),
     )
     def find_graph(dataset, parameters, _finished, current):
-        key = _stored_key(workspace, dataset, parameters)
+        key = results.motif_graph_key(workspace, dataset, parameters) if dataset else None
         return no_update if key == current and ctx.triggered_id == "jobs-finished" else key
 
     @app.callback(
@@ -147,16 +147,6 @@ def _browse(app: Dash, workspace: Workspace) -> None:
     @app.callback(Output("motif-graph", "stylesheet"), Input("theme", "data"), prevent_initial_call=True)
     def restyle(scheme):
         return graph_figure.stylesheet(scheme or "light")
-
-
-def _stored_key(workspace: Workspace, dataset: str | None, parameters: dict | None) -> str | None:
-    if not dataset:
-        return None
-    try:
-        request = results.motif_request(dataset, parameters)
-        return analyses.key(workspace, request) if analyses.stored(workspace, request) is not None else None
-    except (ParameterError, WorkspaceError):
-        return None
 
 
 def _elements(workspace: Workspace, name: str, key: str, graph: MotifGraph) -> list[dict]:

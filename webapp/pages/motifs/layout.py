@@ -106,7 +106,7 @@ def _running(job: Job) -> Component:
         children=[
             html.Div(icon("graph", 34), className="empty-icon"),
             dmc.Title("Finding motifs", order=2, size="h4"),
-            dmc.Text(stage_words(job).capitalize(), c="dimmed", size="sm", id="motif-stage"),
+            dmc.Text(stage_words(job).capitalize() + " …", c="dimmed", size="sm", id="motif-stage"),
             dmc.Progress(
                 value=percent if job.state == "running" else 100,
                 size="md",
@@ -179,6 +179,7 @@ def _tile(name: str, value: str, explanation: str) -> Component:
             **{"aria-label": f"{name}: {value}. {explanation}"},
         ),
         label=explanation,
+        boxWrapperProps={"className": "tile-box"},
         events={"hover": True, "focus": True, "touch": True},
     )
 
