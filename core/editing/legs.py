@@ -16,6 +16,7 @@ from core.mocap.kinematics import forward_kinematics, joint_positions
 # A leg never straightens beyond the first share of its length (at 1 the knee angle is all noise), and is held back from
 # the second share on.
 _STRETCH, _SOFT = 0.999, 0.97
+_FARTHEST = 0.1  # body heights: a locked foot is never moved further than this
 
 
 def smooth_step(u: np.ndarray) -> np.ndarray:
@@ -147,9 +148,9 @@ def _shift(clip: Clip, positions: np.ndarray, points: list[int], contact: np.nda
         shift[start + 1 : end, [0, 2]] = -np.cumsum(slide[start : end - 1][:, [0, 2]], axis=0)
         shift[start:end] -= shift[start:end].mean(0)
         shift[start:end, 1] = -height[start:end].min(1)
-    long = np.linalg.norm(shift, axis=1, keepdims=True)
-    limit = 0.1 * body
-    shift *= limit * np.tanh(long / limit) / np.maximum(long, 1e-9)
+    # nearly untouched up to the limit, never beyond it
+    share = np.linalg.norm(shift, axis=1, keepdims=True) / (_FARTHEST * body)
+    shift /= (1 + share**4) ** 0.25
     _ease(shift, spans, max(1, round(ease * clip.fps)))
     return gaussian_filter1d(shift, 0.015 * clip.fps, axis=0, mode="nearest")
 

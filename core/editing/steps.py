@@ -25,8 +25,9 @@ def step_across(a: Clip, b: Clip, seam: Clip, floor: float | None = None) -> Cli
     if len(ankles) != 2:
         return seam
     body = find_anatomy(seam.skeleton).body_height
-    paths = [joint_positions(clip)[:, ankles].astype(np.float64) for clip in (a, b)]
-    stands = [foot_contacts(clip, floor).mean(0) > 0.8 for clip in (a, b)]
+    positions = [joint_positions(clip) for clip in (a, b)]
+    stands = [foot_contacts(c, floor, p).mean(0) > 0.8 for c, p in zip((a, b), positions, strict=True)]
+    paths = [p[:, ankles].astype(np.float64) for p in positions]
     way = np.linalg.norm((paths[1] - paths[0])[..., [0, 2]].mean(0), axis=1)
     feet = [int(f) for f in np.argsort(-way, kind="stable") if stands[0][f] and stands[1][f] and way[f] > _FAR * body]
     if not feet:

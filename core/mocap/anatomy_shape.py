@@ -128,7 +128,8 @@ def _limb_joints(skeleton: Skeleton, top: int, limb: str) -> dict[str, int]:
     if len(keep) < 3:
         return {}
     pairs = [min(length[keep[k + 1]], length[keep[k + 2]]) for k in range(len(keep) - 2)]
-    k = int(np.argmax(pairs))
+    # a clavicle may be as long as a forearm: of nearly equal pairs, the one further out
+    k = int(np.flatnonzero(np.array(pairs) >= 0.85 * max(pairs))[-1])
     names = ("hip", "knee", "ankle", "toe") if limb == "leg" else ("shoulder", "elbow", "wrist")
     found = dict(zip(names, keep[k:], strict=False))
     if "toe" in found and skeleton.end_sites[found["toe"]]:
