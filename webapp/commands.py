@@ -16,6 +16,7 @@ from core.workspace import Workspace, WorkspaceError, atomic_file, clean_name
 from webapp.progress_bar import progress_bar
 
 MB = 1024 * 1024
+SHOWN = 20  # bad files that an import names
 
 
 def import_(asked: Namespace) -> int:
@@ -36,9 +37,11 @@ def import_(asked: Namespace) -> int:
             labels=asked.labels,
             report=report,
         )
-    for file in imported.files:
-        if file.verdict == "error":
-            print(_line(file), file=sys.stderr)
+    bad = [file for file in imported.files if file.verdict == "error"]
+    for file in bad[:SHOWN]:
+        print(_line(file), file=sys.stderr)
+    if len(bad) > SHOWN:
+        print(f"... and {len(bad) - SHOWN} more files that cannot be read", file=sys.stderr)
     if not asked.quiet:
         info = workspace.info(name.strip())
         print(
@@ -86,6 +89,8 @@ def motifs(asked: Namespace) -> int:
 
     values = {p.name: getattr(asked, p.name) for p in analyses.parameters("motifs")}
     analyses.normalise(analyses.Request("", "motifs", values))  # refuses before anything is read
+    if asked.out.is_dir():
+        raise WorkspaceError(f"{asked.out} is a folder; --out names the file to write.")
     named = named_dataset(asked.source)
     started = time.perf_counter()
     with progress_bar(asked.quiet) as report:
@@ -160,9 +165,13 @@ def _files(paths: Iterable[Path]) -> Iterator[Path]:
 
 
 def _line(file: Any) -> str:
-    messages = "; ".join(" ".join(message.split()) for message in file.messages)
-    text = f"{file.verdict:<8}{file.path}" + (f": {messages}" if messages else "")
-    return "".join(c if c.isprintable() else "?" for c in text)  # names of files may hold anything
+    """``verdict path[:line]: why``, on one line whatever the names of files hold."""
+    text, name = f"{file.verdict:<8}{file.path}", f"{Path(file.path).name}:"
+    if file.messages:
+        first, *others = (" ".join(message.split()) for message in file.messages)
+        text += first[len(name) - 1 :] if first.startswith(name) else f": {first}"
+        text = "; ".join([text, *others])
+    return "".join(c if c.isprintable() else "?" for c in text)
 
 
 def _stem(path: Path) -> str:

@@ -214,7 +214,7 @@ class DatasetStore:
     def _discard(self, info: DatasetInfo) -> None:
         with self._lock:
             self._opened.pop(info.folder, None)
-        with suppress(OSError):  # first out of sight, then deleted: never half a data set among the others
+        with suppress(OSError, NameRefused):  # first out of sight, then deleted: never half a data set among the others
             target = self._bin / info.folder
             self._path(info.folder).replace(target)
             shutil.rmtree(target, ignore_errors=True)
@@ -227,8 +227,11 @@ class DatasetStore:
         self._write_card(self.info_by_id(dataset_id))
 
     def _write_card(self, info: DatasetInfo) -> None:
-        with suppress(OSError), atomic_file(self._path(info.folder) / _CARD) as file:
-            file.write(json.dumps(asdict(info)).encode())
+        with suppress(OSError, NameRefused):
+            card = self._path(info.folder) / _CARD
+            if card.parent.is_dir():  # else the data are lost, and a card alone would be no help
+                with atomic_file(card) as file:
+                    file.write(json.dumps(asdict(info)).encode())
 
     def _one(self, condition: str, *values: object) -> DatasetInfo | None:
         rows = self._database.rows(f"SELECT {_COLUMNS} FROM datasets WHERE {condition} LIMIT 1", *values)

@@ -14,7 +14,7 @@ from core.workspace import Workspace, WorkspaceError
 from core.workspace import jobs as job_table
 from core.workspace.database import Database
 
-fork = multiprocessing.get_context("fork")
+spawn = multiprocessing.get_context("spawn")  # a fork of a process that has used OpenMP cannot compute
 
 
 @pytest.fixture
@@ -110,7 +110,7 @@ def _work_forever(path, job_id):
 
 def test_a_killed_worker_is_noticed_and_the_job_can_be_run_again(workspace):
     job = workspace.jobs.submit("aa", {}, "one")
-    worker = fork.Process(target=_work_forever, args=(workspace.path, job.id))
+    worker = spawn.Process(target=_work_forever, args=(workspace.path, job.id))
     worker.start()
     wait_for(lambda: workspace.jobs.get(job.id).state == "running")
     os.kill(worker.pid, signal.SIGKILL)
@@ -172,8 +172,8 @@ def _submit_and_claim(path, start, claimed):
 
 
 def test_of_many_processes_one_gets_each_job(workspace):
-    start, claimed = fork.Event(), fork.Queue()
-    workers = [fork.Process(target=_submit_and_claim, args=(workspace.path, start, claimed)) for _ in range(4)]
+    start, claimed = spawn.Event(), spawn.Queue()
+    workers = [spawn.Process(target=_submit_and_claim, args=(workspace.path, start, claimed)) for _ in range(4)]
     for worker in workers:
         worker.start()
     start.set()
@@ -196,8 +196,8 @@ def _open(path, start, failures):
 
 
 def test_many_processes_may_make_the_workspace_at_once(tmp_path):
-    start, failures = fork.Event(), fork.Queue()
-    openers = [fork.Process(target=_open, args=(tmp_path / "new", start, failures)) for _ in range(6)]
+    start, failures = spawn.Event(), spawn.Queue()
+    openers = [spawn.Process(target=_open, args=(tmp_path / "new", start, failures)) for _ in range(6)]
     for opener in openers:
         opener.start()
     start.set()
@@ -221,7 +221,7 @@ def test_threads_and_children_use_connections_of_their_own(workspace):
         thread.start()
     for thread in threads:
         thread.join()
-    child = fork.Process(target=workspace.jobs.submit, args=("cccc", {}, "child"))
+    child = multiprocessing.get_context("fork").Process(target=workspace.jobs.submit, args=("cccc", {}, "child"))
     child.start()
     child.join(60)
     assert not failures and child.exitcode == 0
