@@ -1,5 +1,6 @@
 // The Stage: a 3D player of stick figures on a 2D canvas. Time comes from the browser; the server is asked for motions
-// once. Views call motionscapeStage.show({dataset, items: [{clip, start, end, label, colour?, warp?}], layout, sync, title}).
+// once. Views call motionscapeStage.show({dataset, version?, items: [{clip, start, end, label, colour?, warp?}], layout?,
+// sync?, title?}); version is the data set's fingerprint: with it, known motions are not asked for again.
 // This file runs before the other stage_*.js: they fill `parts`, which is used only once the page holds a stage.
 (function (parts) {
   "use strict";
@@ -68,8 +69,9 @@
       const abort = (this.abort = new AbortController());
       const items = request.items.slice(0, MOST_FIGURES);
       this.setStatus("loading", items.length > 1 ? `Loading ${items.length} motions …` : "Loading …");
-      const url = (item) => parts.motionUrl(this.root.dataset.api || "/api", request.dataset, item);
-      const answers = await Promise.allSettled(items.map((item) => this.cache.get(url(item), abort.signal)));
+      const url = (item) => parts.motionUrl(this.root.dataset.api || "/api", request, item);
+      const get = (item) => this.cache.get(url(item), abort.signal, Boolean(request.version));
+      const answers = await Promise.allSettled(items.map(get));
       if (abort.signal.aborted || this.closed) return undefined;
       const failed = answers.filter((answer) => answer.status === "rejected");
       if (failed.length === items.length) {
@@ -106,7 +108,6 @@
     }
 
     retry() {
-      this.cache.clear();
       this.show(this.request);
     }
 

@@ -100,7 +100,12 @@
       context.fillStyle = shades.fill[limb.side][level];
       if (limb.flanks) this.plate(context, figure, limb.flanks);
       this.bones(context, figure, limb.bones, 0);
-      if (!this.detailed || limb.flanks) return;
+      if (!this.detailed) return;
+      if (limb.flanks) {
+        context.fillStyle = shades.sheen[limb.side][level];
+        this.sheen(context, figure, limb.flanks);
+        return;
+      }
       context.fillStyle = shades.light[limb.side][level];
       this.highlights(context, figure, limb.bones);
     }
@@ -126,6 +131,19 @@
       context.lineTo(x[flanks[1]], y[flanks[1]]);
       context.lineTo(x[flanks[3]], y[flanks[3]]);
       context.lineTo(x[flanks[2]], y[flanks[2]]);
+      context.fill();
+    }
+
+    /** A band down the side of the trunk that faces the light, which comes from the upper left. */
+    sheen(context, { x, y }, flanks) {
+      const across = x[flanks[0]] < x[flanks[2]] ? 0.08 : 0.5;
+      const at = (k, share) => context.lineTo(
+        x[flanks[k]] + (x[flanks[k + 2]] - x[flanks[k]]) * share, y[flanks[k]] + (y[flanks[k + 2]] - y[flanks[k]]) * share);
+      context.beginPath();
+      at(0, across);
+      at(0, across + 0.42);
+      at(1, across + 0.42);
+      at(1, across);
       context.fill();
     }
 

@@ -58,7 +58,7 @@
     return [0.085, -0.085, 0].map((lift) => oklch(lightness + lift, theme.dark ? 0.125 : 0.135, hue + 15 * round));
   }
 
-  /** Strings for every depth: `fill[side][level]`, darker `edge` and lighter `light`. Level 0 is nearest. */
+  /** Strings for every depth: `fill[side][level]`, darker `edge`, lighter `sheen` and `light`. Level 0 is nearest. */
   function shades(theme, colours, fade) {
     const levels = (change) =>
       colours.map((rgb) => Array.from({ length: FOG_LEVELS }, (_, level) =>
@@ -68,6 +68,7 @@
       ball: (level) => (balls[level] ??= ball(theme, colours[2], fade + (1 - fade) * 0.4 * (level / (FOG_LEVELS - 1)))),
       fill: levels((rgb) => rgb),
       edge: levels((rgb) => mix(rgb, theme.dark ? [8, 10, 14] : [20, 24, 32], theme.dark ? 0.62 : 0.42)),
+      sheen: levels((rgb) => mix(rgb, [255, 255, 255], theme.dark ? 0.1 : 0.13)),
       light: levels((rgb) => mix(rgb, [255, 255, 255], theme.dark ? 0.26 : 0.36)),
     };
   }

@@ -4,8 +4,9 @@
 
   const CACHE_BYTES = 96 * 1024 * 1024;
 
-  function motionUrl(api, dataset, item) {
+  function motionUrl(api, { dataset, version }, item) {
     const interval = new URLSearchParams();
+    if (version) interval.set("v", version);
     if (item.start != null) interval.set("start", item.start);
     if (item.end != null) interval.set("end", item.end);
     const query = interval.toString();
@@ -20,7 +21,7 @@
     return { header, positions, bytes: buffer.byteLength };
   }
 
-  async function download(url, signal) {
+  async function ask(url, signal) {
     let response;
     try {
       response = await fetch(url, { signal });
@@ -28,11 +29,9 @@
       if (error.name === "AbortError") throw error;
       throw new Error("The server cannot be reached. Is Motionscape still running?");
     }
-    if (!response.ok) {
-      const answer = await response.json().catch(() => ({}));
-      throw new Error(answer.error || `The server answered with an error (${response.status}).`);
-    }
-    return decode(await response.arrayBuffer());
+    if (response.ok) return response;
+    const answer = await response.json().catch(() => ({}));
+    throw new Error(answer.error || `The server answered with an error (${response.status}).`);
   }
 
   /** Least recently used motions are dropped once the rest exceeds the limit. */
@@ -43,30 +42,32 @@
       this.motions = new Map();
     }
 
-    async get(url, signal) {
+    /**
+     * The motion at a URL. A data set's name may come to stand for other content, so the server is asked whether the
+     * motion still holds, unless the URL names the content (`forGood`).
+     */
+    async get(url, signal, forGood) {
       const known = this.motions.get(url);
-      if (known) {
-        this.motions.delete(url);
-        this.motions.set(url, known);
-        return known;
+      if (known && forGood) return this.keep(url, known);
+      const response = await ask(url, signal);
+      const tag = response.headers.get("ETag");
+      if (known && tag && known.tag === tag) {
+        response.body?.cancel();
+        return this.keep(url, known);
       }
-      const motion = await download(url, signal);
-      if (!this.motions.has(url)) {
-        this.motions.set(url, motion);
-        this.bytes += motion.bytes;
-      }
-      for (const [oldest, value] of this.motions) {
-        if (this.bytes <= this.limit || oldest === url) break;
-        this.motions.delete(oldest);
-        this.bytes -= value.bytes;
-      }
-      return motion;
+      return this.keep(url, { tag, ...decode(await response.arrayBuffer()) });
     }
 
-    /** A data set's name may come to stand for other content: forget what was fetched. */
-    clear() {
-      this.motions.clear();
-      this.bytes = 0;
+    keep(url, motion) {
+      this.bytes += motion.bytes - (this.motions.get(url)?.bytes ?? 0);
+      this.motions.delete(url);
+      this.motions.set(url, motion);
+      for (const [oldest, { bytes }] of this.motions) {
+        if (this.bytes <= this.limit || oldest === url) break;
+        this.motions.delete(oldest);
+        this.bytes -= bytes;
+      }
+      return motion;
     }
   }
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -11,7 +12,7 @@ from playwright.sync_api import Page
 
 from core.mocap.dataset import Dataset
 from tests.browser.conftest import running
-from tests.webapp.generated import walkers
+from tests.webapp.generated import walk, walkers
 from webapp.api.motion import motion_blueprint
 from webapp.components import stage
 
@@ -19,7 +20,7 @@ pytestmark = pytest.mark.browser
 
 ASSETS = Path(__file__).resolve().parents[2] / "assets"
 NAMES = tuple(f"walk {k}/a" for k in range(12))
-DATASET = walkers(NAMES, seconds=3.0)
+DATASETS: dict[str, Dataset] = {"walkers": walkers(NAMES, seconds=3.0)}
 PIXELS = """() => {
     const c = document.getElementById('stage-canvas');
     const data = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
@@ -42,11 +43,10 @@ INK = """() => {  // centre and width of what is much darker or more colourful t
 
 @pytest.fixture(scope="session")
 def stage_app() -> str:
-    datasets: dict[str, Dataset] = {"walkers": DATASET}
     app = Dash(__name__, assets_folder=str(ASSETS), assets_ignore="^(?!stage).*")
     app.layout = html.Div(stage.stage(), style={"height": "90vh"})
     stage.register(app)
-    app.server.register_blueprint(motion_blueprint(datasets.__getitem__))
+    app.server.register_blueprint(motion_blueprint(lambda name: DATASETS[name]))
     with running(app.server) as address:
         yield address
 
@@ -297,12 +297,26 @@ def test_last_request_wins(page):
 
 
 def test_known_motions_are_not_fetched_again(page):
-    play(page, request(3))
+    version = DATASETS["walkers"].fingerprint
+    play(page, request(3, version=version))
     asked = []
     page.on("request", lambda r: asked.append(r.url))
-    play(page, request(2))
-    play(page, request(3))
+    play(page, request(2, version=version))
+    play(page, request(3, version=version))
     assert not [url for url in asked if "/api/motion" in url]
+
+
+def test_a_name_that_stands_for_other_content_shows_the_new_content(page, monkeypatch):
+    play(page, request(), pause=True)
+    before = page.evaluate(PIXELS)
+    play(page, request(2), pause=True)
+    play(page, request(), pause=True)
+    assert page.evaluate(PIXELS) == before
+    other = Dataset("walkers", (replace(walk("other", pace=2.5, seconds=3.0), name=NAMES[0]),))
+    monkeypatch.setitem(DATASETS, "walkers", other)
+    page.evaluate("motionscapeStage.show({ items: [] })")
+    play(page, request(), pause=True)
+    assert page.evaluate(PIXELS) != before
 
 
 def test_nothing_is_asked_while_playing(page):

@@ -1,7 +1,8 @@
 """The Stage as a Dash layout: a canvas and its controls. All of it is driven by ``assets/stage*.js``.
 
-Views hand it segments by writing ``dcc.Store("stage-request")``: ``{"dataset", "items": [{"clip", "start", "end",
-"label", "colour", "warp"}], "layout": "overlay" | "side", "sync": "warp" | "start", "title"}``.
+Views hand it segments by writing ``dcc.Store("stage-request")``: ``{"dataset", "version", "items": [{"clip", "start",
+"end", "label", "colour", "warp"}], "layout": "overlay" | "side", "sync": "warp" | "start", "title"}``. ``version`` is
+the data set's fingerprint: with it, motions already fetched are not asked for again.
 For links: ``motionscapeStage.state()`` and ``.restore(state)`` in the browser, and the window event ``stage-state``.
 """
 
