@@ -10,6 +10,7 @@ from dataclasses import asdict, replace
 import numpy as np
 
 from core.mocap.clip import Segment
+from core.mocap.dataset import Dataset
 from core.motifs.adjacency import Adjacency, nearest_pairs_radius, radius_adjacency, sphere_adjacency
 from core.motifs.alignment import AlignedMotif, align_motifs, entry_frames, spans_of
 from core.motifs.discovery import join_leftovers, largest_first, random_seeds
@@ -24,30 +25,20 @@ from core.sequences.repeats import remove_runs
 __all__ = ["MotifParameters", "find_motifs", "motifs_of_poses"]
 
 
-def find_motifs(dataset, parameters: MotifParameters = MotifParameters(), report: Report = silent) -> MotifGraph:
+_DEFAULT = MotifParameters()
+
+
+def find_motifs(dataset: Dataset, parameters: MotifParameters = _DEFAULT, report: Report = silent) -> MotifGraph:
     """The motion-motif graph of a data set. Deterministic: the same clips, in any order, and seed give the same graph.
 
     Raises ValueError where there are no clips or no common joints. ``report`` is called several times a second and may
     raise to stop the work.
     """
-    dataset = _in_order(dataset)
     started = time.perf_counter()
     poses = pose_features(dataset, analysis_fps=parameters.analysis_fps, pose=parameters.pose, report=report)
     seconds = {"poses": time.perf_counter() - started}
     graph = motifs_of_poses(poses, parameters, report)
     return replace(graph, seconds=seconds | dict(graph.seconds), dataset=dataset_head(dataset))
-
-
-class _Sorted:
-    """A data set's clips in order of their names, so that nothing depends on the order they came in."""
-
-    def __init__(self, dataset):
-        self.clips = tuple(sorted(dataset.clips, key=lambda clip: clip.name))
-        self.name, self.fingerprint = getattr(dataset, "name", ""), getattr(dataset, "fingerprint", "")
-
-
-def _in_order(dataset) -> _Sorted:
-    return _Sorted(dataset)
 
 
 def motifs_of_poses(poses: Poses, parameters: MotifParameters, report: Report = silent) -> MotifGraph:

@@ -15,6 +15,9 @@ from core.progress import Report, silent
 from core.sequences.repeats import Runs
 
 
+_BLOCK = 200_000  # pairs of seed start and candidate matched at a time, some tens of milliseconds
+
+
 class Rule(NamedTuple):
     """When an alignment is a match.
 
@@ -84,6 +87,12 @@ def _is_nearest(text, distances, x, a):
 
 
 @njit(nogil=True, cache=True)
+def _cheaper(total, steps, best, n):
+    """Whether an alignment is cheaper; of equal costs, which equal letters give, the shorter path counts."""
+    return total < best or (total == best and steps < n)
+
+
+@njit(nogil=True, cache=True)
 def _next_row(text, costs, rule, seed, start, row, columns, low, high, totals, steps):
     """One letter more of the seed: costs and lengths of the best alignments that end at each letter of the candidate.
 
@@ -101,9 +110,9 @@ def _next_row(text, costs, rule, seed, start, row, columns, low, high, totals, s
             break
         best, n = left, left_steps
         if row > 0:
-            if c <= high and totals[old, c] <= best:
+            if c <= high and _cheaper(totals[old, c], steps[old, c], best, n):
                 best, n = totals[old, c], steps[old, c]
-            if low < c <= high + 1 and totals[old, c - 1] <= best:
+            if low < c <= high + 1 and _cheaper(totals[old, c - 1], steps[old, c - 1], best, n):
                 best, n = totals[old, c - 1], steps[old, c - 1]
         elif c == 0:
             best, n = np.float32(0), 0
@@ -232,7 +241,7 @@ class Matcher:
 
     def all(self, rule: Rule, report: Report = silent) -> Matches:
         """Matches of all seeds, in parallel; cost about linear in the pairs of places with adjacent letters."""
-        cuts = _even_blocks(np.cumsum(np.diff(self.pointers)[self.text.letters]))
+        cuts = _even_blocks(np.cumsum(np.diff(self.pointers)[self.text.letters]), _BLOCK)
         blocks: list[Matches] = []
         with ThreadPoolExecutor(os.cpu_count()) as pool:
             futures = [pool.submit(self.block, b, e, rule) for b, e in pairwise(cuts)]
@@ -253,7 +262,7 @@ def _typed(rule: Rule) -> Rule:
     return Rule(int(low), int(high), *(np.float32(x) for x in rest))
 
 
-def _even_blocks(work: np.ndarray, size: int = 200_000) -> np.ndarray:
+def _even_blocks(work: np.ndarray, size: int) -> np.ndarray:
     """Cuts of the string such that each block holds about ``size`` pairs of seed start and candidate; work is (m,)."""
     n = int(np.ceil(work[-1] / size)) if len(work) else 0
     inner = np.searchsorted(work, np.arange(1, n) * size) + 1

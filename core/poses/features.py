@@ -16,6 +16,7 @@ import numpy as np
 from core.mocap import quaternions as quat
 from core.mocap.anatomy import CANONICAL, find_anatomy
 from core.mocap.clip import Clip
+from core.mocap.dataset import Dataset
 from core.mocap.kinematics import forward_kinematics, resample
 from core.mocap.skeleton import Skeleton
 from core.progress import Report, silent
@@ -41,6 +42,9 @@ class Scales:
     angle: float = 1.0
     tilt: float = 1.0
     yaw_speed: float = 1.0
+
+
+_SCALES = Scales()
 
 
 @dataclass(frozen=True, eq=False)
@@ -75,21 +79,22 @@ class Poses:
 
 
 def pose_features(
-    dataset,
+    dataset: Dataset,
     *,
     analysis_fps: float = 30,
     pose: str = "angles",
     variance: float = 0.97,
-    scales: Scales = Scales(),
+    scales: Scales = _SCALES,
     report: Report = silent,
 ) -> Poses:
     """Poses of all clips of a dataset, at ``analysis_fps``, in the PCA space that keeps ``variance`` of the variance.
 
     pose: "angles" or "positions". Skeletons with the same posture joints are compared joint by joint; otherwise only
-    canonical joints that all of them have count. Time and memory are linear in frames. Raises ValueError for an unknown
+    canonical joints that all of them have count. Clips come in the order of their names, so that nothing depends on the
+    order they were read in. Time and memory are linear in frames. Raises ValueError for an unknown
     pose kind, a rate or a variance out of range, an empty dataset, or skeletons without a joint in common.
     """
-    clips = tuple(dataset.clips)
+    clips = sorted(dataset.clips, key=lambda clip: clip.name)
     if pose not in _KINDS:
         raise ValueError(f"pose must be one of {', '.join(_KINDS)}, not {pose!r}")
     if not analysis_fps > 0 or not 0 < variance <= 1:
