@@ -10,7 +10,7 @@ import numpy as np
 
 from core.demo.actions import RECORDED, RUN_ON, idle, perform, squat
 from core.demo.gaits import gait
-from core.demo.grammar import derive
+from core.demo.grammar import ACTIONS, derive
 from core.demo.motions import FPS
 from core.demo.performers import PERFORMERS, Performer
 from core.demo.settling import settle
@@ -71,7 +71,10 @@ def perform_sentence(
     """The sentence as one clip, a label an action, and the half-open frame ranges of the cross-fades.
 
     Labels meet in the middle of the cross-fades, cover every frame and do not overlap. plain: see :func:`routines`.
+    Raises ValueError for an empty sentence and for an action that is none of :data:`core.demo.grammar.ACTIONS`.
     """
+    if not sentence or not set(sentence) <= set(ACTIONS):
+        raise ValueError(f"a routine is made of {', '.join(ACTIONS)}, not of {sentence}")
     done: list[Clip] = []
     marks, seams, frames = [(0, sentence[0])], [], 0  # frames: how many are in ``done``
     current: Take | None = None
@@ -89,9 +92,8 @@ def perform_sentence(
         middle = frames - seam.n_frames // 2
         offset = frames - seam.n_frames - way.entry
         marks += [(middle if k == 0 else at + offset, action) for k, (at, action) in enumerate(take.labels)]
-        current = replace(take, clip=after or seam)
-        if after is None:
-            raise AssertionError(f"{take.kind} is shorter than its cross-fade")
+        # never empty: every take outlasts the latest entry and the longest cross-fade together
+        current = replace(take, clip=after)
     clip = concatenate([*done, current.clip], name)
     ends = [at for at, _ in marks[1:]] + [clip.n_frames]
     labels = tuple(Label(name, at, end, action) for (at, action), end in zip(marks, ends, strict=True))

@@ -162,3 +162,9 @@ def test_data_file_is_what_the_package_holds() -> None:
         times, motion = sources()[name]
         assert np.allclose(np.cumsum(rows[:-1, 0] * 1e-4), times[1:])
         assert np.allclose(motion.pelvis[:, 1], rows[:, 2] * 1e-4)
+
+
+def test_unknown_actions_are_refused() -> None:
+    for sentence in ((), ("idle", "swim")):
+        with pytest.raises(ValueError, match="made of"):
+            perform(sentence)
