@@ -20,17 +20,18 @@
     const span = (low, high) => Math.max(...boxes.map((b) => b[high] - b[low]));
     const width = Math.min(Math.max(span(0, 1) + LANE.gap, LANE.least), LANE.most);
     const depth = Math.min(Math.max(span(2, 3) + LANE.gap, ROW.least), ROW.most);
-    // rows lie behind one another and look about a third as deep as they are
-    const wanted = Math.round(Math.sqrt((shown.length * aspect * (0.35 * depth + 0.6)) / width));
-    const columns = Math.min(shown.length, Math.max(wanted, Math.min(shown.length, 2)));
-    const rows = Math.ceil(shown.length / columns);
+    // seen from the front, rows cost little height: rather few long ones
+    const wanted = Math.round(Math.sqrt((shown.length * aspect * (0.6 * depth + 0.8)) / width));
+    const rows = Math.ceil(shown.length / Math.max(wanted, 2));
+    const columns = Math.ceil(shown.length / rows);
     shown.forEach((figure, k) => {
       const [row, column] = [Math.floor(k / columns), k % columns];
       const inRow = row < rows - 1 ? columns : shown.length - columns * (rows - 1);
       const box = boxes[k];
       figure.walksInPlace = box[1] - box[0] > LANE.most || box[3] - box[2] > ROW.most;
       const middle = figure.walksInPlace ? [0, 0] : [(box[0] + box[1]) / 2, (box[2] + box[3]) / 2];
-      figure.place = [(column - (inRow - 1) / 2) * width - middle[0], ((rows - 1) / 2 - row) * depth - middle[1]];
+      const stagger = rows > 1 ? (row % 2 ? 0.25 : -0.25) * width : 0; // seen between those in front
+      figure.place = [(column - (inRow - 1) / 2) * width + stagger - middle[0], ((rows - 1) / 2 - row) * depth - middle[1]];
     });
   }
 
@@ -75,7 +76,7 @@
   }
 
   /** Where the camera stands at first: before a single group, or before rows. */
-  const homeView = (figures, layout) => (layout === "side" && figures.length > 1 ? { yaw: 0.06, pitch: 0.3 } : { yaw: 0.62, pitch: 0.2 });
+  const homeView = (figures, layout) => (layout === "side" && figures.length > 1 ? { yaw: 0.06, pitch: 0.34 } : { yaw: 0.62, pitch: 0.2 });
 
   Object.assign(parts, { homeView, placeFigures, groundCentre, measureStage });
 })((window.motionscapeStageParts ||= {}));
