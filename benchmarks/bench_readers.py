@@ -152,8 +152,8 @@ def main(data: Path | None = None) -> str:
         lines += [
             f"BVH files read one after another in one process, beside {peers or 'no peer: none is installed'}. Time is",
             "parsing only, over the files that both readers take; ratio = time / ours. Apart = largest distance of a",
-            f"joint from ours at {COMPARED_FRAMES} frames of each of the {COMPARED_FILES} smallest files, as a share of",
-            "the figure's size.",
+            f"joint from ours at {COMPARED_FRAMES} frames of each of the {COMPARED_FILES} smallest files,",
+            "as a share of the figure's size.",
             "",
             "| recordings | files | reader | time | ratio | apart | refused |",
             "|---|---|---|---|---|---|---|",
