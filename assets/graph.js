@@ -107,7 +107,6 @@
       else if (request.graph === "out") zoom(cy, 1 / 1.3);
       else if (request.graph === "fit") cy.animate({ fit: { padding: 26 }, duration: 200 });
       else if (request.graph === "png") save(await cy.png({ output: "blob-promise", full: true, scale: 2, bg: background, maxWidth: 8000, maxHeight: 8000 }), name + ".png");
-      else if (request.graph === "svg") save(new Blob([cy.svg({ full: true, bg: background })], { type: "image/svg+xml" }), name + ".svg");
       return clientside.no_update;
     },
   };

@@ -11,7 +11,7 @@ from dash.development.base_component import Component
 
 from core import analyses
 from core.workspace import Workspace, WorkspaceError, shared_workspace
-from webapp import access, jobs, links, playback
+from webapp import access, jobs, links, playback, results
 from webapp.api.exports import export_blueprint
 from webapp.api.filmstrip import filmstrip_blueprint
 from webapp.api.motion import motion_blueprint
@@ -19,8 +19,6 @@ from webapp.api.uploads import Limits, upload_blueprint
 from webapp.components import errors, job_bar, shell
 from webapp.components import stage as stage_component
 from webapp.pages import library, motifs
-
-METHOD = "motifs"
 
 
 def create_app(workspace_path: str | Path, *, token: str | None = None) -> dash.Dash:
@@ -53,7 +51,7 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> dash.
     stage_component.register(app)
     job_bar.register(app, workspace)
     _register_state(app, workspace)
-    _register_page(app, {"library": library.layout(limits), "motifs": motifs.layout()})
+    _register_page(app, {"library": library.page(limits), "motifs": motifs.page()})
     library.register(app, workspace)
     motifs.register(app, workspace)
     playback.register(app, workspace)
@@ -74,7 +72,7 @@ def _register_page(app: dash.Dash, pages: dict[str, Component]) -> None:
 
 
 def _register_state(app: dash.Dash, workspace: Workspace) -> None:
-    names = tuple(parameter.name for parameter in analyses.parameters(METHOD))
+    names = tuple(parameter.name for parameter in analyses.parameters(results.MOTIFS))
 
     @app.callback(
         Output("dataset", "data"),
@@ -93,14 +91,16 @@ def _register_state(app: dash.Dash, workspace: Workspace) -> None:
         dataset, more = choose_dataset(view.dataset, known)
         if links.page_of(pathname) is None:
             problems = problems[1:]  # the page itself says so
-        if problems or more:
-            message = " ".join([*more, *problems])
+        problems = (*more, *problems, *results.refused(view.parameters))
+        if problems:
+            message = " ".join(problems)
             set_props(
                 "notices", {"sendNotifications": [errors.notice("Part of the link was left out", message, "orange")]}
             )
+        usable = results.not_default(results.motif_request("", view.parameters).parameters)
         if more:
             view = links.without_selection(view)
-        return dataset, dict(view.parameters), dict(view.selection), dict(view.stage)
+        return dataset, usable, dict(view.selection), dict(view.stage)
 
     @app.callback(
         Output("dataset-picker", "data"),

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+import threading
 from collections.abc import Mapping
 from typing import Any
 
 from core import analyses
+from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
 from core.parameters import ParameterError
 from core.workspace import Job, Workspace, WorkspaceError
+from webapp.components.filmstrip import icon_data_uri
+from webapp.figures import graph as graph_figure
 
 MOTIFS = "motifs"
 
@@ -84,3 +88,19 @@ def motif_graph_key(workspace: Workspace, dataset: str, parameters: Mapping[str,
     except (ParameterError, WorkspaceError):
         return None
     return key if workspace.results.has(key) else None
+
+
+def graph_elements(dataset: Dataset, key: str, graph: MotifGraph) -> list[dict[str, Any]]:
+    """Cytoscape elements, placed and drawn once a result: the layout and the icons are the slow part of showing it."""
+    with _lock:
+        if key not in _drawn:
+            icons = graph_figure.icon_addresses(graph, lambda segment, scheme: icon_data_uri(dataset, segment, scheme))
+            _drawn[key] = graph_figure.graph_elements(graph, icons)
+            while len(_drawn) > _KEPT_DRAWINGS:
+                _drawn.pop(next(iter(_drawn)))
+        return _drawn[key]
+
+
+_drawn: dict[str, list[dict[str, Any]]] = {}  # by the result's key: the same key always stands for the same drawing
+_lock = threading.Lock()
+_KEPT_DRAWINGS = 16

@@ -1,4 +1,4 @@
-"""Downloads of results."""
+"""Downloads of results: ``GET /api/motifs.json`` and ``/api/motifs.svg``, ``?dataset=...&kappa=...``."""
 
 from __future__ import annotations
 
@@ -7,30 +7,67 @@ from urllib.parse import quote
 
 from flask import Blueprint, Response, jsonify, request
 
+from core.mocap.dataset import Dataset
+from core.motifs.graph import MotifGraph
 from core.workspace import Workspace, WorkspaceError
 from webapp import results
+from webapp.figures.drawing import graph_svg
+
+
+class Refusal(Exception):
+    """Why there is nothing to download, and the HTTP status that says so."""
+
+    def __init__(self, message: str, status: int):
+        super().__init__(message)
+        self.status = status
 
 
 def export_blueprint(workspace: Workspace) -> Blueprint:
-    """``GET /api/motifs.json?dataset=...&kappa=...``: the graph of that request, as the command line writes it."""
+    """The routes of one workspace; errors are JSON in plain words."""
     routes = Blueprint("exports", __name__, url_prefix="/api")
 
+    @routes.errorhandler(Refusal)
+    def _refused(error: Refusal) -> tuple[Response, int]:
+        return jsonify(error=str(error)), error.status
+
     @routes.get("/motifs.json")
-    def motifs_json() -> Response | tuple[Response, int]:
-        name = request.args.get("dataset", "")
-        parameters = {key: value for key, value in request.args.items() if key != "dataset"}
-        try:
-            problems = results.refused(parameters)
-            if problems:
-                return jsonify(error=" ".join(problems)), 400
-            graph = results.motif_graph(workspace, name, parameters)
-            if graph is None:
-                return jsonify(error="This motif graph has not been computed yet."), 404
-            document = graph.to_json(workspace.open(name))
-        except WorkspaceError as error:
-            return jsonify(error=str(error)), 404
-        answer = Response(json.dumps(document, ensure_ascii=False, allow_nan=False), mimetype="application/json")
-        answer.headers["Content-Disposition"] = f"attachment; filename*=UTF-8''{quote(name + '-motifs.json')}"
-        return answer
+    def motifs_json() -> Response:
+        dataset, graph, _ = _asked(workspace)
+        text = json.dumps(graph.to_json(dataset), ensure_ascii=False, allow_nan=False)
+        return _attachment(text, "application/json", f"{dataset.name}-motifs.json")
+
+    @routes.get("/motifs.svg")
+    def motifs_svg() -> Response:
+        dataset, graph, key = _asked(workspace)
+        elements = results.graph_elements(dataset, key, graph)
+        return _attachment(
+            graph_svg(elements, title=f"Motifs of {dataset.name}"), "image/svg+xml", f"{dataset.name}-motifs.svg"
+        )
 
     return routes
+
+
+def _asked(workspace: Workspace) -> tuple[Dataset, MotifGraph, str]:
+    """Data set, graph and key of the current request; raises Refusal."""
+    name = request.args.get("dataset", "")
+    parameters = {key: value for key, value in request.args.items() if key != "dataset"}
+    problems = results.refused(parameters)
+    if problems:
+        raise Refusal(" ".join(problems), 400)
+    try:
+        dataset = workspace.open(name)
+        graph, key = (
+            results.motif_graph(workspace, name, parameters),
+            results.motif_graph_key(workspace, name, parameters),
+        )
+    except WorkspaceError as error:
+        raise Refusal(str(error), 404) from error
+    if graph is None or key is None:
+        raise Refusal("This motif graph has not been computed yet.", 404)
+    return dataset, graph, key
+
+
+def _attachment(text: str, mimetype: str, name: str) -> Response:
+    answer = Response(text, mimetype=mimetype)
+    answer.headers["Content-Disposition"] = f"attachment; filename*=UTF-8''{quote(name)}"
+    return answer

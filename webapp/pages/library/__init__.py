@@ -1,6 +1,6 @@
 """Library: datasets, clips, the import report, uploads."""
 
 from webapp.pages.library.callbacks import register
-from webapp.pages.library.layout import layout
+from webapp.pages.library.layout import page
 
-__all__ = ["layout", "register"]
+__all__ = ["page", "register"]

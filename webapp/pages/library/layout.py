@@ -17,7 +17,7 @@ from webapp.components.icons import icon
 VERDICTS = (("all", "All"), ("error", "Not read"), ("warning", "Warnings"), ("ok", "Fine"))
 
 
-def layout(limits: Limits) -> Component:
+def page(limits: Limits) -> Component:
     """The page before it knows what the workspace holds."""
     return html.Div(
         className="library",

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 from urllib.parse import urlencode
 
 from dash import ALL, Dash, Input, Output, State, ctx, no_update, set_props
 from dash.dependencies import ClientsideFunction
 
 from core import analyses
-from core.motifs.graph import MotifGraph
 from core.parameters import ParameterError
 from core.workspace import Workspace, WorkspaceError
 from webapp import jobs, results
 from webapp.components.errors import notice
-from webapp.components.filmstrip import icon_data_uri
 from webapp.figures import graph as graph_figure
 from webapp.figures import tables
 from webapp.pages.motifs import form, layout
@@ -96,15 +93,16 @@ def _show(app: Dash, workspace: Workspace) -> None:
             (job, results.not_default(job.request["parameters"]))
             for job in (results.earlier(workspace, name) if name else [])
         ]
-        address = f"/api/motifs.json?{urlencode({'dataset': name or '', **(parameters or {})})}"
-        shown = layout.menus(name or "", graph, past, address)
+        shown = layout.menus(name or "", graph, past, urlencode({"dataset": name or "", **(parameters or {})}))
         if graph is None:
             return None, shown
         dataset = workspace.open(name)
         table = tables.grid(
             "motif-table", tables.motif_columns(dataset), tables.motif_rows(graph, dataset), "All motifs"
         )
-        return layout.result(graph, dataset, _elements(workspace, name, key, graph), table, scheme or "light"), shown
+        return layout.result(
+            graph, dataset, results.graph_elements(dataset, key, graph), table, scheme or "light"
+        ), shown
 
 
 def _browse(app: Dash, workspace: Workspace) -> None:
@@ -147,21 +145,3 @@ def _browse(app: Dash, workspace: Workspace) -> None:
     @app.callback(Output("motif-graph", "stylesheet"), Input("theme", "data"), prevent_initial_call=True)
     def restyle(scheme):
         return graph_figure.stylesheet(scheme or "light")
-
-
-def _elements(workspace: Workspace, name: str, key: str, graph: MotifGraph) -> list[dict]:
-    """Placed and drawn once a result: the layout and the icons are the slow part of showing a graph."""
-
-    @lru_cache(maxsize=1)
-    def dataset():
-        return workspace.open(name)
-
-    if key not in _drawn:
-        icons = graph_figure.icon_addresses(graph, lambda segment, scheme: icon_data_uri(dataset(), segment, scheme))
-        _drawn[key] = graph_figure.graph_elements(graph, icons)
-        while len(_drawn) > 16:
-            _drawn.pop(next(iter(_drawn)))
-    return _drawn[key]
-
-
-_drawn: dict[str, list[dict]] = {}

@@ -15,7 +15,6 @@ from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
 from core.workspace import Job
-from webapp import theme
 from webapp.components.actions import sends
 from webapp.components.errors import empty_state
 from webapp.components.icons import icon
@@ -33,7 +32,7 @@ MANY_TO_FILTER = 20  # successions, from which on it helps to hide the rare ones
 MOST_ROWS = 60  # motions or transitions listed at once
 
 
-def layout() -> Component:
+def page() -> Component:
     """The page before it knows what there is to show."""
     return html.Div(
         className="motifs",
@@ -243,7 +242,7 @@ def _tool(symbol: str, label: str, value: dict[str, str]) -> Component:
 
 
 def menus(
-    dataset: str, graph: MotifGraph | None, earlier: Sequence[tuple[Job, Mapping[str, str]]], address: str
+    dataset: str, graph: MotifGraph | None, earlier: Sequence[tuple[Job, Mapping[str, str]]], query: str
 ) -> list[Component]:
     """Earlier results and downloads."""
     parts: list[Component] = []
@@ -279,18 +278,10 @@ def menus(
                     dmc.MenuTarget(dmc.Button("Download", variant="default", leftSection=icon("download", 16))),
                     dmc.MenuDropdown(
                         [
-                            html.A(
-                                "motifs.json",
-                                href=address,
-                                download=f"{dataset}-motifs.json",
-                                className="menu-link",
-                                role="menuitem",
-                            ),
+                            _download("Motifs and edges (JSON)", f"/api/motifs.json?{query}"),
+                            _download("Drawing of the graph (SVG)", f"/api/motifs.svg?{query}"),
                             dmc.MenuItem(
                                 "Picture of the graph (PNG)", **sends("graph-tool", {"graph": "png"}, every_time=True)
-                            ),
-                            dmc.MenuItem(
-                                "Drawing of the graph (SVG)", **sends("graph-tool", {"graph": "svg"}, every_time=True)
                             ),
                         ]
                     ),
@@ -298,6 +289,10 @@ def menus(
             )
         )
     return parts
+
+
+def _download(label: str, address: str) -> Component:
+    return dmc.MenuItem(label, href=address, refresh=True)
 
 
 def _when(moment_: float | None) -> str:
@@ -375,6 +370,3 @@ def _row(dataset: Dataset, segment: Segment, selection: dict[str, Any], chosen: 
         **sends("selection", selection),
         **{"aria-pressed": "true" if chosen else "false"},
     )
-
-
-__all__ = ["layout", "menus", "metric_tiles", "result", "selection_panel", "status", "theme"]
