@@ -139,7 +139,7 @@ def _shift(clip: Clip, positions: np.ndarray, points: list[int], contact: np.nda
     body = find_anatomy(clip.skeleton).body_height
     height = heights(clip, positions, points, floor)
     # the foot stands on its lowest points; soft weights so that the change from heel to toe is smooth
-    weights = np.exp(-(height - height.min(1, keepdims=True)) / (0.006 * body))
+    weights = np.exp(-(height - height.min(1, keepdims=True)) / (0.003 * body))
     weights = (weights[1:] + weights[:-1]) / (weights[1:] + weights[:-1]).sum(1, keepdims=True)
     slide = (np.diff(positions[:, points], axis=0) * weights[..., None]).sum(1)
     shift = np.zeros((len(contact), 3))

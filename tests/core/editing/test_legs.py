@@ -5,9 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from core.editing.blending import join
 from core.editing.contacts import foot_contacts, foot_skate
 from core.editing.legs import lift_from_floor, lock_feet, place_ankles, smooth_step
 from core.mocap.anatomy import find_anatomy
+from core.mocap.asfamc import read_amc, read_asf
+from core.mocap.bvh import read_bvh
 from core.mocap.kinematics import forward_kinematics, joint_positions
 from tests.core.editing.figures import LEG, action, moved, standing
 
@@ -116,3 +119,22 @@ def test_a_skeleton_without_legs_is_left_alone() -> None:
     assert find_anatomy(clip.skeleton).legs
     same = place_ankles(clip, np.full((5, 2, 3), np.nan))
     assert np.allclose(same.rotations, clip.rotations, atol=1e-6)
+
+
+def test_locking_real_walks(shared_data) -> None:
+    asf = read_asf(shared_data / "cmu" / "asfamc" / "02" / "02.asf")
+    clips = [read_amc(shared_data / "cmu" / "asfamc" / "02" / "02_01.amc", asf)]
+    clips.append(read_bvh(shared_data / "bandai_namco_1" / "dataset-1_walk_normal_001.bvh"))
+    for clip in clips:
+        contacts = foot_contacts(clip)
+        assert 0.35 < contacts.mean() < 0.7
+        assert foot_skate(lock_feet(clip, contacts), contacts) < 0.65 * foot_skate(clip, contacts)
+
+
+def test_joining_real_motions(shared_data) -> None:
+    folder = shared_data / "cmu" / "asfamc" / "02"
+    walk, run = (read_amc(folder / name, read_asf(folder / "02.asf")) for name in ("02_01.amc", "02_03.amc"))
+    clip, seam = join(walk, run, 0.4, exit_window=0.5, entry_window=0.5)
+    speed = [np.linalg.norm(np.diff(joint_positions(c), axis=0), axis=-1).max(1) * c.fps for c in (clip, walk, run)]
+    assert speed[0][seam.start - 1 : seam.end + 1].max() <= max(speed[1].max(), speed[2].max())
+    assert foot_skate(lock_feet(clip)) < 0.75 * foot_skate(clip)
