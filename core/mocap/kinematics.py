@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numba import njit, prange
+from numba import njit
 
 from core.mocap import quaternions as quat
 from core.mocap.clip import Clip
@@ -27,12 +27,12 @@ def forward_kinematics(clip: Clip) -> tuple[np.ndarray, np.ndarray]:
     return _forward(parents, local, np.asarray(clip.root_positions, np.float32), np.asarray(clip.rotations, np.float32))
 
 
-@njit(parallel=True, cache=True)
+@njit(cache=True)
 def _forward(parents, local, root, rotations):
     n, joints = rotations.shape[0], rotations.shape[1]
     positions = np.empty((n, joints, 3), np.float32)
     world = np.empty((n, joints, 4), np.float32)
-    for f in prange(n):
+    for f in range(n):
         for j in range(joints):
             w, x, y, z = rotations[f, j, 0], rotations[f, j, 1], rotations[f, j, 2], rotations[f, j, 3]
             p = parents[j]
