@@ -53,10 +53,11 @@ def motifs_of_poses(poses: Poses, parameters: MotifParameters, report: Report = 
         rule = _rule(parameters, adjacency, parameters.strictness)
         matches = matcher.all(rule, report)
     with _timed("discovery", seconds):
+        greedy = {"tightness": parameters.tightness, "report": report}
         if parameters.seeding == "random":
-            found = random_seeds(runs, matches, rule, parameters.rho, parameters.seed, report)
+            found = random_seeds(runs, matches, rule, parameters.rho, parameters.seed, **greedy)
         else:
-            found = largest_first(runs, matches, rule, parameters.rho, report)
+            found = largest_first(runs, matches, rule, parameters.rho, **greedy)
         del matches
         if parameters.adjacency == "radius" and parameters.join > parameters.strictness:
             found = join_leftovers(runs, matcher, found, _rule(parameters, adjacency, parameters.join), report)

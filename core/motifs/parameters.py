@@ -66,6 +66,11 @@ class MotifParameters:
         "Leftover motions join a motif they match up to this mean distance, as a share of the radius; 0: none.",
         0.0, 1.5, 0.05, advanced=True,
     )  # fmt: skip
+    tightness: float = _parameter(
+        0.8,
+        "How much less a motion counts for a motif that is only just near enough; 0: all count alike, as in the paper.",
+        0.0, 1.0, 0.1, advanced=True,
+    )  # fmt: skip
     min_seconds: float = _parameter(
         0.0, "Shortest motion in seconds, whatever its number of letters.", 0.0, 10.0, 0.1, advanced=True
     )

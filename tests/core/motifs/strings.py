@@ -108,7 +108,7 @@ def naive_motif(runs: Runs, seed: tuple[int, int], matches: dict, cut: set[int])
     return taken
 
 
-def naive_volume(runs: Runs, motif: list[tuple[int, int]], rho: float) -> float:
-    """V = (B_h - 1) B_w^rho."""
+def naive_volume(runs: Runs, motif: list[tuple[int, int]], costs: list[float], rho: float, discount: float) -> float:
+    """V = (B_h - 1) B_w^rho, each motion but the seed discounted by its cost."""
     width = np.mean([float(runs.middles[b] - runs.middles[a]) for a, b in motif])
-    return (len(motif) - 1) * width**rho
+    return sum(1 - discount * cost for cost in costs) * width**rho
