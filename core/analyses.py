@@ -24,7 +24,7 @@ import numpy as np
 from core.mocap.errors import RecordingError
 from core.parameters import Parameter, ParameterError, build, parameters_of
 from core.progress import Cancelled, Report, silent
-from core.workspace import Job, ResultDamaged, Workspace, WorkspaceError, explain
+from core.workspace import Job, ResultDamaged, Workspace, WorkspaceError, explain, was_interrupted
 
 if TYPE_CHECKING:
     from core.mocap.dataset import Dataset
@@ -170,6 +170,9 @@ def execute(workspace: Workspace, job: Job, report: Report = silent) -> Any:
             workspace.jobs.stopped(job.id)
             raise
         except Exception as error:
+            if was_interrupted(error):
+                workspace.jobs.stopped(job.id)
+                raise KeyboardInterrupt from error
             words = _in_words(workspace, job, error)
             workspace.jobs.fail(job.id, words)
             raise AnalysisError(words) from error

@@ -40,13 +40,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
     asked = _parser(arguments).parse_args(arguments)
     try:
         return COMMANDS[asked.command].run(asked)
-    except KeyboardInterrupt:
-        print("stopped", file=sys.stderr)
-        return 130
     except BrokenPipeError:  # the reader of our output (head, less) has seen enough
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
-    except Exception as error:
+    except (KeyboardInterrupt, Exception) as error:
         if os.environ.get(DEBUG):
             raise
         words, code = _in_words(error)
@@ -54,10 +51,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return code
 
 
-def _in_words(error: Exception) -> tuple[str, int]:
+def _in_words(error: BaseException) -> tuple[str, int]:
     from core.progress import Cancelled
-    from core.workspace import explain
+    from core.workspace import explain, was_interrupted
 
+    if was_interrupted(error):
+        return "stopped", 130
     if isinstance(error, Cancelled):
         return "cancelled", 130
     if isinstance(error, FileNotFoundError) and error.filename:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
+from shutil import get_terminal_size
 
 from core.progress import Report, silent
 
@@ -17,7 +18,9 @@ def progress_bar(quiet: bool = False) -> Iterator[Report]:
         return
     from tqdm import tqdm
 
-    with tqdm(total=1.0, leave=False, file=sys.stderr, bar_format="{desc} {percentage:3.0f} %|{bar}| {elapsed}") as bar:
+    size = get_terminal_size()  # given here because tqdm draws nothing where a terminal does not tell its size
+    look = {"bar_format": "{desc} {percentage:3.0f} %|{bar}| {elapsed}", "ncols": size.columns, "nrows": size.lines}
+    with tqdm(total=1.0, leave=False, file=sys.stderr, **look) as bar:
 
         def report(stage: str, fraction: float) -> None:
             if bar.desc != f"{stage}: ":

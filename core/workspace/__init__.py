@@ -1,7 +1,7 @@
 """Data sets, results and the job table on disk, addressed by content."""
 
 from core.workspace.datasets import DatasetInfo
-from core.workspace.errors import NameRefused, ResultDamaged, WorkspaceError, explain, plain_errors
+from core.workspace.errors import NameRefused, ResultDamaged, WorkspaceError, explain, plain_errors, was_interrupted
 from core.workspace.files import atomic_file
 from core.workspace.jobs import Job, JobTable
 from core.workspace.names import check_name, clean_name
@@ -28,4 +28,5 @@ __all__ = [
     "plain_errors",
     "safe_parts",
     "shared_workspace",
+    "was_interrupted",
 ]

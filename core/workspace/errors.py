@@ -54,6 +54,15 @@ def explain(error: BaseException) -> str:
     return str(error)
 
 
+def was_interrupted(error: BaseException | None) -> bool:
+    """Whether ``error`` is Ctrl+C, or what came of it inside a compiled kernel (numba raises a SystemError there)."""
+    while error is not None:
+        if isinstance(error, KeyboardInterrupt):
+            return True
+        error = error.__cause__ or error.__context__
+    return False
+
+
 @contextmanager
 def plain_errors(doing: str) -> Iterator[None]:
     """Turns system and table errors inside the block into WorkspaceError: ``doing``, then what to do about it."""

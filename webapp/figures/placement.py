@@ -6,9 +6,11 @@ so it cannot remove overlaps itself.
 
 from __future__ import annotations
 
+import ctypes
 import threading
 import warnings
 from collections.abc import Sequence
+from contextlib import suppress
 
 import numpy as np
 import pygraphviz
@@ -54,6 +56,7 @@ def _parts(n: int, edges: Sequence[tuple[int, int, float]]) -> list[np.ndarray]:
 
 def _sfdp(sizes: np.ndarray, edges: Sequence[tuple[int, int, float]]) -> np.ndarray:
     with _GRAPHVIZ:
+        _seed_c_library()
         graph = pygraphviz.AGraph(directed=False, strict=True, overlap="true", K=str(_ideal_length(sizes)), start="1")
         for i, (width, height) in enumerate(sizes / _POINTS_PER_INCH):
             graph.add_node(i, shape="box", fixedsize="true", width=f"{width:.3f}", height=f"{height:.3f}")
@@ -66,6 +69,12 @@ def _sfdp(sizes: np.ndarray, edges: Sequence[tuple[int, int, float]]) -> np.ndar
         places = [graph.get_node(i).attr["pos"].split(",") for i in range(len(sizes))]
     x, y = np.array(places, float).T
     return np.stack([x, -y], axis=1)
+
+
+def _seed_c_library() -> None:
+    """sfdp's coarsening draws from the C library's rand() before it takes its own seed; Windows keeps its own way."""
+    with suppress(OSError, AttributeError, TypeError):
+        ctypes.CDLL(None).srand(1)
 
 
 def _ideal_length(sizes: np.ndarray) -> float:
@@ -107,7 +116,13 @@ def spread(centres: np.ndarray, sizes: np.ndarray, rounds: int = 400) -> np.ndar
 
 def _rows(sizes: np.ndarray, aspect: float) -> np.ndarray:
     """Upper left corners ``(n, 2)`` of boxes set in rows one after another, about ``aspect`` times as wide as high."""
-    width = max(float(np.sqrt(sizes.prod(axis=1).sum() * aspect) * 1.05), float(sizes[:, 0].max()))
+    least, area = float(sizes[:, 0].max()), float(sizes.prod(axis=1).sum())
+    widths = np.maximum(np.sqrt(area * aspect) * np.linspace(0.9, 2.4, 16), least)
+    tried = [_rows_of(sizes, width) for width in widths]
+    return min(tried, key=lambda corners: ((corners + sizes).max(axis=0) / (aspect, 1.0)).max())
+
+
+def _rows_of(sizes: np.ndarray, width: float) -> np.ndarray:
     corners, x, y, tallest = np.empty_like(sizes), 0.0, 0.0, 0.0
     for i, (w, h) in enumerate(sizes):
         if x > 0 and x + w > width:
