@@ -239,7 +239,7 @@ def _in_words(workspace: Workspace, job: Job, error: Exception) -> str:
         log.write_text(
             f"{datetime.now():%Y-%m-%d %H:%M:%S} {job.title} {job.request}\n{_trace(error)}", encoding="utf-8"
         )
-        for old in sorted(workspace.logs.glob("job-*.log"), key=lambda path: path.stat().st_mtime)[:-_KEPT_LOGS]:
+        for old in sorted(workspace.logs.glob("job-*"), key=lambda path: path.stat().st_mtime)[:-_KEPT_LOGS]:
             old.unlink()
     if isinstance(error, OSError | MemoryError):
         return f"{job.title} failed: {explain(error)}."

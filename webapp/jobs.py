@@ -137,7 +137,7 @@ def serve_queue(workspace: Workspace) -> int:
 
 def supervise(workspace: Workspace, job: Job) -> None:
     """Has a claimed job computed in a child process and writes its end into the table where the child cannot."""
-    log = workspace.logs / f"worker-{job.id}.log"
+    log = workspace.logs / f"job-{job.id}-output.log"
     with log.open("wb") as output:
         quiet = _QUIET | {"stdout": output, "stderr": output}
         child = subprocess.Popen(_command("--job", str(job.id), workspace.path), **quiet)

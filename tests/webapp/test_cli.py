@@ -1,12 +1,14 @@
 """The command line as a user meets it: in processes of its own."""
 
 import contextlib
+import io
 import json
 import os
 import signal
 import subprocess
 import sys
 import time
+from typing import NamedTuple
 
 import pytest
 
@@ -19,18 +21,23 @@ from webapp import cli
 KINDS = ("serve", "import", "inspect", "demo", "motifs")
 
 
-def run(*arguments, code=0, cwd=None, **environment):
-    done = subprocess.run(
-        [sys.executable, "-m", "webapp.cli", *map(str, arguments)],
-        capture_output=True,
-        text=True,
-        cwd=cwd,
-        timeout=250,
-        env=os.environ | {"PYTHONPATH": str(REPOSITORY)} | environment,
-    )
-    assert done.returncode == code, done.stderr
-    assert "Traceback" not in done.stderr
-    return done
+class Outcome(NamedTuple):
+    """What a command has printed."""
+
+    stdout: str
+    stderr: str
+
+
+def run(*arguments, code=0):
+    """Runs a command in this process, which spares the imports."""
+    out, err = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        try:
+            ended = cli.main(list(map(str, arguments)))
+        except SystemExit as end:
+            ended = end.code
+    assert ended == code, err.getvalue()
+    return Outcome(out.getvalue(), err.getvalue())
 
 
 @pytest.fixture(scope="module")
@@ -88,11 +95,21 @@ def test_help_of_motifs_comes_from_the_parameters():
         (["serve", "--port", "70000"], "port"),
     ],
 )
-def test_wrong_usage_is_one_line_and_exit_code_2(tmp_path, arguments, words):
-    done = run(*arguments, code=2, cwd=tmp_path)
+def test_wrong_usage_is_one_line_and_exit_code_2(tmp_path, monkeypatch, arguments, words):
+    monkeypatch.chdir(tmp_path)
+    done = run(*arguments, code=2)
     assert words in done.stderr
     assert done.stderr.count("\n") == 1 and done.stderr.startswith("motionscape")
     assert done.stdout == "" and list(tmp_path.iterdir()) == []
+
+
+def test_a_process_ends_with_the_exit_code_and_no_traceback(tmp_path):
+    (tmp_path / "bad.bvh").write_text("nothing")
+    for arguments, code in (["inspect", "bad.bvh"], 2), (["fly"], 2), (["--version"], 0):
+        command = [sys.executable, "-m", "webapp.cli", *arguments]
+        environment = os.environ | {"PYTHONPATH": str(REPOSITORY)}
+        done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, env=environment, timeout=100)
+        assert done.returncode == code and "Traceback" not in done.stderr + done.stdout
 
 
 def test_the_demo_is_the_same_for_the_same_seed(demo, tmp_path):
