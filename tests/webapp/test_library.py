@@ -1,0 +1,82 @@
+"""The Library page's pure parts: tables, cards, words."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from core.mocap.clip import Label, Segment
+from core.mocap.dataset import Dataset
+from core.mocap.reports import FileReport, ImportReport
+from core.workspace import DatasetInfo
+from tests.webapp.generated import walk
+from webapp.figures import tables
+from webapp.pages.library import layout as pages_layout
+from webapp.pages.library.callbacks import companions
+from webapp.pages.library.layout import dataset_cards, duration, trash_list
+
+REPORTS = (
+    FileReport("in/a.bvh", "a", "ok", ()),
+    FileReport("in/b.bvh", "b", "warning", ("foot skate",)),
+    FileReport("in/c.bvh", None, "error", ("c.bvh:7: found NaN; expected a number",)),
+)
+
+
+def info(name: str, **changes) -> DatasetInfo:
+    values = dict(
+        id="0" * 16, name=name, fingerprint="f", folder="0" * 16, clips=3, frames=900, seconds=30.0, labels=0,
+        warnings=0, errors=0, imported=0.0,
+    )  # fmt: skip
+    return DatasetInfo(**values | changes)
+
+
+def test_clips_say_length_labels_and_verdict():
+    labels = (Label("b", 0, 60, "walk"), Label("b", 60, 120, "turn"))
+    dataset = Dataset("d", (walk("a", 2.0, 60.0), walk("b", 4.0, 60.0)), labels, ImportReport(REPORTS))
+    a, b = tables.clip_rows(dataset)
+    assert (a["frames"], a["seconds"], a["fps"], a["labels"], a["verdict"]) == (120, 2.0, 60.0, 0, "ok")
+    assert (b["labels"], b["verdict"], b["messages"]) == (2, "warning", "foot skate")
+    assert b["selection"] == {"clip": "b"}
+
+
+def test_the_report_shows_the_worst_first_and_can_be_filtered():
+    rows = tables.report_rows(REPORTS)
+    assert [row["verdict"] for row in rows] == ["error", "warning", "ok"]
+    assert rows[0]["messages"] == "C.bvh:7: found NaN; expected a number." and "selection" not in rows[0]
+    assert [row["path"] for row in tables.report_rows(REPORTS, ("warning",))] == ["b.bvh"]
+
+
+def test_strips_have_addresses_safe_for_any_name():
+    address = tables.strip_address("a/b ?", Segment("c#1/ü", 3, 9), 4, "0123456789")
+    assert address == "/api/filmstrip/a%2Fb%20%3F/c%231%2F%C3%BC?start=3&end=9&n=4&v=01234567"
+
+
+def test_cards_invite_where_there_is_nothing():
+    assert "Open the demo" in str(dataset_cards([], None))
+    text = str(dataset_cards([info("walks", errors=2, warnings=1, labels=7), info("runs")], "walks"))
+    assert "2 not read" in text and "1 warning" in text and "7 labels" in text and "All files read" in text
+    assert text.count("dataset-card chosen") == 1
+
+
+def test_names_stay_data():
+    text = str(dataset_cards([info("<script>alert(1)</script>")], None))
+    assert "dangerously" not in text.lower()
+
+
+def test_words_for_durations_and_trash():
+    assert [duration(s) for s in (42, 1064, 11520)] == ["42 s", "17.7 min", "3.2 h"]
+    assert [tables.clock(s) for s in (0, 7.26, 61, 3599.96)] == ["0:00.0", "0:07.3", "1:01.0", "60:00.0"]
+    assert "empty" in str(trash_list([])) and "Restore" in str(trash_list([info("old")]))
+
+
+def test_the_only_labels_and_skeleton_of_an_upload_are_found(tmp_path: Path):
+    (tmp_path / "in").mkdir()
+    (tmp_path / "in" / "labels.csv").touch()
+    assert companions(tmp_path) == {"labels": "in/labels.csv"}
+    (tmp_path / "one.asf").touch()
+    (tmp_path / "more.csv").touch()
+    assert companions(tmp_path) == {"skeleton": "one.asf"}
+
+
+def test_the_page_shows_the_limits():
+    limits = pages_layout.Limits(1 << 20, 2 << 20, 5)
+    assert limits.sentence() in str(pages_layout.page(limits))
