@@ -115,7 +115,9 @@ def background_manager(workspace_path: str | Path) -> Any:
             from celery import Celery
             from dash import CeleryManager
         except ImportError as error:
-            raise RuntimeError(f"{REDIS} is set, but Celery is not installed: pip install 'motionscape[celery]'") from error
+            raise RuntimeError(
+                f"{REDIS} is set, but Celery is not installed: pip install 'motionscape[celery]'"
+            ) from error
         return CeleryManager(Celery("motionscape", broker=url, backend=url))
     from dash import DiskcacheManager
     from diskcache import Cache
