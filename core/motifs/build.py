@@ -44,7 +44,7 @@ def find_motifs(dataset: Dataset, parameters: MotifParameters = _DEFAULT, report
 def motifs_of_poses(poses: Poses, parameters: MotifParameters, report: Report = silent) -> MotifGraph:
     """The graph from pose features that are already there, as a sweep over parameters needs it."""
     seconds: dict[str, float] = {}
-    kappa = automatic_kappa(poses.values) if parameters.kappa == "auto" else parameters.kappa
+    kappa = automatic_kappa(poses.values, poses.fps) if parameters.kappa == "auto" else parameters.kappa
     with _timed("quantisation", seconds):
         letters = k_means(poses.values, kappa, parameters.seed, report=report)
         runs = remove_runs(letters.labels, poses.clip_starts)

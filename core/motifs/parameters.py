@@ -21,7 +21,7 @@ class MotifParameters:
     kappa: int | str = _parameter(
         "auto",
         "How many different poses to tell apart. More: stricter motifs, less of the motion covered. "
-        "auto: from the number and variety of frames.",
+        "auto: 50 times the square root of how far the motion travels through different poses.",
         2, 20_000, 1,
     )  # fmt: skip
     rho: float = _parameter(
@@ -58,24 +58,24 @@ class MotifParameters:
         advanced=True,
     )
     strictness: float = _parameter(
-        0.525, "Mean distance along two motions up to which they match, as a share of the radius.", 0.05, 1.0, 0.05,
+        0.555, "Mean distance along two motions up to which they match, as a share of the radius.", 0.05, 1.0, 0.05,
         advanced=True,
     )  # fmt: skip
     join: float = _parameter(
-        0.7,
+        0.8,
         "Leftover motions join a motif they match up to this mean distance, as a share of the radius; 0: none.",
         0.0, 1.5, 0.05, advanced=True,
     )  # fmt: skip
     tightness: float = _parameter(
-        0.8,
+        0.6,
         "How much less a motion counts for a motif that is only just near enough; 0: all count alike, as in the paper.",
         0.0, 1.0, 0.1, advanced=True,
     )  # fmt: skip
     min_seconds: float = _parameter(
-        0.0, "Shortest motion in seconds, whatever its number of letters.", 0.0, 10.0, 0.1, advanced=True
+        0.4, "Shortest motion in seconds, whatever its number of letters.", 0.0, 10.0, 0.1, advanced=True
     )
     hold: float = _parameter(
-        0.13,
+        0.25,
         "Seconds of a held first or last pose that count as part of a motion.",
         0.0, 2.0, 0.01, advanced=True,
     )  # fmt: skip
