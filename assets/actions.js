@@ -33,19 +33,24 @@
           props.value === "error" ? "not read" : props.value)
       : null;
 
-  // the row of what is selected is marked in every table, wherever it was selected
-  const same = (a, b) => a && b && ["clip", "motif", "edge"].every((key) => String(a[key] ?? "") === String(b[key] ?? ""));
+  // The row of what is selected is marked in every table, wherever it was selected. Rows come and go as one scrolls, so
+  // a class rule marks new ones; those that are there are marked directly (redrawing them would lose the focus).
+  const same = (a, b) => Boolean(a && b) && ["clip", "motif", "edge"].every((key) => String(a[key] ?? "") === String(b[key] ?? ""));
+  let chosen = null;
+  grid.isChosen = (params) => same(params.data && params.data.selection, chosen);
+
   const clientside = (window.dash_clientside = window.dash_clientside || {});
   clientside.tables = {
     async mark(selection, rows, id) {
-      try {
-        const api = await window.dash_ag_grid.getApiAsync(id);
-        api.forEachNode((node) => {
-          const chosen = same(node.data && node.data.selection, selection);
-          if (node.isSelected() !== chosen) node.setSelected(chosen);
-          if (chosen) api.ensureNodeVisible(node);
-        });
-      } catch { /* the table has gone with its page */ }
+      chosen = selection;
+      const api = await window.dash_ag_grid.getApiAsync(id).catch(() => null);
+      const box = document.getElementById(id);
+      if (!api || !box || api.isDestroyed()) return clientside.no_update; // it has gone with its page
+      api.forEachNode((node) => { if (grid.isChosen(node)) api.ensureNodeVisible(node); });
+      for (const row of box.querySelectorAll(".ag-row")) {
+        const node = api.getRowNode(row.getAttribute("row-id"));
+        row.classList.toggle("row-chosen", Boolean(node) && grid.isChosen(node));
+      }
       return clientside.no_update;
     },
   };

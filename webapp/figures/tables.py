@@ -75,12 +75,12 @@ def grid(table_id: str, columns: list[dict], rows: list[Row], label: str, *, row
             "tooltipComponent": None,
         },
         getRowId="params.data.key",
+        rowClassRules={"row-chosen": "isChosen(params)"},
         dashGridOptions={
             "theme": theme.GRID_THEME,
             "rowHeight": row_height,
             "headerHeight": 36,
             "animateRows": False,
-            "rowSelection": {"mode": "singleRow", "checkboxes": False, "enableClickSelection": False},
             "tooltipShowDelay": 400,
             "suppressCellFocus": False,
             "ensureDomOrder": True,

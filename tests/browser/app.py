@@ -1,0 +1,116 @@
+"""The real app for browser tests: a workspace with a small demo, served in this process; workers as in real life."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Locator, Page, expect
+
+from core import analyses
+from core.demo import make_demo
+from core.workspace import Workspace
+from tests.browser.conftest import running
+from webapp.app import create_app
+
+PATIENCE = 90_000  # milliseconds for a job on a busy machine
+QUICK = {"analysis_fps": 15}
+
+
+@pytest.fixture(scope="session")
+def demo_workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A workspace with a minute of demo and its motif graph, made once and copied for each test."""
+    path = tmp_path_factory.mktemp("demo") / "workspace"
+    workspace = Workspace(path)
+    workspace.add_dataset("demo", make_demo(minutes=1.0))
+    analyses.run(workspace, analyses.Request("demo", "motifs"))
+    workspace.close()
+    return path
+
+
+@pytest.fixture
+def workspace(demo_workspace: Path, tmp_path: Path) -> Workspace:
+    """A fresh copy of the demo workspace."""
+    shutil.copytree(demo_workspace, tmp_path / "workspace")
+    return Workspace(tmp_path / "workspace")
+
+
+@pytest.fixture
+def address(workspace: Workspace) -> Iterator[str]:
+    """The app on that workspace."""
+    with running(create_app(workspace.path).server) as address:
+        yield address
+        for job in workspace.jobs.list():
+            workspace.jobs.cancel(job.id)
+
+
+@pytest.fixture
+def show(address: str, open_page: Callable[..., Page]) -> Callable[..., Page]:
+    """``show("/motifs")`` opens a page of the app and waits until its frame is there."""
+
+    def open_one(path: str, **options) -> Page:
+        page = open_page(address + path, **({"viewport": {"width": 1280, "height": 800}} | options))
+        expect(page.locator("#page h1, #page h2").first).to_be_visible(timeout=30_000)
+        return page
+
+    return open_one
+
+
+def setting(page: Page, name: str) -> Locator:
+    """The control of a parameter; the settings must be open."""
+    return page.locator(f"""input[id*='"name":"{name}"']""")
+
+
+def wait_for_graph(page: Page) -> None:
+    """Until the motif graph is drawn."""
+    page.wait_for_function(
+        "() => document.getElementById('motif-graph')?._cyreg?.cy?.nodes().length > 0", timeout=PATIENCE
+    )
+
+
+def click_in_graph(page: Page, element: str) -> None:
+    """Clicks a node or an edge of the graph with the mouse, where it is drawn."""
+    place = page.evaluate(
+        """(id) => {
+            const cy = document.getElementById('motif-graph')._cyreg.cy, one = cy.getElementById(id);
+            const at = one.isNode() ? one.renderedPosition() : one.renderedMidpoint();
+            const box = cy.container().getBoundingClientRect();
+            return [box.x + at.x, box.y + at.y];
+        }""",
+        element,
+    )
+    page.mouse.click(*place)
+
+
+def wait_for_stage(page: Page, title: str) -> None:
+    """Until the Stage shows figures under a title that contains ``title``."""
+    page.wait_for_function(
+        "title => motionscapeStage.status === 'ready'"
+        " && document.querySelector('.ms-stage-title').textContent.includes(title)",
+        arg=title,
+        timeout=30_000,
+    )
+
+
+def canvas_sum(page: Page) -> int:
+    """A number that changes with the picture on the Stage."""
+    return page.evaluate(
+        """() => {
+            const c = document.getElementById('stage-canvas');
+            const data = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
+            let sum = 0;
+            for (let k = 0; k < data.length; k += 4) sum = (sum * 31 + data[k] + 7 * data[k + 1]) >>> 0;
+            return sum;
+        }"""
+    )
+
+
+def wait_until_moved(page: Page, before: int) -> None:
+    """Until the picture differs from one with the sum ``before``."""
+    for _ in range(100):
+        if canvas_sum(page) != before:
+            return
+        page.wait_for_timeout(50)
+    raise AssertionError("the figures do not move")

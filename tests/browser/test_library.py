@@ -1,0 +1,167 @@
+"""The Library page in a real browser: clips, uploads good and bad, rename, delete and undo."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+from playwright.sync_api import Page, expect
+
+from core.mocap.bvh import write_bvh
+from core.workspace import Workspace
+from tests.browser.app import (
+    PATIENCE,
+    address,
+    canvas_sum,
+    demo_workspace,
+    show,
+    wait_for_stage,
+    wait_until_moved,
+    workspace,
+)
+from tests.browser.conftest import running
+from tests.webapp.generated import walk
+from webapp.app import create_app
+
+__all__ = ["address", "demo_workspace", "show", "workspace"]
+pytestmark = pytest.mark.browser
+
+
+@pytest.fixture
+def recordings(tmp_path: Path) -> list[Path]:
+    """Two good files, one cut off in the middle of a row, one with NaN, one that is no recording."""
+    folder = tmp_path / "recordings"
+    folder.mkdir()
+    for name in ("stroll", "rush"):
+        write_bvh(folder / f"{name}.bvh", walk(name, seconds=1.0))
+    whole = (folder / "stroll.bvh").read_text()
+    (folder / "cut.bvh").write_text(whole[: int(len(whole) * 0.9)])
+    head, _, row = whole.rstrip().rpartition("\n")
+    (folder / "nan.bvh").write_text(f"{head}\n{row.replace(row.split()[3], 'nan', 1)}\n")
+    (folder / "notes.txt").write_text("hello")
+    return sorted(folder.iterdir())
+
+
+def choose(page: Page, files: list[Path]) -> None:
+    page.click("#upload-open")
+    with page.expect_file_chooser() as chooser:
+        page.get_by_role("button", name="Choose files").click()
+    chooser.value.set_files(files)
+
+
+def test_a_clip_plays_by_mouse_and_by_keyboard(show):
+    page = show("/library")
+    row = page.locator("#clips-table .ag-row").first
+    row.click()
+    name = row.get_attribute("row-id")
+    wait_for_stage(page, name)
+    wait_until_moved(page, canvas_sum(page))
+    expect(row).to_have_class(re.compile("row-chosen"))
+    second = page.locator("#clips-table .ag-row").nth(1)
+    second.locator(".ag-cell").first.focus()
+    page.keyboard.press("Enter")
+    wait_for_stage(page, second.get_attribute("row-id"))
+    strip = page.locator("#clips-table img.filmstrip").first
+    page.wait_for_function("i => i.complete && i.naturalWidth > 50", arg=strip.element_handle())
+
+
+def test_good_files_are_kept_and_bad_ones_explained(show, recordings, workspace):
+    page = show("/library")
+    choose(page, recordings)
+    expect(page.locator("#upload-list .upload-ok")).to_have_count(4)
+    expect(page.locator("#upload-summary")).to_contain_text("1 other files ignored")
+    page.fill("#upload-name", "Morning session")
+    page.click("#upload-import")
+    expect(page.locator(".dataset-card.chosen")).to_contain_text("Morning session", timeout=PATIENCE)
+    expect(page.locator(".dataset-card.chosen")).to_contain_text("2 not read")
+    page.get_by_role("tab", name="Import report").click()
+    report = page.locator("#report-table .ag-center-cols-container")
+    expect(report).to_contain_text("cut.bvh")
+    expect(report).to_contain_text("nan.bvh")
+    page.get_by_text("Not read 2").click()
+    expect(page.locator("#report-table .ag-center-cols-container .ag-row")).to_have_count(2)
+    assert sorted(workspace.open("Morning session").names) == ["rush", "stroll"]
+    assert not list((workspace.path / "uploads").iterdir())
+
+
+def test_what_is_dropped_is_uploaded(show, recordings):
+    page = show("/library")
+    text = (recordings[3] if recordings[3].suffix == ".bvh" else recordings[0]).read_text()
+    page.evaluate(
+        """(text) => {
+            const transfer = new DataTransfer();
+            transfer.items.add(new File([text], 'dropped.bvh'));
+            const target = document.getElementById('page');
+            for (const kind of ['dragenter', 'dragover', 'drop'])
+                target.dispatchEvent(new DragEvent(kind, { dataTransfer: transfer, bubbles: true, cancelable: true }));
+        }""",
+        text,
+    )
+    expect(page.locator("#upload-list .upload-ok")).to_contain_text("dropped.bvh")
+    expect(page.locator("#upload-name")).to_have_value("dropped")
+
+
+def test_only_bad_files_end_in_a_clear_message(show, tmp_path):
+    bad = tmp_path / "bad.bvh"
+    bad.write_text("this is no motion")
+    page = show("/library")
+    choose(page, [bad])
+    expect(page.locator("#upload-import")).to_be_enabled()
+    page.click("#upload-import")
+    failed = page.locator(".job-failed")
+    expect(failed).to_contain_text("bad.bvh", timeout=PATIENCE)
+    failed.get_by_role("button", name="Dismiss").click()
+    expect(failed).to_have_count(0)
+
+
+def test_files_that_are_too_large_are_refused_before_they_are_sent(open_page, workspace, tmp_path, monkeypatch):
+    monkeypatch.setenv("MOTIONSCAPE_MAX_FILE_MB", "1")
+    (tmp_path / "big.bvh").write_bytes(b"x" * (2 << 20))
+    with running(create_app(workspace.path).server) as address:
+        page = open_page(f"{address}/library")
+        expect(page.locator("h1")).to_be_visible(timeout=30_000)
+        choose(page, [tmp_path / "big.bvh"])
+        expect(page.locator("#drop-zone")).to_contain_text("1 MB a file")
+        expect(page.locator("#upload-list .upload-error")).to_contain_text("too large: 2.0 MB")
+        expect(page.locator("#upload-import")).to_be_disabled()
+        page.context.close()  # before its server goes
+
+
+def test_rename_delete_and_undo(show, workspace):
+    page = show("/library")
+    page.get_by_role("button", name="More for demo").click()
+    page.get_by_role("menuitem", name="Rename").click()
+    page.fill("#rename-name", "a/b")
+    page.click("#rename-save")
+    expect(page.locator("#rename-problem")).to_contain_text("cannot have this name")
+    page.fill("#rename-name", "first steps")
+    page.click("#rename-save")
+    expect(page.locator(".dataset-card")).to_contain_text("first steps")
+    page.wait_for_function("location.search.includes('dataset=first+steps')")
+    page.get_by_role("button", name="More for first steps").click()
+    page.get_by_role("menuitem", name="Delete").click()
+    expect(page.get_by_text("No recordings yet")).to_be_visible(timeout=15_000)
+    assert workspace.datasets() == []
+    page.get_by_role("button", name="Undo").click()
+    expect(page.locator(".dataset-card.chosen")).to_contain_text("first steps", timeout=15_000)
+    page.get_by_role("button", name="More for first steps").click()
+    page.get_by_role("menuitem", name="Delete").click()
+    expect(page.get_by_text("No recordings yet")).to_be_visible(timeout=15_000)
+    page.click("#trash-open")
+    page.get_by_role("button", name="Restore").click()
+    expect(page.locator(".dataset-card.chosen")).to_contain_text("first steps", timeout=15_000)
+    assert [info.name for info in workspace.datasets()] == ["first steps"]
+
+
+def test_an_empty_workspace_offers_the_demo(open_page, tmp_path):
+    workspace = Workspace(tmp_path / "empty")
+    with running(create_app(workspace.path).server) as address:
+        page = open_page(f"{address}/")
+        page.get_by_role("button", name="Open the demo").click(timeout=30_000)
+        job = page.locator(".job", has_text="Demo: demo")
+        expect(job).to_be_visible(timeout=20_000)
+        job.get_by_role("button", name="Cancel").click()
+        expect(job).to_have_count(0, timeout=20_000)
+        assert workspace.jobs.list()[0].state == "cancelled"
+        page.context.close()
