@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import secrets
 import shutil
+import threading
 import time
 from collections.abc import Iterable
 from contextlib import suppress
@@ -25,6 +26,8 @@ class Uploads:
 
     def __init__(self, folder: Path):
         self.folder = folder
+        self._sizes: dict[str, tuple[int, int]] = {}  # by token; looked up once, then kept up to date
+        self._lock = threading.Lock()
 
     def create(self) -> str:
         """A new, empty upload; its token."""
@@ -56,21 +59,35 @@ class Uploads:
         """
         folder = self.path(token)
         target = inside(folder, *safe_parts(name))
-        present = [p.stat().st_size for p in folder.rglob("*") if p.is_file()]
-        if len(present) >= MAX_FILES:
+        n_files, n_bytes = self.size(token)
+        if n_files >= MAX_FILES:
             raise WorkspaceError(f"An upload takes at most {MAX_FILES} files; import these first.")
-        room = MAX_BYTES - sum(present)
+        room, written = MAX_BYTES - n_bytes, 0
         with plain_errors(f"store {target.name}"), atomic_file(target) as file:
             for chunk in chunks:
-                room -= len(chunk)
-                if room < 0:
+                written += len(chunk)
+                if written > room:
                     raise WorkspaceError(f"An upload takes at most {MAX_BYTES / 1024**3:.0f} GB; import these first.")
                 file.write(chunk)
+        with self._lock:
+            n_files, n_bytes = self._sizes[token]
+            self._sizes[token] = n_files + 1, n_bytes + written
         return target
+
+    def size(self, token: str) -> tuple[int, int]:
+        """Number of files of an upload and their bytes; a file sent again counts again. Raises as :meth:`path`."""
+        folder = self.path(token)
+        with self._lock:
+            if token not in self._sizes:
+                sizes = [path.stat().st_size for path in folder.rglob("*") if path.is_file()]
+                self._sizes[token] = len(sizes), sum(sizes)
+            return self._sizes[token]
 
     def remove(self, token: str) -> None:
         """Removes an upload and its files, if it is there. Raises NameRefused for what is no token."""
         shutil.rmtree(inside(self.folder, check_token(token, "upload")), ignore_errors=True)
+        with self._lock:
+            self._sizes.pop(token, None)
 
     def _sweep(self) -> None:
         for path in self.folder.iterdir() if self.folder.is_dir() else ():

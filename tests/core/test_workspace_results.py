@@ -114,6 +114,7 @@ def test_an_upload_holds_its_files_until_removed(workspace):
     path = workspace.uploads.add(token, "walks/ä.bvh", [b"HIER", b"ARCHY"])
     assert path.read_bytes() == b"HIERARCHY" and path.is_relative_to(workspace.path)
     assert workspace.uploads.file(token, "walks/ä.bvh") == path
+    assert workspace.uploads.size(token) == Workspace(workspace.path).uploads.size(token) == (1, 9)
     workspace.uploads.remove(token)
     workspace.uploads.remove(token)
     with pytest.raises(WorkspaceError, match="no longer here"):
