@@ -70,7 +70,7 @@ class Uploads:
                     raise WorkspaceError(f"An upload takes at most {MAX_BYTES / 1024**3:.0f} GB; import these first.")
                 file.write(chunk)
         with self._lock:
-            n_files, n_bytes = self._sizes[token]
+            n_files, n_bytes = self._sizes.get(token, (0, 0))  # gone where it was removed meanwhile
             self._sizes[token] = n_files + 1, n_bytes + written
         return target
 
