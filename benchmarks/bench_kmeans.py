@@ -26,7 +26,9 @@ def ours(x: np.ndarray) -> np.ndarray:
 
 def scikit(algorithm: str) -> Callable[[np.ndarray], np.ndarray]:
     """scikit-learn's k-means with one of its algorithms."""
-    return lambda x: KMeans(KAPPA, n_init=1, algorithm=algorithm, random_state=0, max_iter=25, tol=1e-4).fit(x).cluster_centers_
+    return lambda x: (
+        KMeans(KAPPA, n_init=1, algorithm=algorithm, random_state=0, max_iter=25, tol=1e-4).fit(x).cluster_centers_
+    )
 
 
 def plain_faiss(x: np.ndarray) -> np.ndarray:

@@ -6,7 +6,7 @@ from heapq import heapify, heappop, heappush
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit, prange
+from numba import njit
 from numba.typed import List
 
 from core.motifs.matching import Matcher, Matches, Rule
@@ -78,10 +78,10 @@ def _bound(index, k, cut, rho):
     return best * (1 + 1e-9), free
 
 
-@njit(cache=True, parallel=True)
+@njit(cache=True)
 def _bounds(index, cut, rho):
     bounds = np.empty(len(index.pointers) - 1)
-    for k in prange(len(bounds)):
+    for k in range(len(bounds)):
         bounds[k] = _bound(index, k, cut, rho)[0] if index.pointers[k] < index.pointers[k + 1] else 0.0
     return bounds
 

@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit, prange
+from numba import njit
 
 from core.motifs.adjacency import Adjacency
 from core.progress import Report, silent
@@ -57,18 +57,18 @@ class Matches(NamedTuple):
     costs: np.ndarray
 
 
-@njit(parallel=True, cache=True)
+@njit(cache=True)
 def _candidates(text, distances, costs):
     """Inverted lists: for each letter the places that are adjacent to it and nearer than both of their neighbours."""
     m, kappa = len(text.letters), len(costs)
     pointers = np.zeros(kappa + 1, np.int64)
-    for x in prange(kappa):
+    for x in range(kappa):
         for a in range(m):
             if costs[x, text.letters[a]] < np.inf and _is_nearest(text, distances, x, a):
                 pointers[x + 1] += 1
     pointers = np.cumsum(pointers)
     places = np.empty(pointers[-1], np.int32)
-    for x in prange(kappa):
+    for x in range(kappa):
         k = pointers[x]
         for a in range(m):
             if costs[x, text.letters[a]] < np.inf and _is_nearest(text, distances, x, a):

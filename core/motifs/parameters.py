@@ -58,7 +58,7 @@ class MotifParameters:
         advanced=True,
     )
     strictness: float = _parameter(
-        0.555, "Mean distance along two motions up to which they match, as a share of the radius.", 0.05, 1.0, 0.05,
+        0.55, "Mean distance along two motions up to which they match, as a share of the radius.", 0.05, 1.0, 0.05,
         advanced=True,
     )  # fmt: skip
     join: float = _parameter(
@@ -72,7 +72,7 @@ class MotifParameters:
         0.0, 1.0, 0.1, advanced=True,
     )  # fmt: skip
     min_seconds: float = _parameter(
-        0.4, "Shortest motion in seconds, whatever its number of letters.", 0.0, 10.0, 0.1, advanced=True
+        0.35, "Shortest motion in seconds, whatever its number of letters.", 0.0, 10.0, 0.1, advanced=True
     )
     hold: float = _parameter(
         0.25,
