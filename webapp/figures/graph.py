@@ -126,7 +126,7 @@ def stylesheet(name: str) -> list[dict[str, Any]]:
                 "text-background-color": c["page"],
                 "text-background-opacity": 0.85,
                 "text-background-padding": "1px",
-                "min-zoomed-font-size": 7,
+                "min-zoomed-font-size": 5,
                 "overlay-opacity": 0,
             },
         },
