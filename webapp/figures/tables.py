@@ -23,7 +23,7 @@ _SECONDS = {"valueFormatter": {"function": "d3.format('.1f')(params.value)"}, **
 _STRIP = {
     "headerName": "Motion",
     "flex": 1,
-    "minWidth": 200,
+    "minWidth": 136,
     "cellRenderer": "Filmstrip",
     "sortable": False,
     "cellClass": "strip-cell",
@@ -37,16 +37,16 @@ def _column(field: str, name: str, width: int, tip: str = "", **more: Any) -> di
 
 
 CLIP_COLUMNS = [
-    _column("clip", "Clip", 150, flex=1, minWidth=150, tooltipField="clip", **_TEXT),
+    _column("clip", "Clip", 120, flex=1, minWidth=112, tooltipField="clip", **_TEXT),
     {"field": "strip", **_STRIP},
-    _column("seconds", "Seconds", 88, **_SECONDS),
-    _column("frames", "Frames", 80, **_NUMBER),
-    _column("fps", "Rate", 64, "Frames per second", **_NUMBER),
-    _column("labels", "Labels", 76, "Labelled stretches", **_NUMBER),
+    _column("seconds", "Seconds", 86, **_SECONDS),
+    _column("frames", "Frames", 78, **_NUMBER),
+    _column("fps", "Rate", 58, "Frames per second", **_NUMBER),
+    _column("labels", "Labels", 72, "Labelled stretches", **_NUMBER),
     _column("verdict", "Import", 104, "What the import said of it", cellRenderer="Verdict", cellClass="strip-cell"),
 ]
 REPORT_COLUMNS = [
-    _column("verdict", "Result", 118, cellRenderer="Verdict", cellClass="strip-cell"),
+    _column("verdict", "Result", 118, cellRenderer="Verdict", cellClass="wrapped-cell"),
     _column("path", "File", 200, tooltipField="path", **_TEXT),
     _column(
         "messages", "What was found", 240, flex=1, wrapText=True, autoHeight=True, cellClass="wrapped-cell", **_TEXT
