@@ -14,7 +14,8 @@ from core.mocap.clip import Label, Segment
 class MotifScores(NamedTuple):
     """All between 0 and 1.
 
-    coverage: share of the labelled frames that lie in a motif. purity: share of those that carry the label most frequent
+    coverage: share of the labelled frames that lie in a motif. purity: share of those that carry the label most
+    frequent
     in their motif. pure: share of motifs whose motions all have the same most frequent label. f1_majority: mean over
     actions of the frame F1 when every motif stands for its most frequent label; f1_one_to_one: the same under the best
     assignment of one motif to one action.

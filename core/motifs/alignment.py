@@ -15,9 +15,9 @@ from core.sequences.warping import registration, warp_path
 class AlignedMotif(NamedTuple):
     """Motions of one motif, all in analysis frames of the whole data set.
 
-    spans: ``(n_motions, 2)`` first frame and one past the last; medoid: the motion nearest the average; warps: per motion
-    ``(n_medoid_frames,)`` its frame, from its start, that stands beside each frame of the medoid; error_sum, error_count:
-    sum and number of the distances between registered frames and the average motion.
+    spans: ``(n_motions, 2)`` first frame and one past the last; medoid: the motion nearest the average; warps: per
+    motion ``(n_medoid_frames,)`` its frame, from its start, that stands beside each frame of the medoid; error_sum,
+    error_count: sum and number of the distances between registered frames and the average motion.
     """
 
     spans: np.ndarray
@@ -91,9 +91,9 @@ def _spread(group, pointers, members, frames, poses):
 def spans_of(runs: Runs, motifs: list[np.ndarray], frames: np.ndarray, hold: int = 0) -> list[np.ndarray]:
     """Frame spans of each motif's motions, ``(n_motions, 2)``, half-open and never overlapping.
 
-    frames: ``(m,)`` from :func:`entry_frames`. Where a motion begins with the letter in which another ends, the frame of
-    that letter belongs to the one that begins. Elsewhere a motion takes in up to ``hold`` more frames at either end that
-    show its first or last letter: whichever of them the alignment preferred, they are part of the same pose.
+    frames: ``(m,)`` from :func:`entry_frames`. Where a motion begins with the letter in which another ends, the frame
+    of that letter belongs to the one that begins. Elsewhere a motion takes in up to ``hold`` more frames at either end
+    that show its first or last letter: whichever of them the alignment preferred, they are part of the same pose.
     """
     begins, ends = np.zeros(len(frames), bool), np.zeros(len(frames), bool)
     for motif in motifs:

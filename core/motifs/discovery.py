@@ -224,10 +224,11 @@ def random_seeds(
 def join_leftovers(
     runs: Runs, matcher: Matcher, motifs: list[Substrings], rule: Rule, report: Report = silent
 ) -> list[Substrings]:
-    """Ours: unpartitioned substrings join the motif whose motions they match, under a looser rule than it was found with.
+    """Ours: unpartitioned substrings join the motif whose motions they match, under a looser rule than it was found
+    with.
 
-    Two thresholds, as in edge tracing: a motif has to be found among near motions, but takes in one somewhat further off.
-    Nearest first; motifs neither appear nor meet, and who joined attracts nobody else.
+    Two thresholds, as in edge tracing: a motif has to be found among near motions, but takes in one somewhat further
+    off. Nearest first; motifs neither appear nor meet, and who joined attracts nobody else.
     """
     cut = _first_cuts(runs)
     for motif in motifs:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -57,8 +58,8 @@ class Edge:
 class MotifGraph:
     """Motifs, the successions between them, and how good they are.
 
-    metrics: coverage, average_frame_error, mean_pose_distance, n_motifs, mean_motions, mean_frames; parameters: as used,
-    ``kappa`` in numbers; seconds: stage -> time; clips: (name, frames, fps) of every clip.
+    metrics: coverage, average_frame_error, mean_pose_distance, n_motifs, mean_motions, mean_frames; parameters: as
+    used, ``kappa`` in numbers; seconds: stage -> time; clips: (name, frames, fps) of every clip.
     """
 
     motifs: tuple[Motif, ...]
@@ -133,7 +134,7 @@ def succession_edges(motifs: tuple[Motif, ...]) -> tuple[Edge, ...]:
     """Edges from all pairs of motions that follow one another in a clip with no motion between."""
     motions = sorted((s, motif.id) for motif in motifs for s in motif.segments)
     found: dict[tuple[int, int], list[Segment]] = {}
-    for (a, source), (b, target) in zip(motions[:-1], motions[1:], strict=True):
+    for (a, source), (b, target) in pairwise(motions):
         if a.clip == b.clip:
             found.setdefault((source, target), []).append(Segment(a.clip, a.end, b.start))
     return tuple(Edge(s, t, len(found[s, t]), tuple(found[s, t])) for s, t in sorted(found))

@@ -14,14 +14,14 @@ from core.motifs.adjacency import Adjacency
 from core.progress import Report, silent
 from core.sequences.repeats import Runs
 
-
 _BLOCK = 200_000  # pairs of seed start and candidate matched at a time, some tens of milliseconds
 
 
 class Rule(NamedTuple):
     """When an alignment is a match.
 
-    min_letters, max_letters: lengths of the seed; gamma: slope limit of the alignment and of the durations; slack: freedom
+    min_letters, max_letters: lengths of the seed; gamma: slope limit of the alignment and of the durations; slack:
+    freedom
     around a held pose, in shares of its duration; max_cost: highest mean distance along the alignment; min_frames: the
     shortest motion on either side.
     """
@@ -230,7 +230,8 @@ class Matcher:
         self.pointers, self.places = _candidates(self.text, adjacency.distances, adjacency.costs)
 
     def block(self, begin: int, end: int, rule: Rule) -> Matches:
-        """Matches of all seeds that start at letters [begin, end); pointers: one row a seed of these, (n_seeds + 1,)."""
+        """Matches of all seeds that start at letters [begin, end); pointers: one row a seed of these, (n_seeds +
+        1,)."""
         a, rule = self.adjacency, _typed(rule)
         spans, values = _match_block(begin, end, self.text, a.distances, a.costs, rule, self.pointers, self.places)
         return Matches(*_by_seed(begin, end, spans, values, rule))

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import faiss
 import numpy as np
-from numba import njit, prange
+from numba import njit
 
 from core.motifs.adjacency import centre_distances
 from core.progress import Report, silent
@@ -15,8 +15,8 @@ from core.progress import Report, silent
 class Letters(NamedTuple):
     """A quantised set of poses.
 
-    centres: ``(kappa, d)`` float32; labels: ``(n,)`` int32 letter of each pose; distances: ``(n,)`` float32 from a pose to
-    the centre of its letter.
+    centres: ``(kappa, d)`` float32; labels: ``(n,)`` int32 letter of each pose; distances: ``(n,)`` float32 from a
+    pose to the centre of its letter.
     """
 
     centres: np.ndarray
@@ -51,9 +51,11 @@ def k_means(
     tolerance: float = 1e-4,
     report: Report = silent,
 ) -> Letters:
-    """Cluster poses ``(n, d)`` into at most ``kappa`` letters; same seed, same letters. Centres nobody uses are dropped.
+    """Cluster poses ``(n, d)`` into at most ``kappa`` letters; same seed, same letters. Centres nobody uses are
+    dropped.
 
-    k-means++ on at most ``sample`` poses, then Lloyd on all until the inertia falls by less than ``tolerance`` of itself.
+    k-means++ on at most ``sample`` poses, then Lloyd on all until the inertia falls by less than ``tolerance`` of
+    itself.
     Exact, but by the triangle inequality a pose is compared only with centres nearer to its own centre than twice its
     distance: about ten instead of all. Raises ValueError where kappa is below 1 or there is no pose.
     """

@@ -1,9 +1,11 @@
 """A frame as numbers: pose features free of place and heading, reduced by PCA (MMG section 3.2).
 
-Features of a frame, y up: for every posture joint its rotation against the next posture joint above, as a rotation vector
-in degrees about the joint's mean rotation (so no angle wraps in natural motion); height of the root in CMU's length unit,
-so that it weighs like a degree; pitch and roll of the pelvis in degrees; horizontal speed and yaw speed per 1/30 s in the
-same units. ``positions`` replaces the angles by joint positions in the heading's frame, scaled to one body height.
+Features of a frame, y up: for every posture joint its rotation against the next posture joint above, as a rotation
+vector
+in degrees about the joint's mean rotation (so no angle wraps in natural motion); height of the root in CMU's length
+unit,
+so that it weighs like a degree; pitch and roll of the pelvis in degrees; horizontal speed and yaw speed per 1/30 s in
+the same units. ``positions`` replaces the angles by joint positions in the heading's frame, scaled to one body height.
 """
 
 from __future__ import annotations
@@ -34,7 +36,8 @@ _KINDS = ("angles", "positions")
 
 @dataclass(frozen=True)
 class Scales:
-    """Weight of each kind of feature: metres per unit of length (height, speed, positions), degrees per unit of angle."""
+    """Weight of each kind of feature: metres per unit of length (height, speed, positions), degrees per unit of
+    angle."""
 
     height: float = CMU_UNIT
     speed: float = CMU_UNIT
@@ -51,8 +54,9 @@ _SCALES = Scales()
 class Poses:
     """Pose features of many clips, one after the other, at one frame rate.
 
-    values: (n, n_features) float32, in the PCA space, centred. clip_starts: (n_clips + 1,) offsets of the clips in values.
-    clips: clip names; clip_fps, clip_frames: rate and number of frames of the clips themselves; fps: rate of ``values``.
+    values: (n, n_features) float32, in the PCA space, centred. clip_starts: (n_clips + 1,) offsets of the clips in
+    values. clips: clip names; clip_fps, clip_frames: rate and number of frames of the clips themselves; fps: rate of
+    ``values``.
     basis: (n_raw, n_features) principal directions; mean: (n_raw,) mean of the raw features; names: what each raw
     feature is; explained: share of the variance kept.
     """

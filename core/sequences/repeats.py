@@ -10,8 +10,8 @@ import numpy as np
 class Runs(NamedTuple):
     """A frame-by-frame labelling with its consecutive repetitions removed (MMG section 3.2), all arrays ``(m,)`` int32.
 
-    letters: one letter a run; starts, ends: its frames F(j), half-open; firsts, stops: for each run the first run of its
-    clip and the one past its last, so that nothing reaches across a clip's end (the paper's partition flags).
+    letters: one letter a run; starts, ends: its frames F(j), half-open; firsts, stops: for each run the first run of
+    its clip and the one past its last, so that nothing reaches across a clip's end (the paper's partition flags).
     """
 
     letters: np.ndarray
@@ -54,7 +54,8 @@ def remove_runs(labels: np.ndarray, clip_starts: np.ndarray) -> Runs:
 
 
 def inverted_lists(letters: np.ndarray, n_letters: int) -> tuple[np.ndarray, np.ndarray]:
-    """Where each letter stands in ``letters`` (m,): pointers ``(n_letters + 1,)`` into positions ``(m,)``, ascending."""
+    """Where each letter stands in ``letters`` (m,): pointers ``(n_letters + 1,)`` into positions ``(m,)``,
+    ascending."""
     pointers = np.zeros(n_letters + 1, np.int64)
     np.cumsum(np.bincount(letters, minlength=n_letters), out=pointers[1:])
     return pointers, np.argsort(letters, kind="stable").astype(np.int32)

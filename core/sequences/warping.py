@@ -10,8 +10,8 @@ def warp_path(a: np.ndarray, b: np.ndarray, band: float | None = None) -> np.nda
     """Cheapest alignment of ``a`` (n, d) with ``b`` (m, d): pairs of indices ``(k, 2)``, from (0, 0) to (n - 1, m - 1).
 
     Cost: sum of Euclidean distances; steps advance one or both sequences by one; ties go to the diagonal.
-    band: how far, as a share of the longer sequence, the path may leave the straight line (Sakoe-Chiba); None: anywhere.
-    Raises ValueError for empty sequences, unlike dimensions or a band outside 0 to 1.
+    band: how far, as a share of the longer sequence, the path may leave the straight line (Sakoe-Chiba); None:
+    anywhere. Raises ValueError for empty sequences, unlike dimensions or a band outside 0 to 1.
     """
     a, b = np.atleast_2d(np.asarray(a, np.float32)), np.atleast_2d(np.asarray(b, np.float32))
     if len(a) == 0 or len(b) == 0 or a.shape[1] != b.shape[1]:

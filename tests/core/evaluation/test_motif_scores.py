@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import importlib.util
 from collections import Counter
-from itertools import permutations
+from itertools import pairwise, permutations
 
 import numpy as np
 import pytest
@@ -22,7 +22,7 @@ def random_case(seed):
     labels, motifs = [], [[] for _ in range(int(rng.integers(1, 5)))]
     for clip in ("a", "b"):
         cuts = np.unique(np.concatenate([[0, 60], rng.integers(0, 60, 6)])).tolist()
-        for start, end in zip(cuts[:-1], cuts[1:], strict=True):
+        for start, end in pairwise(cuts):
             if rng.random() < 0.8:
                 labels.append(Label(clip, start, end, ACTIONS[rng.integers(3)]))
             if rng.random() < 0.7:

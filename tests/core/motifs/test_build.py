@@ -139,9 +139,10 @@ def test_no_clips_is_said():
 @pytest.mark.parametrize(
     "wrong",
     [
-        {"kappa": 1}, {"kappa": "many"}, {"kappa": 2.5}, {"rho": 0}, {"rho": float("nan")}, {"gamma": 0.5}, {"min_letters": 1},
-        {"min_letters": 9, "max_letters": 8}, {"adjacency": "cubes"}, {"pose": "mood"}, {"analysis_fps": 0}, {"seed": -1},
-        {"strictness": "high"}, {"min_letters": True},
+        {"kappa": 1}, {"kappa": "many"}, {"kappa": 2.5}, {"rho": 0}, {"rho": float("nan")}, {"gamma": 0.5},
+        {"min_letters": 1},
+        {"min_letters": 9, "max_letters": 8}, {"adjacency": "cubes"}, {"pose": "mood"}, {"analysis_fps": 0},
+        {"seed": -1}, {"strictness": "high"}, {"min_letters": True},
     ],
     ids=str,
 )  # fmt: skip
