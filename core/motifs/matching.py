@@ -14,6 +14,7 @@ from core.motifs.adjacency import Adjacency
 from core.progress import Report, silent
 from core.sequences.repeats import Runs
 
+_INFINITE = np.float32(np.inf)
 _BLOCK = 200_000  # pairs of seed start and candidate matched at a time, some tens of milliseconds
 
 
@@ -58,32 +59,32 @@ class Matches(NamedTuple):
 
 
 @njit(cache=True)
-def _candidates(text, distances, costs):
+def _candidates(letters, firsts, stops, distances, costs):
     """Inverted lists: for each letter the places that are adjacent to it and nearer than both of their neighbours."""
-    m, kappa = len(text.letters), len(costs)
+    m, kappa = len(letters), len(costs)
     pointers = np.zeros(kappa + 1, np.int64)
     for x in range(kappa):
         for a in range(m):
-            if costs[x, text.letters[a]] < np.inf and _is_nearest(text, distances, x, a):
+            if costs[x, letters[a]] < np.inf and _is_nearest(letters, firsts, stops, distances, x, a):
                 pointers[x + 1] += 1
     pointers = np.cumsum(pointers)
     places = np.empty(pointers[-1], np.int32)
     for x in range(kappa):
         k = pointers[x]
         for a in range(m):
-            if costs[x, text.letters[a]] < np.inf and _is_nearest(text, distances, x, a):
+            if costs[x, letters[a]] < np.inf and _is_nearest(letters, firsts, stops, distances, x, a):
                 places[k] = a
                 k += 1
     return pointers, places
 
 
 @njit(cache=True)
-def _is_nearest(text, distances, x, a):
+def _is_nearest(letters, firsts, stops, distances, x, a):
     """Whether place a is nearer to letter x than the letters beside it; beyond a clip's end all is infinitely far."""
-    here = distances[x, text.letters[a]]
-    if a > text.firsts[a] and distances[x, text.letters[a - 1]] <= here:
+    here = distances[x, letters[a]]
+    if a > firsts[a] and distances[x, letters[a - 1]] <= here:
         return False
-    return not (a + 1 < text.stops[a] and distances[x, text.letters[a + 1]] <= here)
+    return not (a + 1 < stops[a] and distances[x, letters[a + 1]] <= here)
 
 
 @njit(nogil=True, cache=True)
@@ -93,40 +94,47 @@ def _cheaper(total, steps, best, n):
 
 
 @njit(nogil=True, cache=True)
-def _next_row(text, costs, rule, seed, start, row, columns, low, high, totals, steps):
+def _next_row(letters, middles, lengths, costs, gamma, slack, seed, start, row, columns, low, high, totals, steps):
     """One letter more of the seed: costs and lengths of the best alignments that end at each letter of the candidate.
 
     totals, steps: (2, n) buffers, row parity alternates; [low, high] are the reachable columns of the row before.
-    Returns the reachable columns of this row, (0, -1) when there are none.
+    Returns the reachable columns of this row, (0, -1) when there are none. Takes plain arrays: a tuple of arrays would
+    count references, atomically, at every call.
     """
     new, old = row % 2, 1 - row % 2
-    x = text.letters[seed + row]
-    seed_time = text.middles[seed + row] - text.middles[seed]
-    seed_slack = rule.slack * text.lengths[seed + row]
+    x = letters[seed + row]
+    seed_time = middles[seed + row] - middles[seed]
+    seed_slack = slack * lengths[seed + row]
+    longest, origin = gamma * seed_time, middles[start]
     first, last = 0, -1
-    left, left_steps = np.float32(np.inf), 0
+    left, left_steps = _INFINITE, 0
+    corner, corner_steps = (np.float32(0), 0) if row == 0 else (_INFINITE, 0)
+    totals[old, high + 1] = _INFINITE
+    if row == 0:
+        totals[old, 0] = _INFINITE
     for c in range(low, columns):
-        if c > high + 1 and left == np.inf:
+        up, up_steps = _INFINITE, 0
+        if c <= high + 1:
+            up, up_steps = totals[old, c], steps[old, c]
+        elif left == _INFINITE:
             break
-        best, n = left, left_steps
-        if row > 0:
-            if c <= high and _cheaper(totals[old, c], steps[old, c], best, n):
-                best, n = totals[old, c], steps[old, c]
-            if low < c <= high + 1 and _cheaper(totals[old, c - 1], steps[old, c - 1], best, n):
-                best, n = totals[old, c - 1], steps[old, c - 1]
-        elif c == 0:
-            best, n = np.float32(0), 0
-        time = text.middles[start + c] - text.middles[start]
-        slack = seed_slack + rule.slack * text.lengths[start + c]
-        if time > rule.gamma * seed_time + slack or seed_time > rule.gamma * (time + slack):
-            best = np.float32(np.inf)
-        best += costs[x, text.letters[start + c]]
+        best, n = corner, corner_steps
+        corner, corner_steps = up, up_steps
+        if _cheaper(up, up_steps, best, n):
+            best, n = up, up_steps
+        if _cheaper(left, left_steps, best, n):
+            best, n = left, left_steps
+        best += costs[x, letters[start + c]]
+        if best < _INFINITE:
+            time, freedom = middles[start + c] - origin, seed_slack + slack * lengths[start + c]
+            if time > longest + freedom or seed_time > gamma * (time + freedom):
+                best = _INFINITE
+            else:
+                if last < first:
+                    first = c
+                last = c
         totals[new, c], steps[new, c] = best, n + 1
         left, left_steps = best, n + 1
-        if best < np.inf:
-            if last < first:
-                first = c
-            last = c
     return first, last
 
 
@@ -136,16 +144,17 @@ def _match_block(begin, end, text, distances, costs, rule, pointers, places):
 
     Matches never overlap their seed: they share an end letter with it at most.
     """
-    columns = 1 + np.max(text.stops[begin:end] - text.firsts[begin:end]) if end > begin else 1
-    columns = max(columns, _longest_clip(text))
-    totals, steps = np.empty((2, columns), np.float32), np.empty((2, columns), np.int32)
+    letters, middles, lengths, firsts, stops = text
+    min_letters, max_letters, gamma, slack, max_cost, min_frames = rule
+    columns = np.max(stops - firsts) if len(stops) else 1
+    totals, steps = np.empty((2, columns + 1), np.float32), np.empty((2, columns + 1), np.int32)
     found, spans, values = 0, np.empty((4096, 4), np.int32), np.empty(4096, np.float32)
     for seed in range(begin, end):
-        x = text.letters[seed]
+        x = letters[seed]
         for q in range(pointers[x], pointers[x + 1]):
             start = places[q]
-            rows = min(rule.max_letters, text.stops[seed] - seed)
-            width = text.stops[start] - start
+            rows = min(max_letters, stops[seed] - seed)
+            width = stops[start] - start
             if start == seed:
                 continue
             if start > seed:
@@ -154,25 +163,20 @@ def _match_block(begin, end, text, distances, costs, rule, pointers, places):
                 width = min(width, seed - start + 1)
             low, high = 0, 0
             for row in range(rows):
-                low, high = _next_row(text, costs, rule, seed, start, row, width, low, high, totals, steps)
+                low, high = _next_row(
+                    letters, middles, lengths, costs, gamma, slack, seed, start, row, width, low, high, totals, steps
+                )
                 if high < low:
                     break
-                if row + 1 < rule.min_letters or text.middles[seed + row] - text.middles[seed] < rule.min_frames:
+                if row + 1 < min_letters or middles[seed + row] - middles[seed] < min_frames:
                     continue
                 if found + high - low + 1 > len(values):
                     spans, values = _grown(spans, values, found, high - low + 1)
                 found = _collect(
-                    text, distances, rule, seed, start, row, low, high, totals, steps, found, spans, values
-                )
+                    letters, middles, firsts, stops, distances, gamma, max_cost, min_frames,
+                    seed, start, row, low, high, totals, steps, found, spans, values,
+                )  # fmt: skip
     return spans[:found], values[:found]
-
-
-@njit(nogil=True, cache=True)
-def _longest_clip(text):
-    longest = 0
-    for j in range(len(text.letters)):
-        longest = max(longest, text.stops[j] - text.firsts[j])
-    return longest
 
 
 @njit(nogil=True, cache=True)
@@ -184,18 +188,21 @@ def _grown(spans, values, found, more):
 
 
 @njit(nogil=True, cache=True)
-def _collect(text, distances, rule, seed, start, row, low, high, totals, steps, found, spans, values):
+def _collect(
+    letters, middles, firsts, stops, distances, gamma, max_cost, min_frames,
+    seed, start, row, low, high, totals, steps, found, spans, values,
+):  # fmt: skip
     """Add the alignments of this row that end at an end candidate and keep duration ratio and mean cost."""
-    x = text.letters[seed + row]
-    seed_time = text.middles[seed + row] - text.middles[seed]
+    x = letters[seed + row]
+    seed_time = middles[seed + row] - middles[seed]
     for c in range(max(low, 1), high + 1):
         total = totals[row % 2, c]
-        if not total <= rule.max_cost * steps[row % 2, c]:
+        if not total <= max_cost * steps[row % 2, c]:
             continue
-        time = text.middles[start + c] - text.middles[start]
-        if time < rule.min_frames or time > rule.gamma * seed_time or seed_time > rule.gamma * time:
+        time = middles[start + c] - middles[start]
+        if time < min_frames or time > gamma * seed_time or seed_time > gamma * time:
             continue
-        if _is_nearest(text, distances, x, start + c):
+        if _is_nearest(letters, firsts, stops, distances, x, start + c):
             spans[found, 0], spans[found, 1] = seed, row
             spans[found, 2], spans[found, 3] = start, start + c
             values[found] = total / steps[row % 2, c]
@@ -227,7 +234,9 @@ class Matcher:
     def __init__(self, runs: Runs, adjacency: Adjacency):
         self.text = Text(runs.letters, runs.middles, runs.lengths, runs.firsts, runs.stops)
         self.adjacency = adjacency
-        self.pointers, self.places = _candidates(self.text, adjacency.distances, adjacency.costs)
+        self.pointers, self.places = _candidates(
+            runs.letters, runs.firsts, runs.stops, adjacency.distances, adjacency.costs
+        )
 
     def block(self, begin: int, end: int, rule: Rule) -> Matches:
         """Matches of all seeds that start at letters [begin, end); pointers: one row a seed of these, (n_seeds +
