@@ -55,12 +55,12 @@ class Judge:
 
 
 def locomotif(dataset, rho: float = 0.95, fps: int = 30) -> dict:
-    """LoCoMotif on the raw angles' PCA at 30 fps (our features), motifs of 0.5 to 4 s, clips one after the other."""
+    """LoCoMotif on our pose features at 30 fps, motifs of 1 to 3 s (its best setting here), clips joined."""
     from locomotif.locomotif import apply_locomotif
 
     poses = pose_features(dataset, analysis_fps=fps)
     x = (poses.values / poses.values.std()).astype(np.float32)
-    sets = apply_locomotif(x, l_min=fps // 2, l_max=4 * fps, rho=rho)
+    sets = apply_locomotif(x, l_min=fps, l_max=3 * fps, rho=rho)
     return _document(poses, [[(int(b), int(e)) for b, e in motions] for _, motions in sets])
 
 
