@@ -1,14 +1,18 @@
-"""Who may come in, and what a browser may load: an optional token, and headers that keep everything on this host."""
+"""Who may come in, and what a browser may load: a token or this machine's names, and headers that stay on this host."""
 
 from __future__ import annotations
 
 import hmac
+import os
+import re
 from urllib.parse import parse_qsl, urlencode
 
 from flask import Flask, Response, redirect, request
 
 from webapp.components.errors import error_page
+from webapp.serving import is_loopback
 
+HOSTS = "MOTIONSCAPE_HOSTS"
 COOKIE = "motionscape-token"
 _POLICY = (
     "default-src 'self'; script-src 'self' 'unsafe-inline' 'unsafe-eval'; style-src 'self' 'unsafe-inline'; "
@@ -20,7 +24,9 @@ _POLICY = (
 def protect(server: Flask, token: str | None) -> None:
     """Sends the safety headers with every answer and, with a ``token``, lets in only who knows it.
 
-    The token comes once as ``?token=...``, becomes a cookie, and is taken out of the address.
+    The token comes once as ``?token=...``, becomes a cookie, and is taken out of the address. Without a token only
+    requests to this machine's own names, or to one of MOTIONSCAPE_HOSTS, are answered: a foreign site may let its name
+    lead to this machine (DNS rebinding), but the browser still says which name it asked for.
     """
 
     @server.after_request
@@ -31,11 +37,34 @@ def protect(server: Flask, token: str | None) -> None:
         response.headers.setdefault("Cross-Origin-Resource-Policy", "same-origin")
         return response
 
-    if token:
+    hosts = known_hosts()
 
-        @server.before_request
-        def _check() -> Response | tuple[str, int] | None:
-            return _let_in(token)
+    @server.before_request
+    def _check() -> Response | tuple[str, int] | None:
+        return _let_in(token) if token else _check_host(hosts)
+
+
+def known_hosts() -> frozenset[str]:
+    """The names in MOTIONSCAPE_HOSTS, in lower case and without ports."""
+    return frozenset(filter(None, map(host_name, os.environ.get(HOSTS, "").split(","))))
+
+
+def host_name(address: str) -> str:
+    """The name in ``name[:port]``, in lower case and without brackets; empty where it is no such thing."""
+    parts = re.fullmatch(r"(?:\[([0-9a-f:.]+)\]|([^\s:@/\[\]]+))(?::\d*)?", address.strip().lower())
+    return (parts[1] or parts[2]).rstrip(".") if parts else ""
+
+
+def _check_host(hosts: frozenset[str]) -> tuple[str, int] | None:
+    name = host_name(request.environ.get("HTTP_HOST", ""))
+    if name and (is_loopback(name) or name in hosts):
+        return None
+    return error_page(
+        403,
+        "This address is not known here",
+        "Open Motionscape under the address that was printed when the server was started. "
+        f"Whoever runs it behind another name can allow that name with {HOSTS}.",
+    )
 
 
 def _let_in(token: str) -> Response | tuple[str, int] | None:

@@ -45,6 +45,39 @@ def test_a_token_is_asked_for_once(workspace):
     assert client.get("/library?dataset=walkers").status_code == 200
 
 
+@pytest.mark.parametrize("host", ["localhost", "LOCALHOST:8050", "127.0.0.1:1", "127.0.0.1", "[::1]:8050", "[::1]"])
+def test_this_machine_is_known_under_its_own_names(client, host):
+    assert client.get("/library", headers={"Host": host}).status_code == 200
+
+
+@pytest.mark.parametrize(
+    "host",
+    [
+        *("evil.example", "evil.example:8050", "localhost.evil.example", "127.0.0.1.evil.example", "192.168.0.7"),
+        *("[::2]", "evil@localhost", "localhost@evil.example", "local host", "[::1", ""),
+    ],
+)
+def test_a_foreign_name_that_leads_here_is_refused(client, host):
+    for path in ("/library", "/_dash-layout", "/api/motion/walkers/a", "/api/uploads", "/assets/app.css"):
+        answer = client.get(path, headers={"Host": host})
+        assert answer.status_code == 403
+        assert b"not known here" in answer.data and b"walkers" not in answer.data
+    assert client.post("/api/uploads", headers={"Host": host}).status_code == 403
+
+
+def test_a_reverse_proxy_may_bring_its_own_name(workspace, monkeypatch):
+    monkeypatch.setenv("MOTIONSCAPE_HOSTS", " Motion.Team.example , other.example:8443,")
+    client = create_app(workspace.path).server.test_client()
+    for host in ("motion.team.example", "motion.team.example:443", "OTHER.example", "localhost"):
+        assert client.get("/library", headers={"Host": host}).status_code == 200
+    assert client.get("/library", headers={"Host": "team.example"}).status_code == 403
+
+
+def test_with_a_token_the_name_does_not_matter(workspace):
+    client = create_app(workspace.path, token="s3cret").server.test_client()
+    assert client.get("/library?token=s3cret", headers={"Host": "lab.example"}).status_code == 302
+
+
 def test_errors_show_no_internals(client):
     answer = client.post("/_dash-update-component", data="{", content_type="application/json")
     assert answer.status_code >= 400
