@@ -49,6 +49,7 @@ def motifs_of_poses(poses: Poses, parameters: MotifParameters, report: Report = 
         letters = k_means(poses.values, kappa, parameters.seed, report=report)
         runs = remove_runs(letters.labels, poses.clip_starts)
     with _timed("matching", seconds):
+        report("matching", 0.0)
         matcher = Matcher(runs, adjacency := _adjacency(letters, parameters))
         rule = _rule(parameters, adjacency, parameters.strictness)
         matches = matcher.all(rule, report)

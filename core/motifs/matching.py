@@ -15,7 +15,7 @@ from core.progress import Report, silent
 from core.sequences.repeats import Runs
 
 _INFINITE = np.float32(np.inf)
-_BLOCK = 200_000  # pairs of seed start and candidate matched at a time, some tens of milliseconds
+_BLOCK = 50_000  # pairs of seed start and candidate matched at a time, some tens of milliseconds
 
 
 class Rule(NamedTuple):
