@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from heapq import heapify, heappop, heappush
 from typing import NamedTuple
 
 import numpy as np
 from numba import njit
-from numba.typed import List
 
 from core.motifs.matching import Matcher, Matches, Rule
 from core.progress import Report, silent
+from core.sequences.ordering import ascending
 from core.sequences.repeats import Runs
 
 Substrings = np.ndarray
@@ -70,10 +69,10 @@ def _bound(index, k, cut, rho):
             widths[n - 1] = 0.0
         reach = min(reach, b)
         widths[n - 1] = max(widths[n - 1], _width(index, a, b))
-    widths = np.sort(widths[:n])[::-1]
+    order = ascending(widths[:n])
     total, best = _width(index, first, last), 0.0
     for h in range(n):
-        total += widths[h]
+        total += widths[order[n - 1 - h]]
         best = max(best, (h + 1) * (total / (h + 2)) ** rho)
     return best * (1 + 1e-9), free
 
@@ -94,7 +93,7 @@ def _motif_of(index, k, cut):
     """
     first, last = _seed(index, k)
     low = index.pointers[k]
-    order = np.argsort(index.costs[low : index.pointers[k + 1]], kind="mergesort")
+    order = ascending(index.costs[low : index.pointers[k + 1]])
     chosen = np.empty((len(order) + 1, 2), np.int64)
     chosen[0, 0], chosen[0, 1], n, height = first, last, 1, 0.0
     for q in order:
@@ -132,14 +131,55 @@ def _partition(motif, cut):
             j -= 1
 
 
+class _Heap(NamedTuple):
+    """A binary max-heap of seeds in arrays ``(n_seeds,)``; size: (1,). Of equal keys the first seed is on top."""
+
+    keys: np.ndarray
+    seeds: np.ndarray
+    size: np.ndarray
+
+
 @njit(cache=True)
-def _heap_of(bounds):
-    heap = List()
-    for k in range(len(bounds)):
-        if bounds[k] > 0:
-            heap.append((-bounds[k], k))
-    heapify(heap)
-    return heap
+def _push(heap, key, seed):
+    i = heap.size[0]
+    heap.size[0] += 1
+    while i > 0:
+        up = (i - 1) // 2
+        if not _above(key, seed, heap.keys[up], heap.seeds[up]):
+            break
+        heap.keys[i], heap.seeds[i] = heap.keys[up], heap.seeds[up]
+        i = up
+    heap.keys[i], heap.seeds[i] = key, seed
+
+
+@njit(cache=True)
+def _pop(heap):
+    top_key, top_seed = heap.keys[0], heap.seeds[0]
+    heap.size[0] -= 1
+    n = heap.size[0]
+    key, seed, i = heap.keys[n], heap.seeds[n], 0
+    while 2 * i + 1 < n:
+        down = 2 * i + 1
+        if down + 1 < n and _above(heap.keys[down + 1], heap.seeds[down + 1], heap.keys[down], heap.seeds[down]):
+            down += 1
+        if not _above(heap.keys[down], heap.seeds[down], key, seed):
+            break
+        heap.keys[i], heap.seeds[i] = heap.keys[down], heap.seeds[down]
+        i = down
+    heap.keys[i], heap.seeds[i] = key, seed
+    return top_key, top_seed
+
+
+@njit(cache=True)
+def _above(key, seed, other_key, other_seed):
+    return key > other_key or (key == other_key and seed < other_seed)
+
+
+def _heap_of(bounds: np.ndarray) -> _Heap:
+    """All seeds with a positive bound; a descending array is a heap. bounds: (n_seeds,)."""
+    seeds = np.argsort(-bounds, kind="stable")
+    seeds = seeds[: np.count_nonzero(bounds > 0)]
+    return _Heap(bounds[seeds], seeds, np.array([len(seeds)]))
 
 
 @njit(cache=True)
@@ -149,22 +189,27 @@ def _largest(index, heap, volumes, counts, cut, rho):
     A seed's volume is computed only while its bound still beats the best volume of this round, and again later only
     if one of its matches has gone since (counts).
     """
-    best, winner, waiting = 0.0, -1, List()
-    waiting.append((0.0, -1))
-    while len(heap) and -heap[0][0] >= best:
-        key, k = heappop(heap)
+    best, winner = 0.0, -1
+    waiting, n = np.empty((64, 2)), 0
+    while heap.size[0] and heap.keys[0] >= best:
+        key, k = _pop(heap)
         bound, free = _bound(index, k, cut, rho)
-        if bound < -key:
+        if bound < key:
             if bound > 0:
-                heappush(heap, (-bound, k))
+                _push(heap, bound, k)
             continue
         if counts[k] != free:
             counts[k], volumes[k] = free, _volume(index, k, cut, rho)
-        waiting.append((key, k))
+        if n == len(waiting):
+            longer = np.empty((2 * n, 2))
+            for w in range(n):
+                longer[w, 0], longer[w, 1] = waiting[w, 0], waiting[w, 1]
+            waiting = longer
+        waiting[n, 0], waiting[n, 1], n = key, k, n + 1
         if volumes[k] > best or (volumes[k] == best and k < winner):
             best, winner = volumes[k], k
-    for w in range(1, len(waiting)):
-        heappush(heap, waiting[w])
+    for w in range(n):
+        _push(heap, waiting[w, 0], int(waiting[w, 1]))
     return winner
 
 

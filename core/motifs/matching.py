@@ -67,7 +67,8 @@ def _candidates(letters, firsts, stops, distances, costs):
         for a in range(m):
             if costs[x, letters[a]] < np.inf and _is_nearest(letters, firsts, stops, distances, x, a):
                 pointers[x + 1] += 1
-    pointers = np.cumsum(pointers)
+    for x in range(kappa):
+        pointers[x + 1] += pointers[x]
     places = np.empty(pointers[-1], np.int32)
     for x in range(kappa):
         k = pointers[x]
@@ -146,7 +147,9 @@ def _match_block(begin, end, text, distances, costs, rule, pointers, places):
     """
     letters, middles, lengths, firsts, stops = text
     min_letters, max_letters, gamma, slack, max_cost, min_frames = rule
-    columns = np.max(stops - firsts) if len(stops) else 1
+    columns = 1
+    for j in range(len(stops)):
+        columns = max(columns, stops[j] - firsts[j])
     totals, steps = np.empty((2, columns + 1), np.float32), np.empty((2, columns + 1), np.int32)
     found, spans, values = 0, np.empty((4096, 4), np.int32), np.empty(4096, np.float32)
     for seed in range(begin, end):
@@ -183,7 +186,10 @@ def _match_block(begin, end, text, distances, costs, rule, pointers, places):
 def _grown(spans, values, found, more):
     size = 2 * len(values) + more
     new_spans, new_values = np.empty((size, 4), np.int32), np.empty(size, np.float32)
-    new_spans[:found], new_values[:found] = spans[:found], values[:found]
+    for k in range(found):  # slice assignment would take seconds more to compile
+        new_values[k] = values[k]
+        for i in range(4):
+            new_spans[k, i] = spans[k, i]
     return new_spans, new_values
 
 
@@ -217,7 +223,8 @@ def _by_seed(begin, end, spans, values, rule):
     pointers = np.zeros((end - begin) * lengths + 1, np.int64)
     for k in range(len(values)):
         pointers[(spans[k, 0] - begin) * lengths + spans[k, 1] + 2 - rule.min_letters] += 1
-    pointers = np.cumsum(pointers)
+    for k in range(len(pointers) - 1):
+        pointers[k + 1] += pointers[k]
     at = pointers[:-1].copy()
     starts, ends = np.empty(len(values), np.int32), np.empty(len(values), np.int32)
     costs = np.empty(len(values), np.float32)

@@ -10,6 +10,7 @@ from numba import njit
 
 from core.motifs.adjacency import centre_distances
 from core.progress import Report, silent
+from core.sequences.ordering import ascending
 
 
 class Letters(NamedTuple):
@@ -71,7 +72,9 @@ def k_means(
     for i in range(iterations):
         report("quantisation", (i + 1) / (iterations + 1))
         centres = _means(x, labels, centres)
-        squares = _reassign(x, centres, centre_distances(centres), labels)
+        order = np.argsort(labels, kind="stable")
+        first = np.searchsorted(labels[order], np.arange(len(centres) + 1))
+        squares = _reassign(x, centres, centre_distances(centres), labels, order, first)
         if (before := inertia) - (inertia := float(squares.sum(dtype=np.float64))) <= tolerance * before < np.inf:
             break
     used, labels = np.unique(labels, return_inverse=True)
@@ -91,7 +94,8 @@ def _plus_plus(x, kappa, draws):
     between = np.zeros(kappa, np.float32)
     pick, found = min(int(draws[0] * n), n - 1), 0
     while found < kappa:
-        centres[found] = x[pick]
+        for k in range(x.shape[1]):
+            centres[found, k] = x[pick, k]
         for c in range(found):
             between[c] = _square(centres[c], x[pick]) * np.float32(0.25)
         total = 0.0
@@ -127,22 +131,28 @@ def _nearest(x: np.ndarray, centres: np.ndarray) -> np.ndarray:
 
 
 @njit(cache=True)
-def _reassign(x, centres, between, labels):
+def _reassign(x, centres, between, labels, order, first):
     """Move each pose to its nearest centre, in place in ``labels``; the squared distances.
 
+    order: poses by label; first: (kappa + 1,) where each label's poses begin in it.
     Centres are tried by their distance from the pose's present one; beyond twice the best distance none can be nearer.
     """
-    order = np.argsort(labels, kind="mergesort")
-    first = np.searchsorted(labels[order], np.arange(len(centres) + 1))
     squares = np.empty(len(x), np.float32)
     for a in range(len(centres)):
         members = order[first[a] : first[a + 1]]
         if len(members) == 0:
             continue
+        furthest = np.float32(0)
         for i in members:
             squares[i] = _square(x[i], centres[a])
-        near = np.flatnonzero(between[a] * np.float32(0.9999) <= 2 * np.sqrt(squares[members].max()))
-        near = near[np.argsort(between[a][near], kind="mergesort")]
+            furthest = max(furthest, squares[i])
+        near, n = np.empty(len(centres), np.int64), 0
+        for c in range(len(centres)):
+            if between[a, c] * np.float32(0.9999) <= 2 * np.sqrt(furthest):
+                near[n] = c
+                n += 1
+        near = near[:n]
+        near = near[ascending(between[a][near])]
         for i in members:
             for c in near:
                 if between[a, c] * np.float32(0.9999) > 2 * np.sqrt(squares[i]):
@@ -163,6 +173,7 @@ def _means(x, labels, centres):
             total[labels[i], k] += x[i, k]
     new = centres.copy()
     for c in range(len(centres)):
-        if count[c] > 0:
-            new[c] = (total[c] / count[c]).astype(np.float32)
+        for k in range(x.shape[1]):
+            if count[c] > 0:
+                new[c, k] = total[c, k] / count[c]
     return new
