@@ -6,8 +6,13 @@ import os
 from pathlib import Path
 
 import pytest
+from hypothesis import settings
 
 REPOSITORY = Path(__file__).resolve().parents[1]
+
+# Kernels compile within the first example, so none has a deadline; a failure in CI can be had again anywhere.
+settings.register_profile("motionscape", deadline=None, derandomize="CI" in os.environ)
+settings.load_profile("motionscape")
 
 
 @pytest.fixture(scope="session")
