@@ -113,7 +113,8 @@ def _item(clip: str, start: int, end: int, label: str, warp: list[float] | None 
 
 
 def _request(dataset: Dataset, items: list[dict[str, Any]], title: str) -> Request:
-    return {"dataset": dataset.name, "items": items, "layout": "overlay", "sync": "warp", "title": title}
+    content = {"dataset": dataset.name, "version": dataset.fingerprint, "items": items, "title": title}
+    return {**content, "layout": "overlay", "sync": "warp"}
 
 
 def register(app: Dash, workspace: Workspace) -> None:

@@ -41,7 +41,7 @@ def test_clips_say_length_labels_and_verdict():
 def test_the_report_shows_the_worst_first_and_can_be_filtered():
     rows = tables.report_rows(REPORTS)
     assert [row["verdict"] for row in rows] == ["error", "warning", "ok"]
-    assert rows[0]["messages"] == "C.bvh:7: found NaN; expected a number." and "selection" not in rows[0]
+    assert rows[0]["messages"] == "Line 7: found NaN; expected a number." and "selection" not in rows[0]
     assert [row["path"] for row in tables.report_rows(REPORTS, ("warning",))] == ["b.bvh"]
 
 
@@ -52,7 +52,9 @@ def test_strips_have_addresses_safe_for_any_name():
 
 def test_cards_invite_where_there_is_nothing():
     assert "Open the demo" in str(dataset_cards([], None))
-    text = str(dataset_cards([info("walks", errors=2, warnings=1, labels=7), info("runs")], "walks"))
+    text = str(dataset_cards([info("walks", errors=2, warnings=1, labels=7), info("runs")], "walks")).replace(
+        "\\xa0", " "
+    )
     assert "2 not read" in text and "1 warning" in text and "7 labels" in text and "All files read" in text
     assert text.count("dataset-card chosen") == 1
 

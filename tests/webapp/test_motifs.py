@@ -17,7 +17,7 @@ from webapp.figures import tables
 from webapp.figures.drawing import graph_svg
 from webapp.figures.placement import place_boxes, spread
 from webapp.pages.motifs import form
-from webapp.pages.motifs.layout import metric_tiles, selection_panel
+from webapp.pages.motifs.layout import metric_tiles, motion_list, selection_panel
 
 
 def motif(number: int, segments: list[tuple[str, int, int]]) -> Motif:
@@ -170,10 +170,13 @@ def test_metrics_in_words(dataset, graph):
 
 
 def test_the_panel_lists_every_motion_with_its_time(dataset, graph):
-    text = str(selection_panel(dataset, graph, {"motif": 0}))
-    assert text.count("motion-row") == 3 and "0:00.2 to 0:01.0" in text
-    assert "Choose a box" in str(selection_panel(dataset, graph, {}))
-    assert "Choose a box" in str(selection_panel(dataset, graph, {"motif": 99}))
+    listed = motion_list(dataset, graph, {"motif": 0, "motion": 1})
+    assert [row["chosen"] for row in listed["rows"]] == [False, True, False] and listed["more"] == 0
+    assert listed["rows"][1]["when"] == "0:00.2 to 0:01.0"
+    assert listed["rows"][2]["selection"] == {"motif": 0, "motion": 2}
+    assert "3 motions" in str(selection_panel(graph, {"motif": 0}))
+    for nothing in ({}, {"motif": 99}, {"edge": "7-8"}):
+        assert "Choose a box" in str(selection_panel(graph, nothing)) and motion_list(dataset, graph, nothing) == {}
 
 
 def test_the_form_takes_what_fits_and_says_what_does_not():

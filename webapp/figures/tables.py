@@ -130,7 +130,8 @@ def report_rows(files: Iterable[FileReport], verdicts: Iterable[str] = ("ok", "w
             "key": f"{i}",
             "verdict": file.verdict,
             "path": PurePath(file.path).name,
-            "messages": " ".join(_sentence(message) for message in file.messages) or "Read without remarks.",
+            "messages": " ".join(_sentence(_without_file(message, file.path)) for message in file.messages)
+            or "Read without remarks.",
             **({"selection": {"clip": file.clip}} if file.clip else {}),
         }
         for i, file in worst_first
@@ -184,6 +185,15 @@ def clock(seconds: float) -> str:
     """A moment of a clip: 0:07.3."""
     minutes, rest = divmod(round(float(seconds), 1), 60)
     return f"{int(minutes)}:{rest:04.1f}"
+
+
+def _without_file(message: str, path: str) -> str:
+    """The file stands in a column of its own: ``a.bvh:7: what`` becomes ``Line 7: what``."""
+    place, _, what = message.partition(": ")
+    name, _, line = place.partition(PurePath(path).name)
+    if name or not what or place == line:
+        return message
+    return f"line {line[1:]}: {what}" if line[1:].isdigit() else what if not line else message
 
 
 def _sentence(message: str) -> str:

@@ -91,7 +91,9 @@ def _card(info: DatasetInfo, chosen: bool) -> Component:
                 title=info.name,
                 children=[
                     html.Span(info.name, className="dataset-name ellipsis"),
-                    html.Span(" · ".join(facts), className="muted number"),
+                    html.Span(
+                        " · ".join(fact.replace(" ", "\N{NO-BREAK SPACE}") for fact in facts), className="muted number"
+                    ),
                     html.Span(
                         doubts or html.Span("All files read", className="verdict verdict-ok"),
                         className="dataset-doubts",

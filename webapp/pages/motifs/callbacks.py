@@ -108,6 +108,7 @@ def _show(app: Dash, workspace: Workspace) -> None:
 def _browse(app: Dash, workspace: Workspace) -> None:
     @app.callback(
         Output("motif-selection", "children"),
+        Output("motions", "data"),
         Input("selection", "data"),
         Input("motif-graph", "id"),
         State("dataset", "data"),
@@ -116,9 +117,14 @@ def _browse(app: Dash, workspace: Workspace) -> None:
     def show_selection(selection, _graph, name, parameters):
         try:
             graph = results.motif_graph(workspace, name, parameters)
-            return layout.selection_panel(workspace.open(name), graph, selection or {}) if graph else None
+            if graph is None:
+                return None, {}
+            dataset, chosen = workspace.open(name), selection or {}
+            return layout.selection_panel(graph, chosen), layout.motion_list(dataset, graph, chosen)
         except WorkspaceError:
-            return None
+            return None, {}
+
+    app.clientside_callback(ClientsideFunction("motions", "list"), Input("motions", "data"))
 
     app.clientside_callback(
         ClientsideFunction("graph", "tapped"),

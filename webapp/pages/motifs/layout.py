@@ -11,7 +11,6 @@ import dash_mantine_components as dmc
 from dash import dcc, html
 from dash.development.base_component import Component
 
-from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
 from core.workspace import Job
@@ -143,12 +142,15 @@ def result(graph: MotifGraph, dataset: Dataset, elements: list[dict], table: Com
                 className="graph-and-selection section",
                 children=[
                     _graph_card(graph, elements, scheme),
-                    html.Div(id="motif-selection", className="card selection-card"),
+                    html.Div(
+                        [html.Div(id="motif-selection"), html.Div(id="motion-list", className="motion-list")],
+                        className="card selection-card",
+                    ),
                 ],
             ),
             html.Div([html.H2("All motifs")], className="section-head section"),
             table,
-            *(dcc.Store(id=name) for name in ("graph-tapped", "graph-marked", "motifs-marked")),
+            *(dcc.Store(id=name) for name in ("motions", "graph-tapped", "graph-marked", "motifs-marked")),
         ]
     )
 
@@ -189,6 +191,38 @@ def _graph_card(graph: MotifGraph, elements: list[dict], scheme: str) -> Compone
     return html.Div(
         className="card graph-card",
         children=[
+            html.Div(
+                className="graph-bar",
+                children=[
+                    html.Div(
+                        className="edge-filter"
+                        + ("" if max(counts, default=1) > 1 and len(counts) > MANY_TO_FILTER else " hidden"),
+                        children=[
+                            html.Span(
+                                f"Successions seen at least {threshold}×", className="number", id="edge-filter-label"
+                            ),
+                            dmc.Slider(
+                                id="edge-threshold",
+                                min=1,
+                                max=max(2, min(max(counts, default=2), 20)),
+                                value=threshold,
+                                size="xs",
+                                w=120,
+                                **{"aria-label": "Hide successions seen less often"},
+                            ),
+                        ],
+                    ),
+                    html.Div(className="spacer"),
+                    html.Div(
+                        className="graph-tools",
+                        children=[
+                            _tool("plus", "Zoom in", {"graph": "in"}),
+                            _tool("minus", "Zoom out", {"graph": "out"}),
+                            _tool("fit", "Show the whole graph", {"graph": "fit"}),
+                        ],
+                    ),
+                ],
+            ),
             cyto.Cytoscape(
                 id="motif-graph",
                 elements=elements,
@@ -200,30 +234,6 @@ def _graph_card(graph: MotifGraph, elements: list[dict], scheme: str) -> Compone
                 boxSelectionEnabled=False,
                 autoRefreshLayout=False,
                 responsive=False,
-            ),
-            html.Div(
-                className="graph-tools",
-                children=[
-                    _tool("plus", "Zoom in", {"graph": "in"}),
-                    _tool("minus", "Zoom out", {"graph": "out"}),
-                    _tool("fit", "Show the whole graph", {"graph": "fit"}),
-                ],
-            ),
-            html.Div(
-                className="edge-filter"
-                + ("" if max(counts, default=1) > 1 and len(counts) > MANY_TO_FILTER else " hidden"),
-                children=[
-                    html.Span(f"Successions seen at least {threshold}×", className="number", id="edge-filter-label"),
-                    dmc.Slider(
-                        id="edge-threshold",
-                        min=1,
-                        max=max(2, min(max(counts, default=2), 20)),
-                        value=threshold,
-                        size="xs",
-                        w=120,
-                        **{"aria-label": "Hide successions seen less often"},
-                    ),
-                ],
             ),
             html.Div(graph_figure.legend(graph), className="graph-legend muted"),
         ],
@@ -299,74 +309,56 @@ def _when(moment_: float | None) -> str:
     return datetime.fromtimestamp(moment_).strftime("%d %b, %H:%M") if moment_ else ""
 
 
-def selection_panel(dataset: Dataset, graph: MotifGraph, selection: Mapping[str, Any]) -> list[Component]:
-    """The motions of the selected motif or the transitions of the selected edge, each with a way to play it alone."""
+def selection_panel(graph: MotifGraph, selection: Mapping[str, Any]) -> Component:
+    """What is selected, in a line: its name, how many motions or transitions, and a way to play them together."""
     motif = find_motif(graph, selection["motif"]) if "motif" in selection else None
     if motif is not None:
-        rows = [
-            _row(dataset, segment, {"motif": motif.id, "motion": i}, str(selection.get("motion")) == str(i))
-            for i, segment in enumerate(motif.segments[:MOST_ROWS])
-        ]
-        together = _together({"motif": motif.id}, "Play all", "motion" not in selection)
-        return _panel(f"Motif {motif.id}", f"{len(motif.segments)} motions", together, rows, len(motif.segments))
+        together = dmc.Button(
+            "Play all",
+            size="compact-sm",
+            variant="default" if "motion" in selection else "filled",
+            leftSection=icon("play", 14),
+            **sends("selection", {"motif": motif.id}),
+        )
+        return _panel_head(f"Motif {motif.id}", f"{len(motif.segments)} motions", together)
     edge = find_edge(graph, selection["edge"]) if "edge" in selection else None
     if edge is not None:
-        rows = [
-            _row(
-                dataset,
-                transition_segment(dataset, graph, edge, i),
-                {"edge": f"{edge.source}-{edge.target}", "transition": i},
-                int(selection.get("transition", 0)) == i,
-            )
-            for i in range(min(len(edge.transitions), MOST_ROWS))
-        ]
-        return _panel(f"From {edge.source} to {edge.target}", f"seen {edge.count}×", None, rows, len(edge.transitions))
+        return _panel_head(f"From {edge.source} to {edge.target}", f"seen {edge.count}×")
     hint = (
         "Choose a box to see all motions of a motif play together, or an arrow to see how one motif leads to the next."
     )
-    return [
-        html.Div(
-            [html.Div(icon("play", 26), className="empty-icon"), html.P(hint, className="muted")],
-            className="selection-hint",
-        )
+    return html.Div(
+        [html.Div(icon("play", 26), className="empty-icon"), html.P(hint, className="muted")],
+        className="selection-hint",
+    )
+
+
+def _panel_head(title: str, count: str, action: Component | None = None) -> Component:
+    parts = [html.H2(title), html.Span(count, className="muted"), html.Div(className="spacer"), action]
+    return html.Div(parts, className="section-head")
+
+
+def motion_list(dataset: Dataset, graph: MotifGraph, selection: Mapping[str, Any]) -> dict[str, Any]:
+    """The motions of the selected motif or the transitions of the selected edge, for assets/motion_list.js."""
+    motif = find_motif(graph, selection["motif"]) if "motif" in selection else None
+    edge = find_edge(graph, selection["edge"]) if "edge" in selection else None
+    if motif is not None:
+        name, key, total, chosen = {"motif": motif.id}, "motion", len(motif.segments), selection.get("motion")
+        segments = motif.segments[:MOST_ROWS]
+    elif edge is not None:
+        name, key = {"edge": f"{edge.source}-{edge.target}"}, "transition"
+        total, chosen = len(edge.transitions), selection.get("transition", 0)
+        segments = tuple(transition_segment(dataset, graph, edge, i) for i in range(min(total, MOST_ROWS)))
+    else:
+        return {}
+    rows = [
+        {
+            "clip": segment.clip,
+            "when": moment(dataset, segment),
+            "strip": strip_address(dataset.name, segment, 4, dataset.fingerprint),
+            "selection": {**name, key: i},
+            "chosen": str(chosen) == str(i),
+        }
+        for i, segment in enumerate(segments)
     ]
-
-
-def _panel(title: str, count: str, action: Component | None, rows: list[Component], total: int) -> list[Component]:
-    head = html.Div(
-        [html.H2(title), html.Span(count, className="muted"), html.Div(className="spacer"), action],
-        className="section-head",
-    )
-    more = html.Div(f"and {total - len(rows)} more", className="muted selection-more") if total > len(rows) else None
-    return [head, html.Div([*rows, more], className="motion-list")]
-
-
-def _together(selection: dict[str, Any], label: str, active: bool) -> Component:
-    return dmc.Button(
-        label,
-        size="compact-sm",
-        variant="filled" if active else "default",
-        leftSection=icon("play", 14),
-        **sends("selection", selection),
-    )
-
-
-def _row(dataset: Dataset, segment: Segment, selection: dict[str, Any], chosen: bool) -> Component:
-    where = moment(dataset, segment)
-    return html.Button(
-        className="motion-row" + (" chosen" if chosen else ""),
-        title=f"Play {segment.clip}, {where}, alone",
-        children=[
-            icon("play", 14),
-            html.Span(segment.clip, className="ellipsis motion-clip"),
-            html.Span(where, className="muted number motion-time"),
-            html.Img(
-                src=strip_address(dataset.name, segment, 4, dataset.fingerprint),
-                className="motion-strip",
-                alt="",
-                draggable="false",
-            ),
-        ],
-        **sends("selection", selection),
-        **{"aria-pressed": "true" if chosen else "false"},
-    )
+    return {"name": f"{dataset.fingerprint} {name}", "rows": rows, "more": total - len(rows)}

@@ -1,0 +1,46 @@
+/* The motions of what is selected: plain elements, because each Dash component costs the browser milliseconds to take in. */
+(function () {
+  "use strict";
+  const clientside = (window.dash_clientside = window.dash_clientside || {});
+
+  function element(name, className, text) {
+    const made = document.createElement(name);
+    made.className = className;
+    if (text) made.textContent = text;
+    return made;
+  }
+
+  /** A button that puts its selection into the store (assets/actions.js): play mark, clip, time, key poses. */
+  function row({ clip, when, strip, selection, chosen }) {
+    const button = element("button", "motion-row" + (chosen ? " chosen" : ""));
+    button.type = "button";
+    button.title = `Play ${clip}, ${when}, alone`;
+    button.dataset.store = "selection";
+    button.dataset.value = JSON.stringify(selection);
+    button.setAttribute("aria-pressed", String(chosen));
+    const mark = element("span", "icon icon-play");
+    mark.style.width = mark.style.height = "14px";
+    mark.setAttribute("aria-hidden", "true");
+    const picture = element("img", "motion-strip");
+    Object.assign(picture, { loading: "lazy", alt: "", draggable: false, src: strip });
+    button.append(mark, element("span", "ellipsis motion-clip", clip), element("span", "muted number motion-time", when), picture);
+    return button;
+  }
+
+  clientside.motions = {
+    list(motions) {
+      const box = document.getElementById("motion-list");
+      if (!box) return clientside.no_update; // it has gone with its page
+      const { name = "", rows = [], more = 0 } = motions || {};
+      const same = box.dataset.name === name;
+      const top = same ? box.scrollTop : 0;
+      const focused = same ? [...box.children].indexOf(document.activeElement) : -1;
+      box.dataset.name = name;
+      box.replaceChildren(...rows.map(row));
+      if (more) box.append(element("div", "muted selection-more", `and ${more} more`));
+      box.scrollTop = top;
+      if (focused >= 0) box.children[focused]?.focus({ preventScroll: true });
+      return clientside.no_update;
+    },
+  };
+})();
