@@ -1,94 +1,13 @@
-"""The Stage in a real browser, with a small app of its own."""
+"""The Stage in a real browser: figures, time, camera, controls."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import replace
-from pathlib import Path
-
 import pytest
-from dash import Dash, html
-from playwright.sync_api import Page
 
-from core.mocap.dataset import Dataset
-from tests.browser.conftest import running
-from tests.webapp.generated import walk, walkers
-from webapp.api.motion import motion_blueprint
-from webapp.components import stage
+from tests.browser.stage_page import INK, NAMES, PIXELS, get, page, play, request, settle, stage_app, warped
 
+__all__ = ["page", "stage_app"]
 pytestmark = pytest.mark.browser
-
-ASSETS = Path(__file__).resolve().parents[2] / "assets"
-NAMES = tuple(f"walk {k}/a" for k in range(12))
-DATASETS: dict[str, Dataset] = {"walkers": walkers(NAMES, seconds=3.0)}
-PIXELS = """() => {
-    const c = document.getElementById('stage-canvas');
-    const data = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
-    let sum = 0;
-    for (let k = 0; k < data.length; k += 4) sum = (sum * 31 + data[k] + 7 * data[k + 1] + 13 * data[k + 2]) >>> 0;
-    return sum;
-}"""
-INK = """() => {  // centre and width of what is much darker or more colourful than the ground
-    const c = document.getElementById('stage-canvas');
-    const data = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
-    const xs = [];
-    for (let k = 0; k < data.length; k += 4) {
-        const [r, g, b] = [data[k], data[k + 1], data[k + 2]];
-        if (Math.max(r, g, b) - Math.min(r, g, b) > 70) xs.push((k / 4) % c.width);
-    }
-    xs.sort((a, b) => a - b);
-    return { count: xs.length, left: xs[Math.floor(xs.length * .01)], right: xs[Math.floor(xs.length * .99)] };
-}"""
-
-
-@pytest.fixture(scope="session")
-def stage_app() -> str:
-    app = Dash(__name__, assets_folder=str(ASSETS), assets_ignore="^(?!stage).*")
-    app.layout = html.Div(stage.stage(), style={"height": "90vh"})
-    stage.register(app)
-    app.server.register_blueprint(motion_blueprint(lambda name: DATASETS[name]))
-    with running(app.server) as address:
-        yield address
-
-
-@pytest.fixture
-def page(open_page: Callable[..., Page], stage_app: str) -> Page:
-    page = open_page(stage_app)
-    page.wait_for_selector("#stage-canvas")
-    page.wait_for_function("window.dash_clientside?.set_props && motionscapeStage.status !== 'absent'")
-    return page
-
-
-def request(n: int = 1, **more) -> dict:
-    items = [{"clip": name, "start": 0, "end": 180, "label": name} for name in NAMES[:n]]
-    return {"dataset": "walkers", "items": items, "title": "Walks", **more}
-
-
-def warped(n: int = 3) -> dict:
-    """All in step with the first, which takes 100 frames; the others run faster, their starts slower still."""
-    asked = request(n)
-    for k, item in enumerate(asked["items"]):
-        item["warp"] = [99 * (i / 99) ** (1 + 0.5 * k) * (1 + 0.2 * k) for i in range(100)]
-    return asked
-
-
-def play(page: Page, asked: dict, *, pause: bool = False) -> None:
-    """Show as the app does: through the store."""
-    page.evaluate("asked => dash_clientside.set_props('stage-request', { data: asked })", asked)
-    page.wait_for_function(
-        "n => motionscapeStage.status === 'ready' && motionscapeStage.figures === n", arg=len(asked["items"])
-    )
-    if pause:
-        page.evaluate("motionscapeStage.pause(); motionscapeStage.seek(0)")
-        settle(page)
-
-
-def get(page: Page, what: str):
-    return page.evaluate(f"motionscapeStage.{what}")
-
-
-def settle(page: Page, frames: int = 3) -> None:
-    page.evaluate("""async n => { for (let k = 0; k < n; k++) await new Promise(requestAnimationFrame); }""", frames)
 
 
 def test_empty_stage_gives_a_hint(page):
@@ -266,67 +185,6 @@ def test_warp_strip_seeks(page):
     assert "as the middle motion here" in strip.get_attribute("title")
 
 
-def test_a_missing_clip_says_so_and_can_be_tried_again(page):
-    page.watch.expected.append("404")
-    asked = request()
-    asked["items"][0]["clip"] = "swim"
-    page.evaluate("asked => dash_clientside.set_props('stage-request', { data: asked })", asked)
-    page.wait_for_function("motionscapeStage.status === 'error'")
-    assert page.get_by_text("There is no clip called “swim” in “walkers”.").is_visible()
-    with page.expect_response("**/swim**"):
-        page.get_by_role("button", name="Try again").click()
-    play(page, request())
-    assert not page.get_by_role("button", name="Try again").is_visible()
-
-
-def test_some_missing_clips_leave_the_others_playing(page):
-    page.watch.expected.append("404")
-    asked = request(3)
-    asked["items"][1]["clip"] = "swim"
-    page.evaluate("asked => motionscapeStage.show(asked)", asked)
-    page.wait_for_function("motionscapeStage.status === 'ready'")
-    assert get(page, "figures") == 2
-    assert "1 of 3 motions could not be loaded" in page.locator(".ms-stage-note").inner_text()
-
-
-def test_last_request_wins(page):
-    page.evaluate("([a, b]) => { motionscapeStage.show(a); motionscapeStage.show(b); }", [request(12), request(2)])
-    page.wait_for_function("motionscapeStage.status === 'ready'")
-    page.wait_for_timeout(300)
-    assert get(page, "figures") == 2
-
-
-def test_known_motions_are_not_fetched_again(page):
-    version = DATASETS["walkers"].fingerprint
-    play(page, request(3, version=version))
-    asked = []
-    page.on("request", lambda r: asked.append(r.url))
-    play(page, request(2, version=version))
-    play(page, request(3, version=version))
-    assert not [url for url in asked if "/api/motion" in url]
-
-
-def test_a_name_that_stands_for_other_content_shows_the_new_content(page, monkeypatch):
-    play(page, request(), pause=True)
-    before = page.evaluate(PIXELS)
-    play(page, request(2), pause=True)
-    play(page, request(), pause=True)
-    assert page.evaluate(PIXELS) == before
-    other = Dataset("walkers", (replace(walk("other", pace=2.5, seconds=3.0), name=NAMES[0]),))
-    monkeypatch.setitem(DATASETS, "walkers", other)
-    page.evaluate("motionscapeStage.show({ items: [] })")
-    play(page, request(), pause=True)
-    assert page.evaluate(PIXELS) != before
-
-
-def test_nothing_is_asked_while_playing(page):
-    play(page, request(3))
-    asked = []
-    page.on("request", lambda r: asked.append(r.url))
-    page.wait_for_timeout(1000)
-    assert asked == []
-
-
 def test_loop_modes(page):
     play(page, request(), pause=True)
     page.evaluate("motionscapeStage.restore({ loop: 'once', speed: 4, time: 2.8, playing: true })")
@@ -337,40 +195,6 @@ def test_loop_modes(page):
     page.evaluate("motionscapeStage.restore({ loop: 'bounce', time: 2.9, playing: true })")
     page.wait_for_function("motionscapeStage.time < 2")
     assert get(page, "playing")
-
-
-def test_state_comes_out_and_goes_back_in(page, open_page, stage_app):
-    page.evaluate("window.states = []; addEventListener('stage-state', (event) => states.push(event.detail))")
-    play(page, request(3), pause=True)
-    page.get_by_role("button", name="Side by side").click()
-    page.locator(".ms-chip").first.click()
-    page.evaluate("motionscapeStage.seek(1.25)")
-    page.mouse.wheel(0, 100)
-    page.wait_for_function("states.some((state) => state.time === 1.25)")
-    state = get(page, "state()")
-    other = open_page(stage_app)
-    other.wait_for_function("window.motionscapeStage?.status === 'empty'")
-    other.evaluate(
-        "([state, asked]) => { motionscapeStage.restore(state); motionscapeStage.show(asked); }", [state, request(3)]
-    )
-    other.wait_for_function("motionscapeStage.status === 'ready'")
-    assert get(other, "state()") == state
-    assert get(other, "figures") == 2
-
-
-def test_nonsense_states_are_harmless(page):
-    play(page, request(2), pause=True)
-    before = get(page, "state()")
-    nonsense = {
-        "time": "x",
-        "speed": None,
-        "layout": "pile",
-        "camera": {"yaw": "east", "pan": [1]},
-        "loop": 3,
-        "hidden": "ab",
-    }
-    page.evaluate("state => motionscapeStage.restore(state)", nonsense)
-    assert get(page, "state()") == before
 
 
 def test_reduced_motion_does_not_autoplay(open_page, stage_app):
