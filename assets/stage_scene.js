@@ -72,7 +72,9 @@
         const top = figure.header.head >= 0 ? figure.header.head : figure.header.root;
         if (figure.depth[top] < parts.NEAR) continue;
         const sprite = this.label(figure);
-        const x = Math.round(figure.x[top] - sprite.width / 2);
+        const room = this.canvas.width - sprite.width;
+        if (figure.x[top] < 0 || figure.x[top] > this.canvas.width) continue;
+        const x = Math.round(Math.min(Math.max(figure.x[top] - sprite.width / 2, 0), Math.max(room, 0))); // whole, not cut
         let y = Math.round(figure.y[top] - (0.24 * figure.size * figure.scale[top] + sprite.height));
         const hits = (box) => Math.abs(box[0] - x) < (box[2] + sprite.width) / 2 && Math.abs(box[1] - y) < sprite.height;
         for (let tries = 0; tries < 4 && shown.length <= 4 && taken.some(hits); tries++) y -= sprite.height + 2;

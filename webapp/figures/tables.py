@@ -47,7 +47,7 @@ CLIP_COLUMNS = [
 ]
 REPORT_COLUMNS = [
     _column("verdict", "Result", 118, cellRenderer="Verdict", cellClass="wrapped-cell"),
-    _column("path", "File", 200, tooltipField="path", **_TEXT),
+    _column("path", "File", 200, tooltipField="path", cellClass="wrapped-cell ellipsis", **_TEXT),
     _column(
         "messages", "What was found", 240, flex=1, wrapText=True, autoHeight=True, cellClass="wrapped-cell", **_TEXT
     ),
