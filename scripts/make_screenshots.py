@@ -40,10 +40,10 @@ def motifs(page: Page, address: str) -> bytes:
     """PNG of the Motifs page with a motif of several long motions playing."""
     page.goto(f"{address}/motifs?dataset={DEMO}")
     page.locator(".ag-row").first.wait_for()
-    page.locator(".ag-row", has_text="spin kick").first.click()
+    page.locator(".ag-row[row-index='3']").first.click()
     page.wait_for_function("window.motionscapeStage.figures > 1")
     page.evaluate("window.scrollTo(0, 0); document.querySelectorAll('*').forEach(e => { e.scrollTop = 0; })")
-    page.wait_for_timeout(1500)
+    page.wait_for_timeout(900)
     return page.screenshot()
 
 
