@@ -211,7 +211,7 @@ def register(app: Dash, workspace: Workspace) -> None:
                 workspace.jobs.cancel(int(job_id))
             elif action == "retry":
                 webapp_jobs.restart(workspace, int(job_id))
-            elif action == "dismiss":
+            if action in ("retry", "dismiss"):  # what is tried again no longer stands there as failed
                 dismissed = [*(dismissed or []), int(job_id)][-50:]
         except (WorkspaceError, TypeError, ValueError) as error:
             return no_update, time.time(), [notice("That did not work", str(error), "red")]
