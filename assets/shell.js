@@ -10,14 +10,17 @@
     }
   };
 
-  const shown = { dataset: null, parameters: {}, selection: {}, chosen: "{}", stage: {} };
+  const shown = { dataset: null, parameters: {}, selection: {}, view: {}, keys: {}, chosen: "{}", stage: {} };
   let handled = false; // the view was turned by hand: then it is worth a place in the link
+
+  const page = (pathname) => (pathname || location.pathname).replace(/\//g, "") || "library";
 
   function writeAddress() {
     if (!shown.dataset) return clientside.no_update;
     const pairs = new URLSearchParams();
     put(pairs, { dataset: shown.dataset });
     put(pairs, shown.parameters);
+    for (const key of shown.keys[page()] || []) put(pairs, { [key]: (shown.view || {})[key] });
     put(pairs, shown.selection);
     if (shown.chosen !== "{}") put(pairs, shown.stage);
     const address = location.pathname + "?" + pairs.toString().replace(/%2C/g, ",").replace(/%3A/g, ":");
@@ -42,14 +45,25 @@
 
   clientside.shell = {
     // Everything that names what one sees goes into the address, without a new entry in the history.
-    address(pathname, dataset, parameters, selection) {
+    address(pathname, dataset, parameters, selection, view, keys) {
       const chosen = JSON.stringify(selection || {});
       if (shown.dataset && (chosen !== shown.chosen || dataset !== shown.dataset)) {
         shown.stage = {};
         handled = false;
       }
-      Object.assign(shown, { dataset, parameters, selection, chosen });
+      Object.assign(shown, { dataset, parameters, selection, view, keys, chosen });
       return writeAddress();
+    },
+    // What a page shows is changed key by key.
+    change(change, view) {
+      const next = { ...(view || {}) };
+      for (const [key, value] of Object.entries(change || {})) {
+        if (key === "at") continue;
+        if (value === null || value === "") delete next[key];
+        else next[key] = String(value);
+      }
+      if (JSON.stringify(next) !== JSON.stringify(view || {})) clientside.set_props("view", { data: next });
+      return clientside.no_update;
     },
     // What a link says of the Stage; it is taken up when the motion has arrived.
     restore(stage) {
@@ -71,6 +85,7 @@
       if (!choice) return clientside.no_update;
       if (choice.dataset !== shown.dataset) {
         clientside.set_props("selection", { data: {} });
+        clientside.set_props("view-change", { data: { walk: "", weights: "", other: "", joints: "" } });
         clientside.set_props("stage-request", { data: { dataset: choice.dataset, items: [] } });
         clientside.set_props("dataset", { data: choice.dataset });
       }
@@ -82,9 +97,8 @@
     },
     // One link is the current page's.
     current(pathname) {
-      const page = (pathname || "/").replace(/\//g, "") || "library";
       for (const link of document.querySelectorAll(".nav-link")) {
-        if (link.id === "nav-" + page) link.setAttribute("aria-current", "page");
+        if (link.id === "nav-" + page(pathname)) link.setAttribute("aria-current", "page");
         else link.removeAttribute("aria-current");
       }
       return clientside.no_update;

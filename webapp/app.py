@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 
 import dash
@@ -18,7 +19,8 @@ from webapp.api.motion import motion_blueprint
 from webapp.api.uploads import Limits, upload_blueprint
 from webapp.components import errors, job_bar, shell
 from webapp.components import stage as stage_component
-from webapp.pages import library, motifs
+from webapp.pages import clip, library, motifs, sweeps
+from webapp.virtual import open_any
 
 
 def create_app(workspace_path: str | Path, *, token: str | None = None) -> dash.Dash:
@@ -41,19 +43,21 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> dash.
     access.protect(app.server, token)
     errors.register(app.server)
     limits = Limits.from_environment()
+    open_motion = partial(open_any, workspace)
     for blueprint in (
         upload_blueprint(workspace, limits),
-        motion_blueprint(workspace.open),
-        filmstrip_blueprint(workspace.open),
+        motion_blueprint(open_motion),
+        filmstrip_blueprint(open_motion),
         export_blueprint(workspace),
     ):
         app.server.register_blueprint(blueprint)
     stage_component.register(app)
     job_bar.register(app, workspace)
     _register_state(app, workspace)
-    _register_page(app, {"library": library.page(limits), "motifs": motifs.page()})
-    library.register(app, workspace)
-    motifs.register(app, workspace)
+    pages = {"library": library.page(limits), "motifs": motifs.page(), "sweeps": sweeps.page(), "clip": clip.page()}
+    _register_page(app, pages)
+    for page in (library, motifs, sweeps, clip):
+        page.register(app, workspace)
     playback.register(app, workspace)
     return app
 
@@ -78,6 +82,7 @@ def _register_state(app: dash.Dash, workspace: Workspace) -> None:
         Output("dataset", "data"),
         Output("parameters", "data"),
         Output("selection", "data"),
+        Output("view", "data"),
         Output("stage-restore", "data"),
         Input("url", "pathname"),
         Input("url", "search"),
@@ -85,7 +90,7 @@ def _register_state(app: dash.Dash, workspace: Workspace) -> None:
     )
     def open_link(pathname, search, current):
         if current and not search:  # a click on the navigation: what is shown stays
-            return no_update, no_update, no_update, no_update
+            return (no_update,) * 5
         view, problems = links.parse(pathname, search, names)
         known = [info.name for info in workspace.datasets()]
         dataset, more = choose_dataset(view.dataset, known)
@@ -100,7 +105,7 @@ def _register_state(app: dash.Dash, workspace: Workspace) -> None:
         usable = results.not_default(results.motif_request("", view.parameters).parameters)
         if more:
             view = links.without_selection(view)
-        return dataset, usable, dict(view.selection), dict(view.stage)
+        return dataset, usable, dict(view.selection), dict(view.view), dict(view.stage)
 
     @app.callback(
         Output("dataset-picker", "data"),
@@ -132,7 +137,10 @@ def _register_state(app: dash.Dash, workspace: Workspace) -> None:
         Input("dataset", "data"),
         Input("parameters", "data"),
         Input("selection", "data"),
+        Input("view", "data"),
+        State("view-keys", "data"),
     )
+    app.clientside_callback(ClientsideFunction("shell", "change"), Input("view-change", "data"), State("view", "data"))
     app.clientside_callback(ClientsideFunction("shell", "restore"), Input("stage-restore", "data"))
     app.clientside_callback(ClientsideFunction("shell", "current"), Input("url", "pathname"))
     app.clientside_callback(

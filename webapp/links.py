@@ -11,7 +11,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from urllib.parse import parse_qsl, quote, urlencode
 
-PAGES = ("library", "motifs")
+PAGES = ("library", "motifs", "sweeps", "clip")
+VIEW_KEYS = {  # what a page shows beside the selection: kept in the store "view", each page with keys of its own
+    "library": (),
+    "motifs": ("view", "side", "walk", "weights", "other", "extra"),
+    "sweeps": ("x", "y", "seeds"),
+    "clip": ("chart", "joints"),
+}
 MAX_QUERY = 4000
 _SELECTION_KEYS = ("motif", "motion", "edge", "transition", "clip", "start", "end")
 _MAX_NUMBER = 10**7
@@ -23,7 +29,8 @@ class View:
 
     {"motif": int[, "motion": int]}, {"edge": "SOURCE-TARGET"[, "transition": int]},
     {"clip": name[, "start": frame, "end": frame]} (frames of the clip's own rate, end exclusive).
-    ``stage`` is the Stage's own business (moment, camera ...): short strings handed back as they came.
+    ``stage`` is the Stage's own business (moment, camera ...), ``view`` the page's (see VIEW_KEYS): short strings
+    handed back as they came.
     """
 
     page: str = "library"
@@ -31,6 +38,7 @@ class View:
     parameters: Mapping[str, str] = field(default_factory=dict)
     selection: Mapping[str, int | str] = field(default_factory=dict)
     stage: Mapping[str, str] = field(default_factory=dict)
+    view: Mapping[str, str] = field(default_factory=dict)
 
 
 STAGE_KEYS = ("time", "speed", "layout", "camera")
@@ -55,7 +63,8 @@ def parse(
         return View(page or "library"), (*problems, "The link is too long to be one of ours.")
     values = _first_values(query, problems)
     selection = _selection(values, problems)
-    known = {"dataset", *STAGE_KEYS, *_SELECTION_KEYS, *parameter_names}
+    shown = _view(page or "library", values, problems)
+    known = {"dataset", *STAGE_KEYS, *_SELECTION_KEYS, *parameter_names, *VIEW_KEYS[page or "library"]}
     unknown = [name for name in values if name not in known]
     if unknown:
         problems.append("The link has parts we do not know: " + ", ".join(_shorten(name) for name in unknown[:5]) + ".")
@@ -65,20 +74,22 @@ def parse(
         {name: values[name] for name in parameter_names if name in values},
         selection,
         {key: values[key] for key in STAGE_KEYS if _stage_value(values.get(key, ""))},
+        shown,
     )
     return view, tuple(problems)
 
 
 def format_link(view: View) -> str:
     """The relative URL of ``view``; :func:`parse` gives the view back."""
-    pairs = {**({"dataset": view.dataset} if view.dataset else {}), **view.parameters, **view.selection, **view.stage}
+    pairs = {**({"dataset": view.dataset} if view.dataset else {}), **view.parameters, **view.view}
+    pairs |= {**view.selection, **view.stage}
     query = urlencode({key: str(value) for key, value in pairs.items()}, quote_via=quote, safe="/-,:")
     return f"/{view.page}" + (f"?{query}" if query else "")
 
 
 def without_selection(view: View) -> View:
     """The same view with nothing selected."""
-    return replace(view, selection={}, stage={})
+    return replace(view, selection={}, stage={}, view={})
 
 
 def _first_values(query: str, problems: list[str]) -> dict[str, str]:
@@ -129,6 +140,13 @@ def _number(values: Mapping[str, str], key: str, problems: list[str]) -> int | N
         return int(text)
     problems.append(f"“{key}” in the link should be a whole number, not “{_shorten(text)}”.")
     return None
+
+
+def _view(page: str, values: Mapping[str, str], problems: list[str]) -> dict[str, str]:
+    found = {key: values[key] for key in VIEW_KEYS[page] if values.get(key)}
+    usable = {key: text for key, text in found.items() if re.fullmatch(r"[-0-9A-Za-z.,:_~ ]{1,300}", text)}
+    problems += [f"“{key}” in the link could not be understood." for key in found if key not in usable]
+    return usable
 
 
 def _stage_value(text: str) -> bool:

@@ -32,7 +32,7 @@ def clean_name(text: str, default: str = "unnamed") -> str:
     """A usable name made from any text: what is not allowed becomes ``_``; ``default`` where nothing is left."""
     text = unicodedata.normalize("NFC", text if isinstance(text, str) else "")
     text = "".join("_" if c in _FORBIDDEN or unicodedata.category(c) in _UNSEEN else c for c in text)
-    text = text.strip().lstrip(".").rstrip(". ").strip()
+    text = text.strip().lstrip(".~").rstrip(". ").strip()
     while len(text) > MAX_LENGTH or len(text.encode()) > 2 * MAX_LENGTH:
         text = _shorter(text)
     if not text.strip("_ ."):
@@ -70,6 +70,8 @@ def _refusal(name: str) -> str:
         return f"it contains {' '.join(forbidden)}"
     if name.startswith(".") or name.endswith("."):
         return "it starts or ends with a dot"
+    if name.startswith("~"):
+        return "it starts with ~, which stands for motion that is made up"
     if len(name) > MAX_LENGTH or len(name.encode()) > 2 * MAX_LENGTH:
         return f"it is longer than {MAX_LENGTH} letters"
     if name.split(".")[0].upper() in _RESERVED:

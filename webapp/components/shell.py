@@ -6,11 +6,16 @@ import dash_mantine_components as dmc
 from dash import dcc, html
 from dash.development.base_component import Component
 
-from webapp import theme
+from webapp import links, theme
 from webapp.components import job_bar
 from webapp.components.icons import icon
 
-PAGES = (("library", "Library", "library"), ("motifs", "Motifs", "graph"))  # path, label, icon
+PAGES = (  # path, label, icon
+    ("library", "Library", "library"),
+    ("motifs", "Motifs", "graph"),
+    ("sweeps", "Sweeps", "sweep"),
+    ("clip", "Clip", "pulse"),
+)
 
 
 def layout(stage: Component) -> Component:
@@ -53,6 +58,9 @@ def _stores() -> list[Component]:
         dcc.Store(id="dataset"),  # its name
         dcc.Store(id="parameters", data={}),  # the method's, as text, defaults left out
         dcc.Store(id="selection", data={}),  # see links.View.selection
+        dcc.Store(id="view", data={}),  # what a page shows beside that, see links.VIEW_KEYS
+        dcc.Store(id="view-change"),  # merged into "view"; null or "" takes a key out
+        dcc.Store(id="view-keys", data=links.VIEW_KEYS),
         dcc.Store(id="stage-restore", data={}),  # moment and camera a link asked for
         dcc.Store(id="dataset-choice"),  # {"dataset": name}: someone chose another one
         dcc.Store(id="awaited"),  # name of the dataset an import of ours will bring

@@ -14,7 +14,7 @@ from webapp import jobs, results
 from webapp.components.errors import notice
 from webapp.figures import graph as graph_figure
 from webapp.figures import tables
-from webapp.pages.motifs import form, layout
+from webapp.pages.motifs import form, layout, views
 
 
 def register(app: Dash, workspace: Workspace) -> None:
@@ -22,6 +22,7 @@ def register(app: Dash, workspace: Workspace) -> None:
     _ask(app, workspace)
     _show(app, workspace)
     _browse(app, workspace)
+    views.register(app, workspace)
 
 
 def _ask(app: Dash, workspace: Workspace) -> None:
@@ -97,15 +98,27 @@ def _show(app: Dash, workspace: Workspace) -> None:
         if graph is None:
             return None, shown
         dataset = workspace.open(name)
-        table = tables.grid(
-            "motif-table", tables.motif_columns(dataset), tables.motif_rows(graph, dataset), "All motifs"
-        )
-        return layout.result(
-            graph, dataset, results.graph_elements(dataset, key, graph), table, scheme or "light"
-        ), shown
+        elements = results.graph_elements(dataset, key, graph)
+        return layout.result(graph, dataset, elements, scheme or "light"), shown
 
 
 def _browse(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("motif-table-place", "children"),
+        Input("motif-table-place", "id"),
+        Input("graph-key", "data"),
+        State("dataset", "data"),
+        State("parameters", "data"),
+    )
+    def show_table(_place, key, name, parameters):
+        graph = results.motif_graph(workspace, name, parameters) if key and name else None
+        if graph is None:
+            return None
+        dataset = workspace.open(name)
+        return tables.grid(
+            "motif-table", tables.motif_columns(dataset), tables.motif_rows(graph, dataset), "All motifs"
+        )
+
     @app.callback(
         Output("motif-selection", "children"),
         Output("motions", "data"),

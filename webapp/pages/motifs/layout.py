@@ -20,6 +20,7 @@ from webapp.components.icons import icon
 from webapp.components.job_bar import stage_words
 from webapp.figures import graph as graph_figure
 from webapp.figures.tables import strip_address
+from webapp.pages.motifs import views
 from webapp.pages.motifs.form import summary
 from webapp.playback import find_edge, find_motif, moment, transition_segment
 
@@ -124,8 +125,8 @@ def _running(job: Job) -> Component:
     )
 
 
-def result(graph: MotifGraph, dataset: Dataset, elements: list[dict], table: Component, scheme: str) -> Component:
-    """Metrics, graph, what is selected, table; or what to try where no motif was found."""
+def result(graph: MotifGraph, dataset: Dataset, elements: list[dict], scheme: str) -> Component:
+    """Metrics, graph, and the views beside and below it; or what to try where no motif was found."""
     if not graph.motifs:
         return _card(
             empty_state(
@@ -143,13 +144,13 @@ def result(graph: MotifGraph, dataset: Dataset, elements: list[dict], table: Com
                 children=[
                     _graph_card(graph, elements, scheme),
                     html.Div(
-                        [html.Div(id="motif-selection"), html.Div(id="motion-list", className="motion-list")],
+                        [views.switch("side", "What to do with the motif"), *views.panels("side")],
                         className="card selection-card",
                     ),
                 ],
             ),
-            html.Div([html.H2("All motifs")], className="section-head section"),
-            table,
+            html.Div([views.switch("view", "What to look at")], className="section-head section"),
+            *views.panels("view"),
             *(dcc.Store(id=name) for name in ("motions", "graph-tapped", "graph-marked", "motifs-marked")),
         ]
     )
