@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from urllib.parse import urlencode
 
-from dash import ALL, Dash, Input, Output, State, ctx, no_update, set_props
+from dash import ALL, Dash, Input, Output, State, ctx, dcc, no_update, set_props
 from dash.dependencies import ClientsideFunction
 
 from core import analyses
@@ -115,9 +115,8 @@ def _browse(app: Dash, workspace: Workspace) -> None:
         if graph is None:
             return None
         dataset = workspace.open(name)
-        return tables.grid(
-            "motif-table", tables.motif_columns(dataset), tables.motif_rows(graph, dataset), "All motifs"
-        )
+        columns, rows = tables.motif_columns(dataset), tables.motif_rows(graph, dataset)
+        return [tables.grid("motif-table", columns, rows, "All motifs"), dcc.Store(id="motifs-marked")]
 
     @app.callback(
         Output("motif-selection", "children"),

@@ -151,7 +151,7 @@ def result(graph: MotifGraph, dataset: Dataset, elements: list[dict], scheme: st
             ),
             html.Div([views.switch("view", "What to look at")], className="section-head section"),
             *views.panels("view"),
-            *(dcc.Store(id=name) for name in ("motions", "graph-tapped", "graph-marked", "motifs-marked")),
+            *(dcc.Store(id=name) for name in ("motions", "graph-tapped", "graph-marked")),
         ]
     )
 
