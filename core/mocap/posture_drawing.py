@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import lru_cache
+from weakref import WeakKeyDictionary
 
 import numpy as np
 
@@ -173,14 +174,18 @@ def drawn_positions(clip: Clip, start: int, end: int, step: int = 1) -> tuple[np
     if not 0 <= start < end <= clip.n_frames or step < 1:
         raise ValueError(f"{clip.name} has frames 0 to {clip.n_frames}; cannot show {start} to {end}")
     body = drawn_body(clip.skeleton)
-    measured = measure_head_and_floor(clip, body)
+    measured = _measured.get(clip)
+    if measured is None:
+        measured = _measured[clip] = measure_head_and_floor(clip, body)
     positions, rotations = forward_kinematics(_every(clip, start, end, step))
     drawn = positions[:, list(body.sources)]
     if body.find("nose") >= 0:
-        turn, at = rotations[:, body.sources[-1]], drawn[:, -1].copy()
-        drawn[:, -2] = at + quat.rotate(turn, measured.centre)
-        drawn[:, -1] = at + quat.rotate(turn, measured.nose)
+        turn = rotations[:, body.sources[-1], None]
+        drawn[:, -2:] += quat.rotate(turn, np.stack((measured.centre, measured.nose)))
     return np.ascontiguousarray(drawn, np.float32), body, measured
+
+
+_measured: WeakKeyDictionary[Clip, HeadAndFloor] = WeakKeyDictionary()  # many segments of few clips are asked for
 
 
 def _every(clip: Clip, start: int, end: int, step: int) -> Clip:

@@ -8,7 +8,7 @@ from flask import Blueprint, Response, request
 
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
-from webapp.api.motion import BadRequest, answer_errors, cached, find_interval, whole_number
+from webapp.api.asked import BadRequest, answer_errors, cached, find_interval, whole_number
 from webapp.components.filmstrip import ICON_COLOURS, frame_icon, segment_filmstrip
 
 MOST_POSES = 40

@@ -1,47 +1,44 @@
-"""``GET /api/motion/<dataset>/<clip>``: drawn joint positions as little-endian float32, for the Stage."""
+"""Drawn joint positions as little-endian float32, for the Stage.
+
+``GET /api/motion/<dataset>/<clip>`` answers with one segment, ``GET /api/motions`` with up to 48 at once.
+"""
 
 from __future__ import annotations
 
-import hashlib
 import json
 import logging
 import math
-from collections.abc import Callable
-from typing import NamedTuple
+from collections.abc import Sequence
 
 import numpy as np
-from flask import Blueprint, Response, jsonify, request
+from flask import Blueprint, Response, request
 
-from core.mocap.clip import Clip
-from core.mocap.dataset import Dataset
 from core.mocap.posture_drawing import DrawnBody, HeadAndFloor, drawn_positions
-from core.workspace import WorkspaceError
+from webapp.api.asked import (
+    BROKEN,
+    BadRequest,
+    Interval,
+    OpenDataset,
+    answer_errors,
+    cached,
+    content_key,
+    find_interval,
+    interval,
+    kept,
+    names_content,
+    positive_number,
+)
 
 log = logging.getLogger(__name__)
 
 DEFAULT_FPS = 60.0
 MAX_VALUES = 12_000_000  # about 48 MB; a longer recording arrives at a lower rate rather than not at all
-VERSION = 1  # of header and positions; part of the ETag
+MAX_BATCH_VALUES = 24_000_000  # of all parts together
+MAX_PARTS = 48
+BINARY = "application/octet-stream"
 
 
-class BadRequest(Exception):
-    """Something the asker can mend; ``status`` is the HTTP status."""
-
-    def __init__(self, message: str, status: int = 400):
-        super().__init__(message)
-        self.status = status
-
-
-class Interval(NamedTuple):
-    """What was asked for, checked: frames ``[start, end)`` of ``clip``."""
-
-    dataset: Dataset
-    clip: Clip
-    start: int
-    end: int
-
-
-def motion_blueprint(open_dataset: Callable[[str], Dataset]) -> Blueprint:
+def motion_blueprint(open_dataset: OpenDataset) -> Blueprint:
     """Routes of the Stage. ``open_dataset`` turns a name into a Dataset and raises LookupError, OSError or ValueError
     where there is none."""
     blueprint = Blueprint("motion", __name__, url_prefix="/api")
@@ -51,70 +48,87 @@ def motion_blueprint(open_dataset: Callable[[str], Dataset]) -> Blueprint:
     @blueprint.get("/motion/<dataset>/<path:clip>", merge_slashes=False)
     def motion(dataset: str, clip: str) -> Response:
         asked = find_interval(open_dataset, dataset, clip)
-        step = frame_step(asked, positive_number("fps", DEFAULT_FPS))
-        return cached(asked, "motion", (step,), lambda: encode_motion(asked, step), "application/octet-stream")
+        step = frame_step(asked, positive_number("fps", DEFAULT_FPS), MAX_VALUES)
+        return cached(asked, "motion", (step,), lambda: encode_motion(asked, step), BINARY)
+
+    @blueprint.get("/motions")
+    def motions() -> Response:
+        fps = positive_number("fps", DEFAULT_FPS)
+        rows = part_rows()
+        most = min(MAX_VALUES, MAX_BATCH_VALUES // len(rows))
+        parts = [find_part(open_dataset, row, fps, most) for row in rows]
+        keys = [part if isinstance(part, str) else content_key(part[0], "motion", part[1:]) for part in parts]
+        named = (
+            not isinstance(part, str) and names_content(part[0], row[1]) for part, row in zip(parts, rows, strict=True)
+        )
+        return kept(["motions", *keys], all(named), lambda: encode_motions(parts), BINARY)
 
     return blueprint
 
 
-def find_interval(open_dataset: Callable[[str], Dataset], dataset_name: str, clip_name: str) -> Interval:
-    """Dataset, clip and frames of the current request. Raises BadRequest in plain words."""
+Row = tuple[str, str, str, str, str]  # dataset, version, clip, start, end: as they stand in the address
+Part = tuple[Interval, int] | str  # what to send every how many frames, or why it cannot be sent
+
+
+def part_rows() -> list[Row]:
+    """The segments that the address lists: ``clip`` once for each; ``dataset``, ``v`` (the fingerprint), ``start`` and
+    ``end`` once for each or once for all. Raises BadRequest."""
+    clips = request.args.getlist("clip")
+    if not 1 <= len(clips) <= MAX_PARTS:
+        raise BadRequest(f"Between 1 and {MAX_PARTS} clips can be asked for at once, not {len(clips)}.")
+    columns = []
+    for name in ("dataset", "v", "start", "end"):
+        values = request.args.getlist(name) or [""]
+        if len(values) not in (1, len(clips)):
+            raise BadRequest(f"{name} is given {len(values)} times for {len(clips)} clips.")
+        columns.append(values if len(values) == len(clips) else values * len(clips))
+    datasets, versions, starts, ends = columns
+    return list(zip(datasets, versions, clips, starts, ends, strict=True))
+
+
+def find_part(open_dataset: OpenDataset, row: Row, fps: float, most: int) -> Part:
+    """The segment of one row, or in plain words why there is none: the others are sent all the same."""
+    dataset, _, clip, start, end = row
     try:
-        dataset = open_dataset(dataset_name)
-    except WorkspaceError as error:
-        raise BadRequest(str(error), 404) from None
-    except (LookupError, OSError, ValueError) as error:
-        log.info("no dataset %r: %s", dataset_name, error)
-        raise BadRequest(
-            f"There is no dataset called “{dataset_name}”. It may have been renamed or deleted.", 404
-        ) from None
-    try:
-        clip = dataset.clip(clip_name)
-    except (LookupError, ValueError):
-        raise BadRequest(f"There is no clip called “{clip_name}” in “{dataset_name}”.", 404) from None
-    start, end = whole_number("start", 0), whole_number("end", clip.n_frames)
-    if not 0 <= start < end <= clip.n_frames:
-        raise BadRequest(f"“{clip_name}” has frames 0 to {clip.n_frames}; cannot show {start} to {end}.")
-    return Interval(dataset, clip, start, end)
+        asked = interval(open_dataset, dataset, clip, start, end)
+        return asked, frame_step(asked, fps, most)
+    except BadRequest as error:
+        return str(error)
+    except Exception:
+        log.exception("a part of %s failed", request.path)
+        return BROKEN
 
 
-def whole_number(name: str, default: int) -> int:
-    """A whole number from the query string. Raises BadRequest."""
-    text = request.args.get(name, "")
-    if text == "":
-        return default
-    if not text.lstrip("-").isascii() or not text.lstrip("-").isdigit() or len(text) > 12:
-        raise BadRequest(f"{name} must be a whole number, not “{text[:40]}”.")
-    return int(text)
-
-
-def positive_number(name: str, default: float) -> float:
-    """A positive number from the query string. Raises BadRequest."""
-    text = request.args.get(name, "")
-    try:
-        value = float(text) if text else default
-    except ValueError:
-        value = math.nan
-    if not 0 < value < math.inf:
-        raise BadRequest(f"{name} must be a positive number, not “{text[:40]}”.")
-    return value
-
-
-def frame_step(asked: Interval, fps: float) -> int:
-    """Send every step-th frame: the smallest step that keeps to ``fps`` frames a second and to :data:`MAX_VALUES`."""
+def frame_step(asked: Interval, fps: float, most_values: int) -> int:
+    """Send every step-th frame: the smallest step that keeps to ``fps`` frames a second and to ``most_values``."""
     step = max(1, math.ceil(asked.clip.fps / fps - 0.01))
     frames = asked.end - asked.start
-    most = max(2, MAX_VALUES // (3 * (asked.clip.skeleton.n_joints + 2)))
+    most = max(2, most_values // (3 * (asked.clip.skeleton.n_joints + 2)))
     return max(min(step, frames), math.ceil(frames / most))
+
+
+def encode_motions(parts: Sequence[Part]) -> bytes:
+    """A header that tells the size of each part or its error, then the parts, each as :func:`encode_motion` has it."""
+    bodies = [b"" if isinstance(part, str) else encode_motion(*part) for part in parts]
+    told = [
+        {"error": part} if isinstance(part, str) else {"bytes": len(body)}
+        for part, body in zip(parts, bodies, strict=True)
+    ]
+    return b"".join((*framed({"parts": told}), *bodies))
 
 
 def encode_motion(asked: Interval, step: int) -> bytes:
     """Header length, JSON header and positions, as docs/architecture.md lays them out."""
     positions, body, measured = drawn_positions(asked.clip, asked.start, asked.end, step)
     header = motion_header(asked, step, len(positions), body, measured)
+    return b"".join((*framed(header), positions.astype("<f4", copy=False).tobytes()))
+
+
+def framed(header: dict) -> tuple[bytes, bytes]:
+    """A header's length as uint32, and the header as JSON padded to whole words."""
     text = json.dumps(header, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 4)
-    return b"".join((np.uint32(len(text)).astype("<u4").tobytes(), text, positions.astype("<f4", copy=False).tobytes()))
+    return np.uint32(len(text)).astype("<u4").tobytes(), text
 
 
 def motion_header(asked: Interval, step: int, frames: int, body: DrawnBody, measured: HeadAndFloor) -> dict:
@@ -139,33 +153,3 @@ def motion_header(asked: Interval, step: int, frames: int, body: DrawnBody, meas
         "head_radius": round(measured.radius, 4),
         "floor": round(measured.floor, 4),
     }
-
-
-def cached(asked: Interval, kind: str, details: tuple, make: Callable[[], bytes | str], mimetype: str) -> Response:
-    """The answer with an ETag from the dataset's content; nothing is computed for who has it already.
-
-    A name may come to stand for other content, so browsers keep the answer but ask each time whether it still holds;
-    who names the content (``v``: at least 8 letters of the fingerprint) need not ask again.
-    """
-    key = repr((VERSION, kind, asked.dataset.fingerprint, asked.clip.name, asked.start, asked.end, details))
-    etag = hashlib.blake2b(key.encode(), digest_size=12).hexdigest()
-    fresh = etag in request.if_none_match
-    response = Response(status=304) if fresh else Response(make(), mimetype=mimetype)
-    response.set_etag(etag)
-    version = request.args.get("v", "")
-    named = len(version) >= 8 and asked.dataset.fingerprint.startswith(version)
-    response.headers["Cache-Control"] = "private, max-age=31536000, immutable" if named else "private, no-cache"
-    return response
-
-
-def answer_errors(blueprint: Blueprint) -> None:
-    """Every error of these routes is JSON in plain words, never a trace."""
-
-    @blueprint.errorhandler(BadRequest)
-    def bad_request(error: BadRequest) -> tuple[Response, int]:
-        return jsonify(error=str(error)), error.status
-
-    @blueprint.errorhandler(Exception)
-    def internal(error: Exception) -> tuple[Response, int]:
-        log.exception("the answer to %s failed", request.path)
-        return jsonify(error="This motion cannot be shown: something went wrong on the server."), 500
