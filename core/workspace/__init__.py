@@ -5,6 +5,7 @@ from core.workspace.errors import NameRefused, ResultDamaged, WorkspaceError, ex
 from core.workspace.files import atomic_file
 from core.workspace.jobs import Job, JobTable
 from core.workspace.names import check_name, clean_name
+from core.workspace.notes import MotifNote, Notes
 from core.workspace.results import Result, ResultStore
 from core.workspace.uploads import Uploads, safe_parts
 from core.workspace.workspace import Workspace, is_workspace, shared_workspace
@@ -13,7 +14,9 @@ __all__ = [
     "DatasetInfo",
     "Job",
     "JobTable",
+    "MotifNote",
     "NameRefused",
+    "Notes",
     "Result",
     "ResultDamaged",
     "ResultStore",

@@ -26,6 +26,11 @@ CREATE TABLE IF NOT EXISTS jobs (
     pid INTEGER, born REAL, host TEXT, error TEXT NOT NULL DEFAULT '', died INTEGER NOT NULL DEFAULT 0
 );
 CREATE UNIQUE INDEX IF NOT EXISTS one_flight ON jobs (key) WHERE state IN ('queued', 'running') AND cancel IS NULL;
+CREATE TABLE IF NOT EXISTS notes (
+    id INTEGER PRIMARY KEY AUTOINCREMENT, dataset TEXT NOT NULL, result TEXT NOT NULL, motif INTEGER NOT NULL,
+    segments TEXT NOT NULL, name TEXT NOT NULL, tags TEXT NOT NULL, note TEXT NOT NULL, changed REAL NOT NULL,
+    UNIQUE (dataset, result, motif)
+);
 CREATE INDEX IF NOT EXISTS jobs_by_state ON jobs (state, id);
 """
 

@@ -16,6 +16,7 @@ from core.workspace.datasets import DatasetInfo, DatasetStore, Fill
 from core.workspace.errors import WorkspaceError, plain_errors
 from core.workspace.jobs import JobTable
 from core.workspace.names import clean_name
+from core.workspace.notes import Notes
 from core.workspace.results import ResultStore
 from core.workspace.uploads import Uploads
 
@@ -49,6 +50,7 @@ class Workspace:
         self.results = ResultStore(self.path / "results")
         self.uploads = Uploads(self.path / "uploads")
         self.jobs = JobTable(self._database)
+        self.notes = Notes(self._database)
 
     @property
     def logs(self) -> Path:
@@ -187,7 +189,9 @@ class Workspace:
 
     def empty_trash(self) -> int:
         """Deletes what is in the trash for good; how many data sets. Raises WorkspaceError."""
-        return self._datasets.empty_trash()
+        deleted = self._datasets.empty_trash()
+        self.notes.forget_deleted()
+        return deleted
 
     def close(self) -> None:
         """Closes this thread's connection to the table."""
