@@ -53,7 +53,7 @@ def entry_frames(
     return frames
 
 
-@njit(cache=True)
+@njit(nogil=True, cache=True)
 def _sweep(order, frames, group_of, pointers, members, starts, ends, poses):
     moved = 0
     for j in order:
@@ -71,7 +71,7 @@ def _sweep(order, frames, group_of, pointers, members, starts, ends, poses):
     return moved
 
 
-@njit(cache=True)
+@njit(nogil=True, cache=True)
 def _spread(group, pointers, members, frames, poses):
     """Sum of distances of a group's poses to their average."""
     low, high = pointers[group], pointers[group + 1]

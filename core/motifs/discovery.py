@@ -29,24 +29,24 @@ class _Index(NamedTuple):
     discount: float  # tightness over the highest cost a match can have
 
 
-@njit(cache=True)
+@njit(nogil=True, cache=True)
 def _seed(index, k):
     first = k // index.lengths
     return first, first + k % index.lengths + index.min_letters - 1
 
 
-@njit(cache=True)
+@njit(nogil=True, cache=True)
 def _width(index, a, b):
     return index.times[b] - index.times[a]
 
 
-@njit(cache=True)
+@njit(nogil=True, cache=True)
 def _weight(index, q):
     """What a match adds to the height of its motif: 1 in the paper."""
     return 1.0 - index.discount * index.costs[q]
 
 
-@njit(cache=True)
+@njit(nogil=True, cache=True)
 def _bound(index, k, cut, rho):
     """Upper bound of the seed's volume now and after any further partitioning.
 
@@ -77,7 +77,7 @@ def _bound(index, k, cut, rho):
     return best * (1 + 1e-9), free
 
 
-@njit(cache=True)
+@njit(nogil=True, cache=True)
 def _bounds(index, cut, rho):
     bounds = np.empty(len(index.pointers) - 1)
     for k in range(len(bounds)):
@@ -85,7 +85,7 @@ def _bounds(index, cut, rho):
     return bounds
 
 
-@njit(cache=True)
+@njit(nogil=True, cache=True)
 def _motif_of(index, k, cut):
     """The motif a seed gives now: itself, then its matches by ascending cost, dropping what overlaps one already in.
 
@@ -109,7 +109,7 @@ def _motif_of(index, k, cut):
     return chosen[:n], height
 
 
-@njit(cache=True)
+@njit(nogil=True, cache=True)
 def _volume(index, k, cut, rho):
     motif, height = _motif_of(index, k, cut)
     total = 0.0
@@ -118,7 +118,7 @@ def _volume(index, k, cut, rho):
     return height * (total / len(motif)) ** rho
 
 
-@njit(cache=True)
+@njit(nogil=True, cache=True)
 def _partition(motif, cut):
     """Mark the motions' transitions as partitioned: ``cut[j]`` is the first partitioned transition at or after j."""
     for h in range(len(motif)):
@@ -139,7 +139,7 @@ class _Heap(NamedTuple):
     size: np.ndarray
 
 
-@njit(cache=True)
+@njit(nogil=True, cache=True)
 def _push(heap, key, seed):
     i = heap.size[0]
     heap.size[0] += 1
@@ -152,7 +152,7 @@ def _push(heap, key, seed):
     heap.keys[i], heap.seeds[i] = key, seed
 
 
-@njit(cache=True)
+@njit(nogil=True, cache=True)
 def _pop(heap):
     top_key, top_seed = heap.keys[0], heap.seeds[0]
     heap.size[0] -= 1
@@ -170,7 +170,7 @@ def _pop(heap):
     return top_key, top_seed
 
 
-@njit(cache=True)
+@njit(nogil=True, cache=True)
 def _above(key, seed, other_key, other_seed):
     return key > other_key or (key == other_key and seed < other_seed)
 
@@ -182,7 +182,7 @@ def _heap_of(bounds: np.ndarray) -> _Heap:
     return _Heap(bounds[seeds], seeds, np.array([len(seeds)]))
 
 
-@njit(cache=True)
+@njit(nogil=True, cache=True)
 def _largest(index, heap, volumes, counts, cut, rho):
     """The seed of the largest volume (ties: the first), -1 when none is left; the heap's keys are upper bounds.
 
@@ -313,7 +313,7 @@ def _contain(index: _Index, seeds: np.ndarray, wanted: np.ndarray) -> np.ndarray
     return before[stop] > before[first]
 
 
-@njit(cache=True)
+@njit(nogil=True, cache=True)
 def _best_of(index, seeds, cut, rho):
     best, winner = 0.0, -1
     for k in seeds:

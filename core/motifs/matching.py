@@ -58,7 +58,7 @@ class Matches(NamedTuple):
     costs: np.ndarray
 
 
-@njit(cache=True)
+@njit(nogil=True, cache=True)
 def _candidates(letters, firsts, stops, distances, costs):
     """Inverted lists: for each letter the places that are adjacent to it and nearer than both of their neighbours."""
     m, kappa = len(letters), len(costs)
@@ -79,7 +79,7 @@ def _candidates(letters, firsts, stops, distances, costs):
     return pointers, places
 
 
-@njit(cache=True)
+@njit(nogil=True, cache=True)
 def _is_nearest(letters, firsts, stops, distances, x, a):
     """Whether place a is nearer to letter x than the letters beside it; beyond a clip's end all is infinitely far."""
     here = distances[x, letters[a]]

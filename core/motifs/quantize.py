@@ -82,7 +82,7 @@ def k_means(
     return Letters(centres[used], labels.astype(np.int32), np.sqrt(squares))
 
 
-@njit(cache=True)
+@njit(nogil=True, cache=True)
 def _plus_plus(x, kappa, draws):
     """k-means++ seeding: the next centre is drawn with probability proportional to the squared distance to the others.
 
@@ -118,7 +118,7 @@ def _plus_plus(x, kappa, draws):
     return centres[:found]
 
 
-@njit(cache=True)
+@njit(nogil=True, cache=True)
 def _square(a, b):
     total = np.float32(0)
     for k in range(len(a)):
@@ -130,7 +130,7 @@ def _nearest(x: np.ndarray, centres: np.ndarray) -> np.ndarray:
     return faiss.knn(x, centres, 1)[1][:, 0].astype(np.int64)
 
 
-@njit(cache=True)
+@njit(nogil=True, cache=True)
 def _reassign(x, centres, between, labels, order, first):
     """Move each pose to its nearest centre, in place in ``labels``; the squared distances.
 
@@ -163,7 +163,7 @@ def _reassign(x, centres, between, labels, order, first):
     return squares
 
 
-@njit(cache=True)
+@njit(nogil=True, cache=True)
 def _means(x, labels, centres):
     """Mean pose of each cluster; a cluster without poses keeps its centre."""
     total, count = np.zeros(centres.shape), np.zeros(len(centres))

@@ -1,0 +1,148 @@
+"""The pipeline of MMG in stages, each with the parameters that it reads: what two analyses have in common is done once.
+
+A result depends on its data set and on what its stages read, and on nothing else, so analyses whose parameters agree up
+to some stage share all the work to there. One analysis goes through the stages one after the other (:mod:`build`), a
+sweep goes through them as a tree (:mod:`sweep`); both give the same result.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import asdict
+from time import perf_counter
+from typing import NamedTuple
+
+import numpy as np
+
+from core.mocap.dataset import Dataset
+from core.motifs.adjacency import Adjacency, nearest_pairs_radius, radius_adjacency, sphere_adjacency
+from core.motifs.alignment import AlignedMotif, align_motifs, entry_frames, spans_of
+from core.motifs.discovery import Substrings, join_leftovers, largest_first, random_seeds
+from core.motifs.graph import MotifGraph, dataset_head
+from core.motifs.matching import Matcher, Matches, Rule
+from core.motifs.parameters import MotifParameters
+from core.motifs.quantize import Letters, automatic_kappa, k_means
+from core.motifs.result import graph_of
+from core.poses.features import Poses, pose_features
+from core.progress import Report
+from core.sequences.repeats import Runs, remove_runs
+
+
+class Work(NamedTuple):
+    """An analysis between two stages: what later stages need; what none needs any more is None again.
+
+    seconds: what each stage took, in the order they were done.
+    """
+
+    dataset: Dataset | None = None
+    poses: Poses | None = None
+    letters: Letters | None = None
+    runs: Runs | None = None
+    matcher: Matcher | None = None
+    matches: Matches | None = None
+    found: list[Substrings] | None = None
+    aligned: list[AlignedMotif] | None = None
+    graph: MotifGraph | None = None
+    seconds: Mapping[str, float] = {}
+
+
+class Stage(NamedTuple):
+    """name: under which its time is counted; reads: names of the parameters it reads itself."""
+
+    name: str
+    reads: tuple[str, ...]
+    do: Callable[[Work, MotifParameters, Report], Work]
+
+    def after(self, work: Work, parameters: MotifParameters, report: Report) -> Work:
+        """The work with this stage done; nothing of ``work`` changes. May raise what ``report`` raises."""
+        started = perf_counter()
+        done = self.do(work, parameters, report)
+        taken = work.seconds.get(self.name, 0.0) + perf_counter() - started
+        return done._replace(seconds={**work.seconds, self.name: taken})
+
+    def key(self, parameters: MotifParameters) -> tuple:
+        """What this stage reads: equal keys, and equal ones of all stages before, mean equal work."""
+        return tuple(getattr(parameters, name) for name in self.reads)
+
+
+def _poses(work: Work, parameters: MotifParameters, report: Report) -> Work:
+    fps, pose = parameters.analysis_fps, parameters.pose
+    return work._replace(poses=pose_features(work.dataset, analysis_fps=fps, pose=pose, report=report))
+
+
+def _letters(work: Work, parameters: MotifParameters, report: Report) -> Work:
+    poses, kappa = work.poses, parameters.kappa
+    kappa = automatic_kappa(poses.values, poses.fps) if kappa == "auto" else kappa
+    letters = k_means(poses.values, kappa, parameters.seed, report=report)
+    return work._replace(letters=letters, runs=remove_runs(letters.labels, poses.clip_starts))
+
+
+def _neighbours(work: Work, parameters: MotifParameters, report: Report) -> Work:
+    report("matching", 0.0)
+    return work._replace(matcher=Matcher(work.runs, _adjacency(work.letters, parameters)))
+
+
+def _matches(work: Work, parameters: MotifParameters, report: Report) -> Work:
+    rule = _rule(parameters, work.matcher.adjacency, parameters.strictness)
+    return work._replace(matches=work.matcher.all(rule, report))
+
+
+def _motifs(work: Work, parameters: MotifParameters, report: Report) -> Work:
+    rule = _rule(parameters, work.matcher.adjacency, parameters.strictness)
+    strings = work.runs, work.matches, rule, parameters.rho
+    greedy = {"tightness": parameters.tightness, "report": report}
+    if parameters.seeding == "random":
+        found = random_seeds(*strings, parameters.seed, **greedy)
+    else:
+        found = largest_first(*strings, **greedy)
+    return work._replace(matches=None, found=found)
+
+
+def _leftovers(work: Work, parameters: MotifParameters, report: Report) -> Work:
+    found = work.found
+    if parameters.adjacency == "radius" and parameters.join > parameters.strictness:
+        rule = _rule(parameters, work.matcher.adjacency, parameters.join)
+        found = join_leftovers(work.runs, work.matcher, found, rule, report)
+    return work._replace(matcher=None, found=found)
+
+
+def _alignment(work: Work, parameters: MotifParameters, report: Report) -> Work:
+    frames = entry_frames(work.runs, work.found, work.poses.values, parameters.seed)
+    spans = spans_of(work.runs, work.found, frames, round(parameters.hold * parameters.analysis_fps))
+    return work._replace(aligned=align_motifs(spans, work.poses.values, report))
+
+
+def _graph(work: Work, parameters: MotifParameters, report: Report) -> Work:
+    used = asdict(parameters) | {"kappa": len(work.letters.centres)}
+    return work._replace(graph=graph_of(work.poses, work.aligned, used, dataset_head(work.dataset)))
+
+
+def _adjacency(letters: Letters, parameters: MotifParameters) -> Adjacency:
+    if parameters.adjacency == "spheres":
+        return sphere_adjacency(letters.centres, letters.labels, letters.distances)
+    return radius_adjacency(letters.centres, nearest_pairs_radius(letters.centres, parameters.reach))
+
+
+def _rule(parameters: MotifParameters, adjacency: Adjacency, share: float) -> Rule:
+    """The matching rule; the paper's spheres know no limit of the mean distance."""
+    return Rule(
+        parameters.min_letters,
+        parameters.max_letters,
+        parameters.gamma,
+        parameters.slack,
+        share * adjacency.radius if parameters.adjacency == "radius" else np.inf,
+        parameters.min_seconds * parameters.analysis_fps,
+    )
+
+
+STAGES = (
+    Stage("poses", ("analysis_fps", "pose"), _poses),
+    Stage("quantisation", ("kappa", "seed"), _letters),
+    Stage("matching", ("adjacency", "reach"), _neighbours),
+    Stage("matching", ("min_letters", "max_letters", "gamma", "slack", "strictness", "min_seconds"), _matches),
+    Stage("discovery", ("rho", "tightness", "seeding"), _motifs),
+    Stage("discovery", ("join",), _leftovers),
+    Stage("alignment", ("hold",), _alignment),
+    Stage("graph", (), _graph),
+)
+"""All stages in order. The seed is read by later ones too; the first that reads it already keeps seeds apart."""
