@@ -16,6 +16,7 @@ from core.mocap import quaternions as quat
 from core.mocap.anatomy import find_anatomy
 from core.mocap.clip import Clip, Segment
 from core.mocap.kinematics import joint_positions
+from core.mocap.skeleton import Skeleton
 from core.sequences.warping import warp_path
 
 
@@ -145,7 +146,7 @@ def find_transition(
     pa, pb = joint_positions(tail), joint_positions(head)
     at_a, at_b = exits[:, None] - exits[0] + frames, entries[:, None] + frames
     turns = _mean_angle(heading(tail, pa)[at_a])[:, None] - _mean_angle(heading(head, pb)[at_b])[None]
-    weights = np.tile(_joint_weights(a), len(frames))
+    weights = np.tile(joint_weights(a.skeleton), len(frames))
     clouds_a, clouds_b = (p[at].reshape(len(at), -1, 3) for p, at in ((pa, at_a), (pb, at_b)))
     _, shifts, costs = ground_fit(clouds_a[:, None], clouds_b[None], weights, turns)
     i, k = np.unravel_index(costs.argmin(), costs.shape)
@@ -220,14 +221,15 @@ def concatenate(clips: Sequence[Clip], name: str) -> Clip:
     return replace(clips[0], name=name, root_positions=root, rotations=rotations, translations={})
 
 
-def _mean_angle(angles: np.ndarray) -> np.ndarray:
-    return np.arctan2(np.sin(angles).mean(-1), np.cos(angles).mean(-1))
-
-
-def _joint_weights(clip: Clip) -> np.ndarray:
-    anatomy = find_anatomy(clip.skeleton)
-    weights = np.zeros(clip.skeleton.n_joints)
+def joint_weights(skeleton: Skeleton) -> np.ndarray:
+    """How much each joint counts when motions are laid upon one another, ``(n_joints,)``: feet threefold, fingers not."""
+    anatomy = find_anatomy(skeleton)
+    weights = np.zeros(skeleton.n_joints)
     weights[[0, *anatomy.posture_joints]] = 1.0
     for ankle, _ in anatomy.feet:
         weights[list(anatomy.foot_joints(ankle))] = 3.0
     return weights
+
+
+def _mean_angle(angles: np.ndarray) -> np.ndarray:
+    return np.arctan2(np.sin(angles).mean(-1), np.cos(angles).mean(-1))

@@ -68,6 +68,18 @@ def foot_skate(clip: Clip, contacts: np.ndarray | None = None, floor: float | No
     positions = joint_positions(clip)
     floor = floor_height(clip, positions) if floor is None else floor
     contacts = foot_contacts(clip, floor, positions) if contacts is None else contacts
+    metres, seconds = slide(clip, contacts, floor, positions)
+    return metres / seconds if seconds else 0.0
+
+
+def slide(
+    clip: Clip, contacts: np.ndarray, floor: float, positions: np.ndarray | None = None
+) -> tuple[float, float]:
+    """Metres that the standing feet slide, and seconds that they stand, both feet added up; see :func:`foot_skate`.
+
+    contacts: ``(n_frames, 2)`` bool; floor: metres; positions: ``(n_frames, n_joints, 3)``, if they are at hand.
+    """
+    positions = joint_positions(clip) if positions is None else positions
     slid, frames = 0.0, 0
     for column, points in enumerate(sole_points(clip)):
         both = contacts[1:, column] & contacts[:-1, column]
@@ -77,7 +89,7 @@ def foot_skate(clip: Clip, contacts: np.ndarray | None = None, floor: float | No
             lowest = (height[1:] + height[:-1]).argmin(1)[:, None]
             slid += float(np.take_along_axis(step, lowest, 1)[both].sum())
             frames += int(both.sum())
-    return slid * clip.fps / frames if frames else 0.0
+    return slid, frames / clip.fps
 
 
 def heights(clip: Clip, positions: np.ndarray, points: list[int], floor: float) -> np.ndarray:
