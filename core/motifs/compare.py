@@ -4,10 +4,11 @@ Motifs are compared by the time they share, and every frame lies in one motif at
 all: cost linear in frames, whatever the number of motions.
 
 Two motifs are *linked* when more than half of either lies in the other. A motif is *kept* when more than half of each
-lies in the other (no motif can have two such partners), or when it is the only one linked to the only motif it is linked
-to. Of the others, a motif linked to none is *lost* (of the second graph: *gained*); one linked to several is *split*
-into them (of the second graph: *merged* from them); one whose partner is linked to several is one of the motifs *merged*
-into it (of the second graph: *split* off it). Exchanging the graphs exchanges lost and gained, split and merged.
+lies in the other (no motif can have two such partners), or when it is the only one linked to the only motif it is
+linked to. Of the others, a motif linked to none is *lost* (of the second graph: *gained*); one linked to several is
+*split* into them (of the second graph: *merged* from them); one whose partner is linked to several is one of the motifs
+*merged* into it (of the second graph: *split* off it). Exchanging the graphs exchanges lost and gained, split and
+merged.
 """
 
 from __future__ import annotations
