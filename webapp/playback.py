@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Any
 
 from dash import Dash, Input, Output, State, no_update
@@ -12,7 +13,7 @@ from core.mocap.dataset import Dataset
 from core.motifs.graph import Edge, Motif, MotifGraph
 from core.workspace import Workspace, WorkspaceError
 from webapp.figures.tables import clock
-from webapp.results import motif_graph
+from webapp.results import motif_graph, motif_notes
 
 MOST_FIGURES = 24  # the Stage stays fluid; more bodies would hide one another anyway
 AROUND = 1.0  # seconds of motion before and after a transition
@@ -20,14 +21,19 @@ AROUND = 1.0  # seconds of motion before and after a transition
 Request = dict[str, Any]
 
 
-def stage_request(dataset: Dataset, graph: MotifGraph | None, selection: Mapping[str, Any]) -> Request | None:
-    """What to play for ``selection`` (see links.View); None where it names nothing that is there."""
+def stage_request(
+    dataset: Dataset,
+    graph: MotifGraph | None,
+    selection: Mapping[str, Any],
+    names: Mapping[int, str] = MappingProxyType({}),
+) -> Request | None:
+    """What to play for ``selection`` (see links.View), None where it names nothing that is there; names: of motifs."""
     if "clip" in selection:
         return _clip(dataset, selection)
     if graph is None:
         return None
     if "motif" in selection:
-        return _motif(dataset, graph, selection)
+        return _motif(dataset, graph, selection, names)
     return _edge(dataset, graph, selection) if "edge" in selection else None
 
 
@@ -80,21 +86,24 @@ def _clip(dataset: Dataset, selection: Mapping[str, Any]) -> Request | None:
     return _request(dataset, [_item(clip.name, start, end, clip.name)], clip.name)
 
 
-def _motif(dataset: Dataset, graph: MotifGraph, selection: Mapping[str, Any]) -> Request | None:
+def _motif(
+    dataset: Dataset, graph: MotifGraph, selection: Mapping[str, Any], names: Mapping[int, str]
+) -> Request | None:
     motif = find_motif(graph, selection["motif"])
     if motif is None:
         return None
+    called = names.get(motif.id) or f"Motif {motif.id}"
     alone = selection.get("motion")
     if alone is not None and 0 <= int(alone) < len(motif.segments):
         segment = motif.segments[int(alone)]
-        title = f"Motif {motif.id}, motion {int(alone) + 1} of {len(motif.segments)}"
+        title = f"{called}, motion {int(alone) + 1} of {len(motif.segments)}"
         return _request(dataset, [_item(*segment, segment.clip)], title)
     shown = shown_motions(motif)
     items = [
         _item(*motif.segments[i], motif.segments[i].clip, [round(float(f), 2) for f in motif.warps[i]]) for i in shown
     ]
     count = f"{len(shown)} of {len(motif.segments)}" if len(shown) < len(motif.segments) else f"{len(shown)}"
-    return _request(dataset, items, f"Motif {motif.id}: {count} motion{'s' if len(motif.segments) != 1 else ''}")
+    return _request(dataset, items, f"{called}: {count} motion{'s' if len(motif.segments) != 1 else ''}")
 
 
 def _edge(dataset: Dataset, graph: MotifGraph, selection: Mapping[str, Any]) -> Request | None:
@@ -134,6 +143,8 @@ def register(app: Dash, workspace: Workspace) -> None:
         try:
             dataset = workspace.open(dataset_name)
             graph = motif_graph(workspace, dataset_name, parameters) if "clip" not in selection else None
-            return stage_request(dataset, graph, selection) or no_update
+            said = motif_notes(workspace, dataset_name, parameters) if "motif" in selection else {}
+            names = {motif: note.name for motif, note in said.items()}
+            return stage_request(dataset, graph, selection, names) or no_update
         except WorkspaceError:
             return no_update

@@ -10,7 +10,7 @@ from core import analyses
 from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
 from core.parameters import ParameterError
-from core.workspace import Job, Workspace, WorkspaceError
+from core.workspace import Job, MotifNote, Workspace, WorkspaceError
 from webapp.components.filmstrip import icon_data_uri
 from webapp.figures import graph as graph_figure
 
@@ -57,6 +57,14 @@ def motif_graph(workspace: Workspace, dataset: str, parameters: Mapping[str, Any
         return analyses.stored(workspace, motif_request(dataset, parameters))
     except ParameterError:
         return None
+
+
+def motif_notes(workspace: Workspace, dataset: str, parameters: Mapping[str, Any] | None) -> dict[int, MotifNote]:
+    """What people said of the motifs of this result, by motif id; empty where there is no result."""
+    graph, key = motif_graph(workspace, dataset, parameters), motif_graph_key(workspace, dataset, parameters)
+    if graph is None or key is None:
+        return {}
+    return workspace.notes.of(workspace.info(dataset).id, key, {motif.id: motif.segments for motif in graph.motifs})
 
 
 def latest_job(workspace: Workspace, dataset: str, parameters: Mapping[str, Any] | None) -> Job | None:

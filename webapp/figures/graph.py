@@ -155,6 +155,7 @@ def stylesheet(name: str) -> list[dict[str, Any]]:
         ),
         {"selector": "edge.rare", "style": {"display": "none"}},
         {"selector": ".faded", "style": {"opacity": 0.28}},
+        {"selector": ".unmatched", "style": {"opacity": 0.12}},
         {
             "selector": "node.near",
             "style": {"border-width": 3, "opacity": 1},

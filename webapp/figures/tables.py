@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from pathlib import PurePath
+from types import MappingProxyType
 from typing import Any
 from urllib.parse import quote, urlencode
 
@@ -13,6 +14,7 @@ from dash import html
 
 from core.mocap.clip import Label, Segment
 from core.mocap.dataset import Dataset, FileReport
+from core.workspace import MotifNote
 from webapp import theme
 
 Row = dict[str, Any]
@@ -58,6 +60,9 @@ MOTIF_COLUMNS = [
     _column("motions", "Motions", 108, "How many times it occurs", sort="desc", **_NUMBER),
     _column("seconds", "Seconds", 94, "Mean duration of its motions", **_SECONDS),
     _column("clips", "Clips", 78, "In how many clips it occurs", **_NUMBER),
+    _column("name", "Name", 130, "What people call it", flex=1, minWidth=110, tooltipField="note"),
+    _column("tags", "Tags", 100, flex=1, minWidth=90, tooltipField="tags"),
+    _column("note", "Note", 100, hide=True),
     _column("label", "Mostly", 120, "The label that covers most of its frames", flex=1, minWidth=120),
 ]
 
@@ -84,6 +89,7 @@ def grid(table_id: str, columns: list[dict], rows: list[Row], label: str, *, row
             "tooltipShowDelay": 400,
             "suppressCellFocus": False,
             "ensureDomOrder": True,
+            "includeHiddenColumnsInQuickFilter": True,
         },
         eventListeners={"rowClicked": ["chooseRow(params)"], "cellKeyDown": ["chooseRowByKey(params)"]},
         className="grid",
@@ -139,7 +145,7 @@ def report_rows(files: Iterable[FileReport], verdicts: Iterable[str] = ("ok", "w
     ]
 
 
-def motif_rows(graph: Any, dataset: Dataset) -> list[Row]:
+def motif_rows(graph: Any, dataset: Dataset, notes: Mapping[int, MotifNote] = MappingProxyType({})) -> list[Row]:
     """One row a motif: how often, how long, in how many clips, and the label that covers most of it."""
     by_clip: dict[str, list[Label]] = {}
     for label in dataset.labels:
@@ -158,10 +164,15 @@ def motif_rows(graph: Any, dataset: Dataset) -> list[Row]:
                 "seconds": round(sum(seconds) / len(seconds), 2),
                 "clips": len({segment.clip for segment in motif.segments}),
                 "label": majority_label(motif.segments, by_clip),
+                **_said(notes.get(motif.id)),
                 "selection": {"motif": motif.id},
             }
         )
     return rows
+
+
+def _said(note: MotifNote | None) -> Row:
+    return {"name": note.name, "tags": ", ".join(note.tags), "note": note.note} if note else {"name": "", "tags": ""}
 
 
 def motif_columns(dataset: Dataset) -> list[dict[str, Any]]:

@@ -115,7 +115,10 @@ def _browse(app: Dash, workspace: Workspace) -> None:
         if graph is None:
             return None
         dataset = workspace.open(name)
-        columns, rows = tables.motif_columns(dataset), tables.motif_rows(graph, dataset)
+        columns, rows = (
+            tables.motif_columns(dataset),
+            tables.motif_rows(graph, dataset, results.motif_notes(workspace, name, parameters)),
+        )
         return [tables.grid("motif-table", columns, rows, "All motifs"), dcc.Store(id="motifs-marked")]
 
     @app.callback(
@@ -132,7 +135,8 @@ def _browse(app: Dash, workspace: Workspace) -> None:
             if graph is None:
                 return None, {}
             dataset, chosen = workspace.open(name), selection or {}
-            return layout.selection_panel(graph, chosen), layout.motion_list(dataset, graph, chosen)
+            notes = results.motif_notes(workspace, name, parameters)
+            return layout.selection_panel(graph, chosen, notes), layout.motion_list(dataset, graph, chosen)
         except WorkspaceError:
             return None, {}
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from datetime import datetime
+from types import MappingProxyType
 from typing import Any
 
 import dash_cytoscape as cyto
@@ -13,7 +14,7 @@ from dash.development.base_component import Component
 
 from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
-from core.workspace import Job
+from core.workspace import Job, MotifNote
 from webapp.components.actions import sends
 from webapp.components.errors import empty_state
 from webapp.components.icons import icon
@@ -310,7 +311,9 @@ def _when(moment_: float | None) -> str:
     return datetime.fromtimestamp(moment_).strftime("%d %b, %H:%M") if moment_ else ""
 
 
-def selection_panel(graph: MotifGraph, selection: Mapping[str, Any]) -> Component:
+def selection_panel(
+    graph: MotifGraph, selection: Mapping[str, Any], notes: Mapping[int, MotifNote] = MappingProxyType({})
+) -> Component:
     """What is selected, in a line: its name, how many motions or transitions, and a way to play them together."""
     motif = find_motif(graph, selection["motif"]) if "motif" in selection else None
     if motif is not None:
@@ -321,7 +324,8 @@ def selection_panel(graph: MotifGraph, selection: Mapping[str, Any]) -> Componen
             leftSection=icon("play", 14),
             **sends("selection", {"motif": motif.id}),
         )
-        return _panel_head(f"Motif {motif.id}", f"{len(motif.segments)} motions", together)
+        name = notes[motif.id].name if motif.id in notes else ""
+        return _panel_head(name or f"Motif {motif.id}", f"{len(motif.segments)} motions", together)
     edge = find_edge(graph, selection["edge"]) if "edge" in selection else None
     if edge is not None:
         return _panel_head(f"From {edge.source} to {edge.target}", f"seen {edge.count}×")

@@ -15,6 +15,8 @@ from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
 from core.workspace import Workspace
+from webapp.components.icons import icon
+from webapp.pages.motifs import notes_side
 
 
 class Part(NamedTuple):
@@ -33,7 +35,15 @@ def _motions() -> Component:
 
 
 def _table() -> Component:
-    return html.Div(id="motif-table-place")
+    search = dmc.TextInput(
+        id="motif-search",
+        placeholder="Search names, tags, notes, labels",
+        leftSection=icon("search", 14),
+        size="xs",
+        className="motif-search",
+        **{"aria-label": "Search motifs"},
+    )
+    return html.Div([search, html.Div(id="motif-table-place")])
 
 
 def _nothing(app: Dash, workspace: Workspace) -> None:
@@ -42,7 +52,10 @@ def _nothing(app: Dash, workspace: Workspace) -> None:
 
 PARTS: dict[str, tuple[Part, ...]] = {
     "view": (Part("table", "All motifs", _table, _nothing),),
-    "side": (Part("motions", "Motions", _motions, _nothing),),
+    "side": (
+        Part("motions", "Motions", _motions, _nothing),
+        Part("notes", "Notes", notes_side.layout, notes_side.register),
+    ),
 }
 
 

@@ -1,0 +1,47 @@
+/* Names people gave: on the boxes of the graph; and the search over names, tags, notes and labels. */
+(function () {
+  "use strict";
+  const clientside = (window.dash_clientside = window.dash_clientside || {});
+  const LONGEST = 26;
+
+  async function graph(tries = 100) {
+    for (let i = 0; i < tries; i++) {
+      const box = document.getElementById("motif-graph");
+      const cy = box && box._cyreg && box._cyreg.cy;
+      if (cy && !cy.destroyed() && cy.elements().length) return cy;
+      await new Promise((resolve) => setTimeout(resolve, 30));
+    }
+    return null;
+  }
+
+  const short = (text) => (text.length > LONGEST ? text.slice(0, LONGEST - 1) + "…" : text);
+
+  clientside.names = {
+    async draw(names) {
+      const cy = await graph();
+      if (!cy) return clientside.no_update;
+      cy.batch(() => cy.nodes("[motif >= 0]").forEach((node) => {
+        if (node.data("plain") === undefined) node.data("plain", node.data("label"));
+        const name = (names || {})[node.data("motif")];
+        const label = name ? `${short(name)} · ${node.data("plain").split(" · ").pop()}` : node.data("plain");
+        if (node.data("label") !== label) node.data("label", label);
+      }));
+      return clientside.no_update;
+    },
+    // Rows that do not match leave the table, their boxes fade in the graph.
+    async search(text, rows) {
+      const words = (text || "").toLowerCase().split(/\s+/).filter(Boolean);
+      const api = await window.dash_ag_grid.getApiAsync("motif-table").catch(() => null);
+      if (api && !api.isDestroyed()) api.setGridOption("quickFilterText", text || "");
+      const cy = await graph(3);
+      if (!cy) return clientside.no_update;
+      const fits = (row) => {
+        const all = ["id", "name", "tags", "note", "label"].map((field) => row[field] ?? "").join(" ").toLowerCase();
+        return words.every((word) => all.includes(word));
+      };
+      const found = new Set((rows || []).filter(fits).map((row) => "m" + row.id));
+      cy.batch(() => cy.nodes("[motif >= 0]").forEach((node) => { node.toggleClass("unmatched", words.length > 0 && !found.has(node.id())); }));
+      return clientside.no_update;
+    },
+  };
+})();
