@@ -1,0 +1,88 @@
+"""Which points a sweep visits: parameters of the motif graph, each with the values it takes, and seeds."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from itertools import product
+from typing import Any
+
+from core.motifs.parameters import MotifParameters
+from core.parameters import Parameter, ParameterError, parameters_of
+
+Axes = Mapping[str, Sequence[Any]]
+"""Name of a parameter -> the values it takes, in the order in which they are shown."""
+
+PAPER = {"kappa": (50, 100, 200, 500, 1000, 2000), "rho": (0.2, 0.5, 1.0, 2.0, 5.0)}
+"""The ranges of the paper's Figures 5 and 6, and what lies between."""
+
+MOST_POINTS = 3000
+MOST_VALUES = 60
+_SWEPT = {p.name: p for p in parameters_of(MotifParameters) if p.name != "seed"}
+
+
+def sweepable() -> tuple[Parameter, ...]:
+    """The parameters that can be an axis: all but the seed, which has its own place."""
+    return tuple(_SWEPT.values())
+
+
+def read_values(name: str, text: str) -> tuple[Any, ...]:
+    """The values of parameter ``name`` in ``text`` (``50, 100, auto``), sorted, each once.
+
+    Raises ParameterError, naming the value that cannot be used, or where there is none or too many.
+    """
+    if name not in _SWEPT:
+        raise ParameterError(f"{str(name)[:60]}: no parameter to sweep; there are {', '.join(_SWEPT)}")
+    words = [word for word in text.replace(",", " ").split() if word]
+    if not words:
+        raise ParameterError(f"{name}: name at least one value; expected {_SWEPT[name].expected}")
+    values = dict.fromkeys(_SWEPT[name].parse(word) for word in words)
+    if len(values) > MOST_VALUES:
+        raise ParameterError(f"{name}: {len(values)} values are more than the {MOST_VALUES} that one axis may have")
+    return tuple(sorted(values, key=_order))
+
+
+def read_axis(text: str) -> tuple[str, tuple[Any, ...]]:
+    """Name and values of an axis written as ``kappa:50,100,200``; raises ParameterError."""
+    name, colon, values = text.partition(":")
+    if not colon:
+        raise ParameterError(f"{text[:60]!r}: an axis is written as name:value,value, such as kappa:50,100,200")
+    return name.strip(), read_values(name.strip(), values)
+
+
+def write_axis(name: str, values: Sequence[Any]) -> str:
+    """An axis as text that :func:`read_axis` reads back."""
+    return f"{name}:{','.join(map(write_value, values))}"
+
+
+def write_value(value: Any) -> str:
+    """A value as people write it."""
+    return f"{value:g}" if isinstance(value, float) else str(value)
+
+
+def points_of(base: MotifParameters, axes: Axes, seeds: int = 1) -> tuple[MotifParameters, ...]:
+    """Every combination of the axes' values, each with seeds base.seed, base.seed + 1, ...; the first axis varies
+    slowest, the seed fastest. Raises ParameterError for a value or a combination that cannot be used, or for too many.
+    """
+    if not 1 <= seeds <= 100:
+        raise ParameterError(f"seeds: expected a whole number from 1 to 100, not {seeds}")
+    n = seeds
+    for name, values in axes.items():
+        if name not in _SWEPT:
+            raise ParameterError(f"{str(name)[:60]}: no parameter to sweep; there are {', '.join(_SWEPT)}")
+        n *= len(values)
+    if not 1 <= n <= MOST_POINTS:
+        raise ParameterError(f"a sweep has 1 to {MOST_POINTS} points, not {n}: give fewer values or seeds")
+    try:
+        return tuple(
+            replace(base, **dict(zip(axes, values, strict=True)), seed=base.seed + k)
+            for values in product(*axes.values())
+            for k in range(seeds)
+        )
+    except ValueError as error:
+        raise ParameterError(str(error)) from error
+
+
+def _order(value: Any) -> tuple:
+    """Words first, then numbers."""
+    return (0, str(value), 0) if isinstance(value, str) else (1, "", value)

@@ -1,0 +1,160 @@
+"""Many motif graphs of one data set, at about the price of a few: points of a sweep share all work they have in common.
+
+Poses are computed once per frame rate and kind, letters once per kappa and seed, matches once per rule; only the greedy
+discovery and what follows is done for every point (MMG section 5.2 runs the whole method for every point).
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from queue import Empty, LifoQueue, SimpleQueue
+from threading import Event, Thread
+from typing import NamedTuple
+
+from core.mocap.dataset import Dataset
+from core.motifs.axes import Axes, points_of
+from core.motifs.graph import MotifGraph
+from core.motifs.parameters import MotifParameters
+from core.motifs.stages import STAGES, Stage, Work
+from core.progress import Cancelled, Report, silent
+
+_LOOK = 0.1  # seconds between two looks at whether the sweep has been cancelled
+
+
+class Point(NamedTuple):
+    """A point of a sweep and its result."""
+
+    parameters: MotifParameters
+    graph: MotifGraph
+
+
+def sweep(
+    dataset: Dataset,
+    base: MotifParameters,
+    axes: Axes,
+    seeds: int = 1,
+    on_point: Callable[[Point], None] | None = None,
+    report: Report = silent,
+) -> tuple[Point, ...]:
+    """The motif graphs of every combination of the axes' values, in the order of :func:`core.motifs.axes.points_of`.
+
+    Each graph is the one that ``find_motifs`` finds with the same parameters. ``on_point`` gets each as soon as it is
+    there, in this thread. Raises ParameterError (a ValueError) for axes that cannot be used, ValueError for a data set
+    without poses, and whatever ``report`` or ``on_point`` raises.
+    """
+    points = points_of(base, axes, seeds)
+    found: list[Point | None] = [None] * len(points)
+    for k, graph in graphs_of(dataset, points, report):
+        found[k] = Point(points[k], graph)
+        if on_point is not None:
+            on_point(found[k])
+    return tuple(found)
+
+
+def graphs_of(
+    dataset: Dataset,
+    points: Sequence[MotifParameters],
+    report: Report = silent,
+    workers: int | None = None,
+    stages: Sequence[Stage] = STAGES,
+) -> Iterator[tuple[int, MotifGraph]]:
+    """The graph of each of ``points``, with its number among them, as they get ready; one thread a core.
+
+    The seconds of a graph are those of the stages behind it, whoever shares them. ``report`` is called in the thread
+    that iterates, ten times a second at least; what it raises stops the sweep, and so does no longer iterating.
+    ``stages``: the pipeline, where it is another; the last one must leave the graph.
+    """
+    tree = _Tree(dataset, points, stages)
+    threads = [Thread(target=tree.work, daemon=True) for _ in range(min(workers or os.cpu_count() or 1, len(points)))]
+    for thread in threads:
+        thread.start()
+    try:
+        ready = 0
+        while ready < len(points):
+            report(f"{ready} of {len(points)} points", tree.fraction)
+            for k, graph in tree.next_graphs():
+                ready += 1
+                yield k, graph
+        report(f"{ready} of {len(points)} points", 1.0)
+    finally:
+        tree.stop(len(threads))
+        for thread in threads:
+            thread.join()
+
+
+class _Node(NamedTuple):
+    """A stage that waits to be done, for the points that all share it, on the work of the stages before."""
+
+    depth: int
+    points: list[int]
+    work: Work
+
+
+class _Tree:
+    """The stages of all points as a tree, whose leaves are graphs. Several threads may work on it at once.
+
+    What was begun last is continued first, so that points get ready one after another, and only as many half-finished
+    analyses are in memory as there are threads. A stage's result is let go when its last point has used it.
+    """
+
+    def __init__(self, dataset: Dataset, points: Sequence[MotifParameters], stages: Sequence[Stage]):
+        self._points, self._stages = points, stages
+        self._waiting: LifoQueue[_Node | None] = LifoQueue()
+        self._ready: SimpleQueue[tuple[list[int], MotifGraph] | BaseException | None] = SimpleQueue()
+        self._over = Event()
+        keys = [tuple(stage.key(point) for stage in stages) for point in points]
+        self._n_nodes = sum(len({key[: depth + 1] for key in keys}) for depth in range(len(stages)))
+        self._n_done = 0
+        self._push(0, list(range(len(points))), Work(dataset=dataset))
+
+    @property
+    def fraction(self) -> float:
+        """Share of all stages that are done."""
+        return self._n_done / self._n_nodes
+
+    def work(self) -> None:
+        """Does stages until it is told to stop; for a thread."""
+        while (node := self._waiting.get()) is not None and not self._over.is_set():
+            try:
+                self._do(node)
+            except BaseException as error:
+                self._ready.put(error)
+
+    def next_graphs(self) -> Iterator[tuple[int, MotifGraph]]:
+        """What got ready since, after waiting for a moment; raises what stopped a thread."""
+        try:
+            item = self._ready.get(timeout=_LOOK)
+        except Empty:
+            return
+        if isinstance(item, BaseException):
+            raise item
+        self._n_done += 1
+        if item is not None:
+            yield from ((k, item[1]) for k in item[0])
+
+    def stop(self, n_threads: int) -> None:
+        """Has ``n_threads`` threads leave as soon as their kernels end."""
+        self._over.set()
+        for _ in range(n_threads):
+            self._waiting.put(None)
+
+    def _do(self, node: _Node) -> None:
+        work = self._stages[node.depth].after(node.work, self._points[node.points[0]], self._look)
+        if node.depth + 1 < len(self._stages):
+            self._push(node.depth + 1, node.points, work)
+            self._ready.put(None)
+        else:
+            self._ready.put((node.points, replace(work.graph, seconds=dict(work.seconds))))
+
+    def _push(self, depth: int, points: list[int], work: Work) -> None:
+        groups: dict[tuple, list[int]] = {}
+        for k in points:
+            groups.setdefault(self._stages[depth].key(self._points[k]), []).append(k)
+        for group in reversed(groups.values()):
+            self._waiting.put(_Node(depth, group, work))
+
+    def _look(self, stage: str, fraction: float) -> None:
+        if self._over.is_set():
+            raise Cancelled
