@@ -32,7 +32,7 @@ def foot_contacts(clip: Clip, floor: float | None = None, positions: np.ndarray 
     for column, points in enumerate(sole_points(clip)):
         if points:
             height = heights(clip, positions, points, floor)
-            speed = _speeds(positions[:, points], clip.fps)
+            speed = ground_speeds(positions[:, points], clip.fps)
             lowest = height.min(1, keepdims=True)
             low = lowest[:, 0] / anatomy.body_height
             # the point that stands may be about to change: the slowest of the nearly lowest counts
@@ -55,7 +55,7 @@ def floor_height(clip: Clip, positions: np.ndarray | None = None) -> float:
         return float(positions[..., 1].min())
     slow_speed = _SLOW * find_anatomy(clip.skeleton).body_height
     lowest = np.concatenate([positions[:, points, 1].min(1) for points in feet])
-    slow = np.concatenate([_speeds(positions[:, points], clip.fps).min(1) < slow_speed for points in feet])
+    slow = np.concatenate([ground_speeds(positions[:, points], clip.fps).min(1) < slow_speed for points in feet])
     return float(np.percentile(lowest[slow], 10) if slow.sum() > 0.1 * clip.fps else np.percentile(lowest, 5))
 
 
@@ -100,7 +100,7 @@ def heights(clip: Clip, positions: np.ndarray, points: list[int], floor: float) 
     """
     body = find_anatomy(clip.skeleton).body_height
     above = positions[:, points, 1].astype(np.float64) - floor
-    slow = _speeds(positions[:, points], clip.fps) < _SLOW * body
+    slow = ground_speeds(positions[:, points], clip.fps) < _SLOW * body
     rest = [
         np.percentile(h[s], 10) if s.sum() > 0.1 * clip.fps else np.percentile(h, 5)
         for h, s in zip(above.T, slow.T, strict=True)
@@ -122,8 +122,11 @@ def sole_points(clip: Clip) -> tuple[list[int], list[int]]:
     return left, right
 
 
-def _speeds(points: np.ndarray, fps: float) -> np.ndarray:
-    """Horizontal speeds ``(n_frames, n_points)``, metres a second, over a short span around each frame."""
+def ground_speeds(points: np.ndarray, fps: float) -> np.ndarray:
+    """Horizontal speeds ``(n_frames, n_points)``, metres a second, over 50 ms around each frame.
+
+    points: ``(n_frames, n_points, 3)``, metres.
+    """
     n, half = len(points), max(1, round(_SPEED_SPAN * fps / 2))
     after, before = np.minimum(np.arange(n) + half, n - 1), np.maximum(np.arange(n) - half, 0)
     way = np.linalg.norm((points[after] - points[before])[..., [0, 2]], axis=-1)
