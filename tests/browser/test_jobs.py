@@ -46,8 +46,17 @@ def test_progress_is_seen_and_the_graph_comes_by_itself(show, workspace):
 def test_cancel_and_run_again(show, workspace):
     page = show("/library")
     job = slow_job(workspace)
-    cancel = page.locator(".job", has_text="Demo: long").get_by_role("button", name="Cancel")
-    cancel.click(timeout=20_000)
+    row = page.locator(".job", has_text="Demo: long")
+    cancel = row.get_by_role("button", name="Cancel")
+    cancel.focus()
+    expect(row.locator(".job-percent")).to_contain_text("%", timeout=PATIENCE)
+    page.evaluate(
+        "dash_clientside.set_props('notices', {sendNotifications: ['a', 'b', 'c'].map(title => "
+        "({action: 'show', title, message: 'Long. '.repeat(99), autoClose: false}))})"
+    )
+    expect(page.get_by_role("alert")).to_have_count(3)
+    expect(cancel).to_be_focused()  # the row is the same as before it moved on
+    cancel.click()  # and no notice lies over it
     expect(page.locator(".job")).to_have_count(0, timeout=20_000)
     assert workspace.jobs.get(job.id).state == "cancelled"
     again = slow_job(workspace)

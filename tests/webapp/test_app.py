@@ -107,12 +107,12 @@ def test_the_bar_shows_what_runs_and_what_failed(workspace):
     job = workspace.jobs.submit("k1", {"method": "motifs"}, "Motif graph: walkers")
     pulse = job_bar.look(workspace)
     assert pulse.busy and [j.id for j in pulse.jobs] == [job.id]
-    assert job_bar.stage_words(pulse.jobs[0]) == "waiting for its turn"
-    assert "Cancel" in str(job_bar.rows(pulse.jobs))
+    waits = {"id": job.id, "title": job.title, "stage": "waiting for its turn", "percent": None, "stopping": False}
+    assert job_bar.rows(pulse.jobs) == [waits]
     workspace.jobs.fail(job.id, "The disk is full.")
     failed = job_bar.look(workspace)
     assert not failed.busy and failed.finished != pulse.finished
-    assert "Try again" in str(job_bar.rows(failed.jobs)) and "The disk is full." in str(job_bar.rows(failed.jobs))
+    assert job_bar.rows(failed.jobs) == [{"id": job.id, "title": job.title, "error": "The disk is full."}]
     assert job_bar.look(workspace, dismissed=[job.id]).jobs == ()
     again = workspace.jobs.submit("k1", {"method": "motifs"}, "Motif graph: walkers")
     assert [j.id for j in job_bar.look(workspace).jobs] == [again.id]  # the failure is superseded

@@ -12,15 +12,13 @@ import time
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-import dash_mantine_components as dmc
 from dash import Dash, Input, Output, State, dcc, html, no_update
+from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
 from core.workspace import DatasetInfo, Job, Workspace, WorkspaceError
 from webapp import jobs as webapp_jobs
-from webapp.components.actions import sends
 from webapp.components.errors import notice
-from webapp.components.icons import icon
 
 FAST, SLOW = 600, 4000  # milliseconds between two looks
 FAILED_SHOWN = 600.0  # seconds a failed job stays in the bar
@@ -58,6 +56,7 @@ def layout() -> Component:
         className="job-bar",
         children=[
             html.Div(id="job-list", role="status", **{"aria-live": "polite", "aria-label": "Jobs"}),
+            dcc.Store(id="jobs-shown"),  # the rows; assets/job_bar.js draws them
             dcc.Interval(id="job-tick", interval=FAST),
             dcc.Store(id="job-poke"),  # written when a job was just asked for: look now
             dcc.Store(id="job-action"),  # {"action": "cancel" | "retry" | "dismiss", "job": id}
@@ -86,8 +85,8 @@ def revision_of(datasets: Sequence[DatasetInfo]) -> str:
     return _mark(f"{info.id}{info.name}{info.fingerprint}" for info in datasets)
 
 
-def rows(jobs: Sequence[Job]) -> list[Component]:
-    """The bar's rows."""
+def rows(jobs: Sequence[Job]) -> list[dict]:
+    """The bar's rows, as assets/job_bar.js draws them; ``error`` is there where the job has failed."""
     return [_alive(job) if job.alive else _failed(job) for job in jobs]
 
 
@@ -100,70 +99,22 @@ def stage_words(job: Job) -> str:
     return STAGES.get(job.stage, job.stage[:1].lower() + job.stage[1:])
 
 
-def _alive(job: Job) -> Component:
-    percent, running = round(100 * job.fraction), job.state == "running" and not job.cancelling
-    return html.Div(
-        className="job",
-        children=[
-            html.Span(className="spinner", **{"aria-hidden": "true"}),
-            html.Span(job.title, className="job-title ellipsis"),
-            dmc.Progress(
-                value=percent if running else 100,
-                striped=not running,
-                animated=not running,
-                size="sm",
-                color="accent" if running else "gray",
-                **{"aria-label": f"Progress of {job.title}"},
-            ),
-            html.Span(
-                f"{stage_words(job)}{f' {percent} %' if running and percent else ''}", className="job-stage number"
-            ),
-            html.Div(
-                dmc.Button(
-                    "Cancel",
-                    size="compact-sm",
-                    variant="default",
-                    disabled=job.cancelling,
-                    **sends("job-action", {"action": "cancel", "job": job.id}, every_time=True),
-                ),
-                className="job-actions",
-            ),
-        ],
-    )
+def _alive(job: Job) -> dict:
+    running = job.state == "running" and not job.cancelling
+    percent = round(100 * job.fraction) if running else None  # None: nobody knows how long
+    return {"id": job.id, "title": job.title, "stage": stage_words(job), "percent": percent, "stopping": job.cancelling}
 
 
-def _failed(job: Job) -> Component:
-    retry = sends("job-action", {"action": "retry", "job": job.id}, every_time=True)
-    dismiss = sends("job-action", {"action": "dismiss", "job": job.id}, every_time=True)
-    return html.Div(
-        className="job job-failed",
-        children=[
-            html.Span(icon("error"), className="job-mark-failed"),
-            html.Span(job.title, className="job-title ellipsis"),
-            html.Span(job.error or "It failed for a reason we do not know.", className="job-message"),
-            html.Div(
-                className="job-actions",
-                children=[
-                    dmc.Button("Try again", size="compact-sm", variant="default", **retry),
-                    dmc.ActionIcon(
-                        icon("close", 16),
-                        variant="subtle",
-                        color="gray",
-                        size=26,
-                        **dismiss,
-                        **{"aria-label": "Dismiss"},
-                    ),
-                ],
-            ),
-        ],
-    )
+def _failed(job: Job) -> dict:
+    return {"id": job.id, "title": job.title, "error": job.error or "It failed for a reason we do not know."}
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """The poll, and the bar's buttons."""
+    """The poll, the rows it brings, and their buttons."""
+    app.clientside_callback(ClientsideFunction("jobs", "show"), Input("jobs-shown", "data"))
 
     @app.callback(
-        Output("job-list", "children"),
+        Output("jobs-shown", "data"),
         Output("job-tick", "interval"),
         Output("revision", "data"),
         Output("jobs-finished", "data"),
@@ -177,8 +128,9 @@ def register(app: Dash, workspace: Workspace) -> None:
         pulse = look(workspace, dismissed or ())
         if pulse.busy:
             webapp_jobs.tend(workspace)  # a worker may have died, or the one who asked may have gone
+        shown = rows(pulse.jobs)
         marks = {
-            "rows": _mark(f"{j.id}{j.state}{j.stage}{round(100 * j.fraction)}{j.cancelling}" for j in pulse.jobs),
+            "rows": _mark(map(str, shown)),
             "speed": FAST if pulse.busy else SLOW,
             "revision": pulse.revision,
             "finished": pulse.finished,
@@ -189,7 +141,7 @@ def register(app: Dash, workspace: Workspace) -> None:
             return no_update if seen.get(name) == marks[name] else value
 
         return (
-            when_new("rows", rows(pulse.jobs)),
+            when_new("rows", shown),
             when_new("speed", marks["speed"]),
             when_new("revision", pulse.revision),
             when_new("finished", pulse.finished),

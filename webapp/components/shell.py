@@ -26,7 +26,6 @@ def layout(stage: Component) -> Component:
         defaultColorScheme="auto",
         children=[
             *_stores(),
-            dmc.NotificationContainer(id="notices", position="bottom-right", limit=4, autoClose=6000),
             html.A("Skip to the page", href="#page", className="skip-link"),
             html.Div(
                 className="shell",
@@ -93,7 +92,8 @@ def _header() -> Component:
                 comboboxProps={"shadow": "md"},
                 **{"aria-label": "Dataset"},
             ),
-            html.Div(className="header-space"),
+            # in the header's free space (assets/notices.css), where they cover no control
+            dmc.NotificationContainer(id="notices", position="top-center", limit=4, autoClose=6000, withinPortal=False),
             dmc.Button(
                 "Share",
                 id="share",

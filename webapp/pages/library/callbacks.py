@@ -220,12 +220,7 @@ def _say(message: dict) -> None:
 
 
 def _undo_notice(name: str, token: str) -> dict:
-    undo = dmc.Button(
-        "Undo",
-        size="compact-sm",
-        variant="light",
-        mt=6,
-        **sends("dataset-action", {"action": "restore", "token": token}, every_time=True),
-    )
-    body = dmc.Stack([dmc.Text(f"{name} is in the trash.", size="sm"), undo], gap=2, align="flex-start")
+    action = {"action": "restore", "token": token}
+    undo = dmc.Button("Undo", size="compact-sm", variant="light", **sends("dataset-action", action, every_time=True))
+    body = dmc.Group([dmc.Text(f"{name} is in the trash.", size="sm", truncate="end"), undo], gap=12, wrap="nowrap")
     return notice("Dataset deleted", body, autoClose=12000)
