@@ -24,6 +24,7 @@ from core.progress import Report, silent
 __all__ = ["inspect_clip", "inspect_dataset", "inspect_file", "inspect_skeleton", "rest_pose"]
 
 _NAMED = 3  # faults of one kind that are named one by one
+_ALIKE = ("the same recording as", "looks like the same motion as")  # how doubts about duplicates begin
 
 
 def inspect_clip(clip: Clip) -> tuple[str, ...]:
@@ -101,9 +102,10 @@ def inspect_dataset(dataset: Dataset, report: Report = silent) -> ImportReport:
     for k, others in find_duplicates(dataset.clips, digests, leads).items():
         named = ", ".join(dataset.clips[other].name for other in others[:5]) + (" ..." if len(others) > 5 else "")
         same = all(digests[other] == digests[k] for other in others)
-        word = "the same recording as" if same else "looks like the same motion as"
+        word = _ALIKE[0] if same else _ALIKE[1]
         doubts[dataset.clips[k].name] += (f"{word} {named}",)
-    files = [_file_report(f, doubts.get(f.clip, ()), remarks.get(f.clip, ())) for f in dataset.report.files]
+    before = (_without_alike(file, remarks.get(file.clip, ())) for file in dataset.report.files)
+    files = [_file_report(f, doubts.get(f.clip, ()), remarks.get(f.clip, ())) for f in before]
     known = {file.clip for file in files}
     files += [
         _file_report(FileReport(clip.name, clip.name, "ok"), doubts[clip.name], remarks[clip.name])
@@ -112,6 +114,13 @@ def inspect_dataset(dataset: Dataset, report: Report = silent) -> ImportReport:
     ]
     report("Inspecting", 1.0)
     return replace(dataset.report, files=tuple(files))
+
+
+def _without_alike(file: FileReport, remarks: Iterable[str]) -> FileReport:
+    """The report without the duplicates of an earlier inspection: those clips may have gone since."""
+    kept = tuple(message for message in file.messages if not message.startswith(_ALIKE))
+    doubtless = kept != file.messages and file.verdict == "warning" and set(kept) <= set(remarks)
+    return replace(file, messages=kept, verdict="ok" if doubtless else file.verdict)
 
 
 def _file_report(file: FileReport, doubts: Iterable[str], remarks: Iterable[str] = ()) -> FileReport:

@@ -16,6 +16,7 @@ from core.mocap.asfamc import DEFAULT_FPS, AsfSkeleton, read_amc, read_asf
 from core.mocap.bvh import read_bvh
 from core.mocap.clip import Clip, Label
 from core.mocap.errors import RecordingError
+from core.mocap.label_files import find_label_files, find_labels
 from core.mocap.labels import fit_labels, read_labels
 from core.mocap.recordings import Recording, Source, find_recordings, find_skeleton, name_recordings
 from core.mocap.reports import FileReport, ImportReport
@@ -122,9 +123,9 @@ def open_dataset(
 
     skeleton: .asf for .amc files that have none beside them. fps: frame rate of .amc files (120 where not given).
     clips: names of the clips to read (or one string, with commas); all others are left alone. labels: CSV file or
-    folder; where not given, ``labels.csv`` or ``labels/`` in the source folder. on_error "report": what cannot be read
-    stands in the report instead of raising. Raises RecordingError for the first file that cannot be read, where there
-    is nothing to read or a clip of ``clips`` does not exist, ValueError where fps is not positive.
+    folder; where not given, the label files of the source folders (see label_files). on_error "report": what cannot be
+    read stands in the report instead of raising. Raises RecordingError for the first file that cannot be read, where
+    there is nothing to read or a clip of ``clips`` does not exist, ValueError where fps is not positive.
     """
     read, files = [], []
     for file, clip in read_recordings(source, skeleton=skeleton, fps=fps, clips=clips, report=report):
@@ -135,21 +136,28 @@ def open_dataset(
         files.append(file)
         if clip is not None:
             read.append(clip)
-    first = Path(source if isinstance(source, str | os.PathLike) else next(iter(source)))
-    fitted, messages = fit_labels(_labels(first, labels), {clip.name: clip.n_frames for clip in read})
+    sources = [Path(one) for one in ([source] if isinstance(source, str | os.PathLike) else source)]
+    fitted, told = _labels(sources, labels, {clip.name: clip.n_frames for clip in read}, on_error)
+    first = sources[0]
     return Dataset(
         name or (first.resolve().name if first.is_dir() else recording_format(first)[0]),
         tuple(read),
         fitted,
-        ImportReport(tuple(files), messages),
+        replace(told, files=(*files, *told.files)),
     )
 
 
-def _labels(source: Path, labels: str | Path | None) -> tuple[Label, ...]:
+def _labels(sources: list[Path], labels, frames: dict[str, int], on_error) -> tuple[tuple[Label, ...], ImportReport]:
+    """The labels that were asked for, else those that lie in the sources; and what is to be said of them."""
     if labels is not None:
-        return read_labels(labels)
-    beside = [source / "labels.csv", source / "labels"] if source.is_dir() else []
-    return next((read_labels(path) for path in beside if path.exists()), ())
+        fitted, messages = fit_labels(read_labels(labels), frames)
+        return fitted, ImportReport(messages=messages)
+    folders = [source for source in sources if source.is_dir()]
+    if on_error == "raise":  # a file that is called labels and holds faults is no accident
+        for file in (file for folder in folders for file in find_label_files(folder) if file.named):
+            read_labels(file.path)
+    fitted, files = find_labels(folders, frames)
+    return fitted, ImportReport(files)
 
 
 def read_recordings(

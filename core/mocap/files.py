@@ -1,4 +1,4 @@
-"""Files that appear whole or not at all."""
+"""Files that appear whole or not at all, and those that lie in a folder."""
 
 from __future__ import annotations
 
@@ -8,6 +8,13 @@ import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
+
+
+def files_below(folder: str | Path) -> Iterator[Path]:
+    """All files of a folder and below, folder by folder in the order of their names; hidden ones are left out."""
+    for parent, folders, names in os.walk(folder):
+        folders[:] = sorted(name for name in folders if not name.startswith(".") and name != "__MACOSX")
+        yield from (Path(parent, name) for name in sorted(names) if not name.startswith("."))
 
 
 @contextmanager

@@ -1,14 +1,14 @@
 """Labels: who does what from which frame to which, as CSV.
 
 Columns ``clip, start_frame, end_frame, action``: frames of the clip's own rate, from 0, end exclusive. Without frame
-columns a row labels a whole clip (an index of clips); ``action`` may then also be called label, content or category.
+columns a row labels a whole clip (an index of clips). ``action`` may also be called label, content or category.
 """
 
 from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 
 from core.mocap.clip import Label
@@ -27,31 +27,53 @@ def read_labels(path: str | Path) -> tuple[Label, ...]:
     Raises RecordingError with the line of the first fault, and where a folder holds no CSV file.
     """
     path = Path(path)
-    if not path.is_dir():
-        return tuple(_read_file(path))
-    files = sorted(p for p in path.rglob("*.csv") if not p.name.startswith("."))
+    files = sorted(p for p in path.rglob("*.csv") if not p.name.startswith(".")) if path.is_dir() else [path]
     if not files:
         raise RecordingError(path, "no labels in this folder", "CSV files with clip, start_frame, end_frame, action")
-    return tuple(label for file in files for label in _read_file(file))
+    rows = [row for file in files for _, row in label_rows(file)]
+    faults = [row for row in rows if isinstance(row, RecordingError)]
+    if faults:
+        raise faults[0]
+    return tuple(rows)
 
 
-def _read_file(path: Path) -> Iterable[Label]:
-    text = decoded(read_bytes(path))
-    header = text.partition("\n")[0]
-    delimiter = max(",;\t", key=header.count)
-    rows = csv.reader(io.StringIO(text), delimiter=delimiter)
-    columns = _columns(path, [name.strip().lower() for name in next(rows)])
-    line = 1
+def label_rows(path: str | Path) -> Iterator[tuple[int, Label | RecordingError]]:
+    """Line and label of every row of a CSV file, or what is wrong with the row.
+
+    Raises RecordingError where the file cannot be read or its first line names no columns of labels.
+    """
+    path = Path(path)
+    rows = _reader(decoded(read_bytes(path)))
+    columns, line = label_columns(path, next(rows)), 1
     try:
         for row in rows:
             line = rows.line_num
-            if any(cell.strip() for cell in row):
-                yield _label(path, line, columns, [cell.strip() for cell in row])
+            if not any(cell.strip() for cell in row):
+                continue
+            try:
+                yield line, _label(path, line, columns, [cell.strip() for cell in row])
+            except RecordingError as error:
+                yield line, error
     except csv.Error as error:
         raise RecordingError(path, str(error), "rows of a CSV file", line) from None
 
 
-def _columns(path: Path, header: list[str]) -> dict[str, int]:
+def first_row(text: str) -> list[str]:
+    """The cells of the first line of a CSV file; raises csv.Error where they are no cells."""
+    return next(_reader(text.partition("\n")[0]), [])
+
+
+def _reader(text: str):
+    header = text.partition("\n")[0]
+    return csv.reader(io.StringIO(text), delimiter=max(",;\t", key=header.count))
+
+
+def label_columns(path: str | Path, header: Sequence[str]) -> dict[str, int]:
+    """Where the columns stand in the first row of a label file: clip, action, and both or none of the frames.
+
+    Raises RecordingError for the header of another file; ``path`` is named there.
+    """
+    header = [name.strip().lower() for name in header]
     columns = {name: k for k, name in reversed(list(enumerate(header)))}
     action = next((name for name in _ACTIONS if name in columns), None)
     if "clip" not in columns or action is None:
@@ -87,20 +109,26 @@ def fit_labels(labels: Iterable[Label], frames: Mapping[str, int]) -> tuple[tupl
     """The labels of the clips in ``frames`` (clip name -> number of frames), cut to their ends, and what was odd."""
     fitted, unknown, beyond = [], {}, []
     for label in labels:
-        n = frames.get(label.clip)
-        if n is None:
+        if label.clip not in frames:
             unknown[label.clip] = True
-        elif label.start >= n:
-            beyond.append(f"{label.action} in {label.clip} starts at frame {label.start} of {n}: left out")
-        else:
-            if n < label.end != WHOLE_CLIP:
-                beyond.append(f"{label.action} in {label.clip} ends at frame {label.end} of {n}: cut")
-            fitted.append(label._replace(end=min(label.end, n)))
+            continue
+        fits, fault = fit_label(label, frames[label.clip])
+        fitted += [fits] if fits else []
+        beyond += [fault] if fault else []
     messages = beyond[:20]
     if unknown:
         some = ", ".join(list(unknown)[:5]) + (" ..." if len(unknown) > 5 else "")
         messages.append(f"{len(unknown)} labelled clips are not in this selection: {some}")
     return tuple(fitted), tuple(messages)
+
+
+def fit_label(label: Label, n_frames: int) -> tuple[Label | None, str]:
+    """The label cut to a clip of ``n_frames`` (None where nothing is left of it), and what was odd, in words."""
+    if label.start >= n_frames:
+        return None, f"{label.action} in {label.clip} starts at frame {label.start} of {n_frames}: left out"
+    beyond = n_frames < label.end != WHOLE_CLIP
+    said = f"{label.action} in {label.clip} ends at frame {label.end} of {n_frames}: cut" if beyond else ""
+    return label._replace(end=min(label.end, n_frames)), said
 
 
 def write_labels(path: str | Path, labels: Iterable[Label]) -> None:

@@ -10,9 +10,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from core.mocap.errors import RecordingError
+from core.mocap.files import files_below
 from core.mocap.text import recording_format
 
 FORMATS = (".bvh", ".amc")
+NO_SKELETON = "no skeleton"  # how a message about an AMC without ASF begins: whoever shows it says how to give one
 Source = str | os.PathLike | Sequence[str | os.PathLike]
 
 
@@ -79,22 +81,18 @@ def _find(source: Source) -> list[tuple[Path, Path]]:
     for one in map(Path, sources):
         if not one.exists():
             raise RecordingError(one, "there is no such file or folder")
-        here = _walk(one) if one.is_dir() else [one]
+        here = sorted(filter(_is_recording, files_below(one))) if one.is_dir() else [one]
         if not here:
             raise RecordingError(one, "no recordings in this folder", "files .bvh, .bvh.gz, .amc or .amc.gz")
-        if not one.is_dir() and recording_format(one)[1] not in FORMATS:
+        if not one.is_dir() and not _is_recording(one):
             raise RecordingError(one, "not a recording", "a file .bvh, .bvh.gz, .amc or .amc.gz, or a folder")
         for path in here:
             found.setdefault(path, path.parent.relative_to(one) if one.is_dir() else Path())
     return list(found.items())
 
 
-def _walk(folder: Path) -> list[Path]:
-    files = []
-    for parent, folders, names in os.walk(folder):
-        folders[:] = sorted(f for f in folders if not f.startswith(".") and f != "__MACOSX")
-        files += [Path(parent, n) for n in names if not n.startswith(".") and recording_format(n)[1] in FORMATS]
-    return sorted(files)
+def _is_recording(path: Path) -> bool:
+    return recording_format(path)[1] in FORMATS
 
 
 def find_skeleton(path: Path, skeleton: str | Path | None = None) -> Path:
@@ -111,8 +109,8 @@ def find_skeleton(path: Path, skeleton: str | Path | None = None) -> Path:
         return next(iter(beside.values()))
     if skeleton is not None:
         return Path(skeleton)
-    found = f"no skeleton: neither {parts[0]}.asf nor a single .asf file stands beside it"
-    raise RecordingError(path, found, "one of them, or --skeleton FILE.asf")
+    found = f"{NO_SKELETON}: neither {parts[0]}.asf nor a single .asf file stands beside it"
+    raise RecordingError(path, found, "one of them, or one skeleton given for all")
 
 
 def _skeletons_in(folder: Path) -> list[Path]:

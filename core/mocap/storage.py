@@ -7,6 +7,8 @@ memory. Nothing is pickled.
 from __future__ import annotations
 
 import json
+import os
+import shutil
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import asdict
@@ -50,6 +52,21 @@ def writing_dataset(folder: str | Path, name: str) -> Iterator[DatasetWriter]:
             yield writer
             writer.finish()
         (fresh / "dataset.json").write_text(json.dumps(writer.head, ensure_ascii=False), encoding="utf-8")
+
+
+def save_relabelled(folder: str | Path, source: str | Path, labels: Iterable[Label], report: ImportReport) -> None:
+    """Store the dataset of the folder ``source`` once more, in the existing ``folder``, with other labels and report.
+
+    The numbers are shared where the disk can (a hard link), so that this costs no room. Raises OSError.
+    """
+    folder, source = Path(folder), Path(source)
+    try:
+        os.link(source / "motion.npy", folder / "motion.npy")
+    except OSError:
+        shutil.copyfile(source / "motion.npy", folder / "motion.npy")
+    head = json.loads((source / "dataset.json").read_text(encoding="utf-8"))
+    head |= {"labels": [list(label) for label in labels], "report": asdict(report)}
+    (folder / "dataset.json").write_text(json.dumps(head, ensure_ascii=False), encoding="utf-8")
 
 
 class DatasetWriter:

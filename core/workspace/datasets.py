@@ -1,7 +1,8 @@
 """Data sets on disk: a folder each under a random id; names, trash and counts are rows of the table.
 
 A folder never changes once it is there: renaming touches a row only, and a changed data set gets a new folder, so that
-running jobs keep reading what they have opened.
+running jobs keep reading what they have opened. What a data set was before its last change lies in the trash, so that
+the change can be undone; results belong to the content and are found again with it.
 """
 
 from __future__ import annotations
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
 
 _CARD = "motionscape.json"  # beside the data: what the table knows, should the table be lost
 _OPEN_AT_ONCE = 8
+_ID = 16  # letters of an id; that of a version has those of its folder behind it
 Fill = Callable[[Path, str], None]  # writes a data set of this name into this folder
 
 
@@ -134,14 +136,50 @@ class DatasetStore:
         return info
 
     def replace(self, info: DatasetInfo, fill: Fill) -> DatasetInfo:
-        """Gives a data set new content in a new folder; the old folder goes to the bin. Raises WorkspaceError."""
+        """Gives a data set new content in a new folder; what it was before goes into the trash (:meth:`revert`).
+
+        Of one data set only the last such version is kept. Raises WorkspaceError, also where someone else has changed
+        or deleted the data set meanwhile.
+        """
         new = replace(self._store(info.name, fill), id=info.id, imported=info.imported)
-        with self._database.transaction(f"change the data set {info.name!r}") as table:
-            table.execute("DELETE FROM datasets WHERE id = ?", (info.id,))
-            _insert(table, new)
+        old = replace(info, id=version_token(info), trashed=time.time())
+        try:
+            with self._database.transaction(f"change the data set {info.name!r}") as table:
+                row = table.execute(
+                    "SELECT name FROM datasets WHERE id = ? AND folder = ? AND trashed IS NULL", (info.id, info.folder)
+                ).fetchone()
+                if row is None:
+                    raise WorkspaceError(f"{info.name!r} was changed or deleted meanwhile; nothing was done.")
+                new, old = replace(new, name=row["name"]), replace(old, name=row["name"])
+                table.execute("DELETE FROM datasets WHERE id = ?", (info.id,))
+                _insert(table, new)
+                _insert(table, old)
+        except WorkspaceError:
+            shutil.rmtree(self._path(new.folder), ignore_errors=True)
+            raise
         self._write_card(new)
-        self._discard(info)
+        self._write_card(old)
+        self._delete("id GLOB ? AND id != ?", f"{info.id}?*", old.id)
         return new
+
+    def revert(self, token: str) -> DatasetInfo:
+        """Puts a version of a data set, in the trash since :meth:`replace`, into its place; the two change places.
+
+        Raises WorkspaceError where the version, or the data set, is not there any more.
+        """
+        version = self._one("id = ? AND trashed IS NOT NULL", check_token(token, "version"))
+        now = self._one("id = ? AND trashed IS NULL", token[:_ID])
+        if version is None or now is None or not is_version(version):
+            raise WorkspaceError("What it was before is no longer there.")
+        back = replace(version, id=now.id, name=now.name, trashed=None)
+        gone = replace(now, id=version_token(now), trashed=time.time())
+        with self._database.transaction(f"restore the data set {now.name!r}") as table:
+            table.execute("DELETE FROM datasets WHERE id IN (?, ?)", (version.id, now.id))
+            _insert(table, back)
+            _insert(table, gone)
+        self._write_card(back)
+        self._write_card(gone)
+        return back
 
     def rename(self, name: str, new_name: str) -> DatasetInfo:
         """Renames a data set; raises NameRefused where the new name cannot be used or is taken."""
@@ -175,8 +213,9 @@ class DatasetStore:
         info = self._one("id = ? AND trashed IS NOT NULL", check_token(token, "trash token"))
         if info is None:
             raise WorkspaceError("This data set is no longer in the trash.")
-        self._set_trashed(info.id, None, self.free_name(info.name))
-        return self.info_by_id(info.id)
+        fresh = secrets.token_hex(_ID // 2) if is_version(info) else info.id  # from now on a data set of its own
+        self._set_trashed(info.id, None, self.free_name(info.name), fresh)
+        return self.info_by_id(fresh)
 
     def info_by_id(self, dataset_id: str) -> DatasetInfo:
         """The data set with this id, also from the trash; raises WorkspaceError where there is none."""
@@ -187,17 +226,24 @@ class DatasetStore:
 
     def empty_trash(self) -> int:
         """Deletes for good what is in the trash; how many data sets that were. Raises WorkspaceError."""
-        gone = self.list(trashed=True)
-        for info in gone:
+        gone = self._delete("trashed IS NOT NULL")
+        for path in self._bin.iterdir():
+            shutil.rmtree(path, ignore_errors=True)
+        return gone
+
+    def _delete(self, condition: str, *values: object) -> int:
+        """Deletes those data sets of the trash for which ``condition`` holds; how many."""
+        rows = self._database.rows(
+            f"SELECT {_COLUMNS} FROM datasets WHERE trashed IS NOT NULL AND {condition}", *values
+        )
+        for info in (DatasetInfo(*row) for row in rows):
             with self._database.transaction("empty the trash") as table:
                 removed = table.execute(
                     "DELETE FROM datasets WHERE id = ? AND trashed IS NOT NULL", (info.id,)
                 ).rowcount
             if removed:
                 self._discard(info)
-        for path in self._bin.iterdir():
-            shutil.rmtree(path, ignore_errors=True)
-        return len(gone)
+        return len(rows)
 
     def _store(self, name: str, fill: Fill) -> DatasetInfo:
         from core.mocap.storage import load_dataset
@@ -219,12 +265,13 @@ class DatasetStore:
             self._path(info.folder).replace(target)
             shutil.rmtree(target, ignore_errors=True)
 
-    def _set_trashed(self, dataset_id: str, when: float | None, name: str | None = None) -> None:
+    def _set_trashed(self, dataset_id: str, when: float | None, name: str | None = None, new_id: str = "") -> None:
         with self._database.transaction("move the data set to or from the trash") as table:
             table.execute(
-                "UPDATE datasets SET trashed = ?, name = coalesce(?, name) WHERE id = ?", (when, name, dataset_id)
+                "UPDATE datasets SET trashed = ?, name = coalesce(?, name), id = ? WHERE id = ?",
+                (when, name, new_id or dataset_id, dataset_id),
             )
-        self._write_card(self.info_by_id(dataset_id))
+        self._write_card(self.info_by_id(new_id or dataset_id))
 
     def _write_card(self, info: DatasetInfo) -> None:
         with suppress(OSError, NameRefused):
@@ -236,6 +283,10 @@ class DatasetStore:
     def _one(self, condition: str, *values: object) -> DatasetInfo | None:
         rows = self._database.rows(f"SELECT {_COLUMNS} FROM datasets WHERE {condition} LIMIT 1", *values)
         return DatasetInfo(*rows[0]) if rows else None
+
+    def folder_of(self, info: DatasetInfo) -> Path:
+        """Where the data of a data set lie; raises NameRefused where that is outside the workspace."""
+        return self._path(info.folder)
 
     def _path(self, folder: str) -> Path:
         return inside(self.folder, check_token(folder, "data set folder"))
@@ -250,6 +301,16 @@ class DatasetStore:
                         _insert(table, info)
 
 
+def version_token(info: DatasetInfo) -> str:
+    """The id that this content of a data set gets in the trash once something else has taken its place."""
+    return info.id[:_ID] + info.folder
+
+
+def is_version(info: DatasetInfo) -> bool:
+    """Whether it is an earlier version of another data set, rather than one of its own."""
+    return len(info.id) > _ID
+
+
 _FIELDS = tuple(DatasetInfo.__dataclass_fields__)
 _COLUMNS = ", ".join(_FIELDS)
 
@@ -261,7 +322,7 @@ def _insert(table: sqlite3.Connection, info: DatasetInfo) -> None:
 
 def _info(dataset: Dataset, name: str, folder: str) -> DatasetInfo:
     return DatasetInfo(
-        id=secrets.token_hex(8),
+        id=secrets.token_hex(_ID // 2),
         name=name,
         fingerprint=dataset.fingerprint,
         folder=folder,

@@ -4,16 +4,20 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 
 from core.inspection import inspect_dataset
 from core.mocap.clip import Clip, Label
-from core.mocap.dataset import Dataset, FileReport, ImportReport, read_recordings
+from core.mocap.dataset import Dataset, FileReport, ImportReport, motion_digest, read_recordings
 from core.mocap.errors import RecordingError
-from core.mocap.labels import fit_labels, read_labels
+from core.mocap.files import files_below
+from core.mocap.label_files import find_labels, take_labels
+from core.mocap.labels import read_labels
+from core.mocap.recordings import FORMATS
 from core.mocap.storage import load_dataset, save_dataset, writing_dataset
+from core.mocap.text import recording_format
 from core.progress import Report
 from core.workspace.errors import WorkspaceError
 
@@ -25,7 +29,9 @@ class Recordings:
     """What to import: files, or folders searched recursively, and how to read them.
 
     skeleton: .asf for .amc files without one. fps: frames per second of AMC files (120 where not given). clips: only
-    these. labels: CSV file or folder; where not given, ``labels.csv`` or ``labels/`` of a source folder.
+    these. labels: CSV file or folder; where not given, the label files in the source folders. before: the data set
+    that these recordings are added to. replace_labels: its labels give way to those that come. also: reports of what
+    happened to the files until now.
     """
 
     sources: Sequence[Source]
@@ -33,33 +39,130 @@ class Recordings:
     fps: float | None = None
     clips: Iterable[str] | None = None
     labels: Source | None = None
-    before: Dataset | None = field(default=None, repr=False)  # clips that are there already and stay
+    before: Dataset | None = field(default=None, repr=False)
+    replace_labels: bool = False
+    also: tuple[FileReport, ...] = ()
 
 
 def store_recordings(folder: Path, name: str, what: Recordings, report: Report) -> None:
     """Reads recordings into ``folder``; a bad file among good ones stands in the report.
 
-    Raises WorkspaceError where no file can be read, RecordingError where there is nothing to read or the labels that
-    were asked for are bad, OSError, Cancelled.
+    Raises WorkspaceError where no file can be read or all are there already, RecordingError where there is nothing to
+    read or the labels that were asked for are bad, OSError, Cancelled.
     """
     before = what.before or Dataset(name, ())
-    files, frames = [], {clip.name: clip.n_frames for clip in before.clips}
+    arrivals = _Arrivals(before, what.sources)
     with writing_dataset(folder, name) as writer:
         for clip, digest in zip(before.clips, before.digests, strict=True):
             writer.add(clip, digest)
         reading = read_recordings(what.sources, skeleton=what.skeleton, fps=what.fps, clips=what.clips, report=report)
         for file, clip in reading:
-            files.append(_file_report(file, what.sources))
+            clip = arrivals.take(file, clip)
             if clip is not None:
-                clip, files[-1] = _with_free_name(clip, files[-1], frames)
-                frames[clip.name] = clip.n_frames
                 writer.add(clip)
-        if len(frames) == len(before.clips):
-            raise WorkspaceError(why_empty(files))
-        labels, messages = _labels(what, {name: n for name, n in frames.items() if name not in before.names})
-        writer.labels = (*before.labels, *labels)
-        writer.report = ImportReport((*before.report.files, *files), (*before.report.messages, *messages))
+        labels, told = labels_for(what, arrivals.frames, arrivals.names)
+        if not arrivals.names and not (before.clips and labels):
+            raise WorkspaceError(arrivals.why_none(what.also))
+        writer.labels, writer.report = _together(before, what, labels, (*what.also, *arrivals.files, *told))
     _inspect(folder, report)
+
+
+class _Arrivals:
+    """The clips of an import under the names they get. frames: clip name -> frames, those that were there included;
+    names: name of a new clip's file -> its name in the data set."""
+
+    def __init__(self, before: Dataset, sources: Sequence[Source]):
+        self.files: list[FileReport] = []
+        self.names: dict[str, str] = {}
+        self.frames = {clip.name: clip.n_frames for clip in before.clips}
+        self._before, self._sources = before, sources
+
+    def take(self, file: FileReport | RecordingError, clip: Clip | None) -> Clip | None:
+        """The clip under a name that is free; None where there is none, or the same one is there already."""
+        file = _below_source(file, self._sources)
+        if clip is not None and (there := self._there_already(clip)):
+            said = (f"left out: the same recording is there already, as {there}",)
+            file, clip = replace(file, clip=None, verdict="warning", messages=said), None
+        elif clip is not None:
+            was = clip.name
+            clip, file = _with_free_name(clip, file, self.frames)
+            self.names[was], self.frames[clip.name] = clip.name, clip.n_frames
+        self.files.append(file)
+        return clip
+
+    def _there_already(self, clip: Clip) -> str:
+        """The clip that was added under this name before and is the same recording."""
+        names = (n for n in self._before.names if n == clip.name or n.startswith(f"{clip.name} ("))
+        digest = motion_digest(clip)
+        return next((name for name in names if motion_digest(self._before.clip(name)) == digest), "")
+
+    def why_none(self, also: Sequence[FileReport]) -> str:
+        """Why there is no clip among them, in words."""
+        errors = [file for file in (*also, *self.files) if file.verdict == "error"]
+        if self._before.clips and not errors:
+            return f"Nothing was added: {self._before.name} has all of these recordings already."
+        return _why_empty(errors, "be read")
+
+
+def labels_for(
+    what: Recordings, frames: Mapping[str, int], names: Mapping[str, str]
+) -> tuple[tuple[Label, ...], tuple[FileReport, ...]]:
+    """The labels that were asked for, else those that lie beside the recordings, and a report of each label file.
+
+    frames: clip name -> number of frames; names: what clips of these recordings are called here, where another had
+    their name. Raises RecordingError where the labels that were asked for hold a fault.
+    """
+    meant = dict(frames) | {was: frames[now] for was, now in names.items()}
+    if what.labels is not None:
+        read_labels(what.labels)
+        given = Path(what.labels)
+        paths = [path for path in files_below(given) if path.suffix == ".csv"] if given.is_dir() else [given]
+        taken = [take_labels(path, meant) for path in paths]
+        labels, told = tuple(label for some, _ in taken for label in some), tuple(file for _, file in taken)
+    else:
+        labels, told = find_labels([source for source in what.sources if Path(source).is_dir()], meant)
+    renamed = (label._replace(clip=names.get(label.clip, label.clip)) for label in labels)
+    return tuple(dict.fromkeys(renamed)), tuple(_below_source(file, what.sources) for file in told)
+
+
+def _together(
+    before: Dataset, what: Recordings, labels: Sequence[Label], files: Sequence[FileReport]
+) -> tuple[tuple[Label, ...], ImportReport]:
+    """Labels and report of what was there and what has come."""
+    addition = before.report.last_addition + 1 if before.clips else 0
+    kept = () if what.replace_labels and labels else before.labels
+    came = tuple(replace(file, addition=addition) for file in files)
+    return tuple(dict.fromkeys((*kept, *labels))), replace(before.report, files=(*before.report.files, *came))
+
+
+def add_labels(before: Dataset, what: Recordings) -> tuple[tuple[Label, ...], ImportReport]:
+    """Labels and report of the data set ``before`` with the label files of ``what.sources`` (files or folders).
+
+    Raises WorkspaceError where no row fits its clips: which, and why.
+    """
+    frames = {clip.name: clip.n_frames for clip in before.clips}
+    labels: list[Label] = []
+    files = list(what.also)
+    for source in map(Path, what.sources):
+        some, told = find_labels([source], frames) if source.is_dir() else take_labels(source, frames)
+        labels += some
+        files += told if isinstance(told, tuple) else [told]
+    files = [_below_source(file, what.sources) for file in files]
+    if not labels:
+        doubtful = [file for file in files if file.verdict != "ok"]
+        raise WorkspaceError(_why_empty(doubtful, "be used") if doubtful else "There are no labels in these files.")
+    return _together(before, what, labels, files)
+
+
+def holds_recordings(folder: Path) -> bool:
+    """Whether there is a recording in a folder or below it."""
+    return any(recording_format(path)[1] in FORMATS for path in files_below(folder))
+
+
+def only_skeleton(folder: Path) -> Path | None:
+    """The only .asf of a folder and all below it; None where there is none, or more."""
+    found = [path for path in files_below(folder) if recording_format(path)[1] == ".asf"]
+    return found[0] if len(found) == 1 else None
 
 
 def store_dataset(folder: Path, dataset: Dataset, report: Report) -> None:
@@ -70,14 +173,13 @@ def store_dataset(folder: Path, dataset: Dataset, report: Report) -> None:
     _inspect(folder, report)
 
 
-def why_empty(files: Sequence[FileReport]) -> str:
-    """Why nothing could be imported, in words."""
-    bad = [file for file in files if file.verdict == "error"]
+def _why_empty(bad: Sequence[FileReport], what: str) -> str:
+    """Why nothing could be taken from these files, in words."""
     reasons = "; ".join(" ".join(file.messages) or file.path for file in bad[:3])
     more = f"; and {len(bad) - 3} more" if len(bad) > 3 else ""
     if len(bad) == 1:
-        return f"The file cannot be read: {reasons}"
-    return f"None of the {len(bad)} files can be read: {reasons}{more}"
+        return f"The file cannot {what}: {reasons}"
+    return f"None of the {len(bad)} files can {what}: {reasons}{more}"
 
 
 def _inspect(folder: Path, report: Report) -> None:
@@ -88,7 +190,7 @@ def _inspect(folder: Path, report: Report) -> None:
     head.write_text(json.dumps(document, ensure_ascii=False), encoding="utf-8")
 
 
-def _file_report(file: FileReport | RecordingError, sources: Sequence[Source]) -> FileReport:
+def _below_source(file: FileReport | RecordingError, sources: Sequence[Source]) -> FileReport:
     """The report with the path below its source: where the source lies on this machine is nobody's business."""
     if isinstance(file, RecordingError):
         file = FileReport(file.path, None, "error", (str(file),))
@@ -104,19 +206,3 @@ def _with_free_name(clip: Clip, file: FileReport, taken: Iterable[str]) -> tuple
     name = next(n for n in (f"{clip.name} ({k})" for k in range(2, 100_000)) if n not in taken)
     said = f"a clip called {clip.name} was there already; this one is called {name}"
     return replace(clip, name=name), replace(file, clip=name, verdict="warning", messages=(said, *file.messages))
-
-
-def _labels(what: Recordings, frames: dict[str, int]) -> tuple[tuple[Label, ...], tuple[str, ...]]:
-    if what.labels is not None:
-        return fit_labels(read_labels(what.labels), frames)
-    folders = [Path(source) for source in what.sources]
-    beside = [folder / name for folder in folders if folder.is_dir() for name in ("labels.csv", "labels")]
-    labels: list[Label] = []
-    faults: list[str] = []
-    for path in beside:
-        try:
-            labels += read_labels(path) if path.exists() else ()
-        except RecordingError as error:  # nobody asked for them: the recordings are still welcome
-            faults.append(f"no labels were taken: {error}")
-    fitted, messages = fit_labels(labels, frames)
-    return fitted, (*faults, *messages)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from core.progress import Report, silent
 from core.workspace.database import Database
-from core.workspace.datasets import DatasetInfo, DatasetStore, Fill
+from core.workspace.datasets import DatasetInfo, DatasetStore, Fill, version_token
 from core.workspace.errors import WorkspaceError, plain_errors
 from core.workspace.jobs import JobTable
 from core.workspace.names import clean_name
@@ -21,6 +21,7 @@ from core.workspace.results import ResultStore
 from core.workspace.uploads import Uploads
 
 if TYPE_CHECKING:
+    from core.mocap.clip import Label
     from core.mocap.dataset import Dataset, ImportReport
     from core.workspace.importing import Recordings
 
@@ -106,25 +107,64 @@ class Workspace:
         skeleton: Source | None = None,
         fps: float | None = None,
         labels: Source | None = None,
+        replace_labels: bool = False,
         report: Report = silent,
     ) -> ImportReport:
-        """Adds recordings to the data set ``name``; a clip whose name is taken gets a number behind it.
+        """Adds recordings, and the labels beside them, to the data set ``name``; :meth:`revert` undoes it.
 
-        Raises as :meth:`import_dataset`.
+        A clip whose name is taken gets a number behind it, one that is there already is left out.
+        ``replace_labels``: where labels come, those that are there go. Raises as :meth:`import_dataset`.
         """
-        before = self.open(name)
-        what = _recordings(sources, skeleton=skeleton, fps=fps, labels=labels, before=before)
-        return self._change(name, lambda folder, name: _importing().store_recordings(folder, name, what, report))
+        info = self.info(name)
+        what = _recordings(
+            sources, skeleton=skeleton, fps=fps, labels=labels, before=self.open(name), replace_labels=replace_labels
+        )
+        return self._change(info, lambda folder, name: _importing().store_recordings(folder, name, what, report))
+
+    def add_labels(self, name: str, sources: Source | Sequence[Source], *, replace: bool = False) -> ImportReport:
+        """Adds the rows of label files (CSV, or folders of them) that fit the clips of the data set ``name``.
+
+        ``replace``: those that are there go. The report names the rows that do not fit; results stay valid, they belong
+        to the motion. :meth:`revert` undoes it. Raises WorkspaceError where no row fits.
+        """
+        info, before = self.info(name), self.open(name)
+        what = _recordings(sources, before=before, replace_labels=replace)
+        return self._relabel(info, *_importing().add_labels(before, what))
+
+    def _relabel(self, info: DatasetInfo, labels: tuple[Label, ...], report: ImportReport) -> ImportReport:
+        from core.mocap.storage import save_relabelled
+
+        source = self._datasets.folder_of(info)
+        return self._change(info, lambda folder, _: save_relabelled(folder, source, labels, report))
 
     def remove_clips(self, name: str, clips: Iterable[str], report: Report = silent) -> ImportReport:
-        """Removes clips from the data set ``name``; raises WorkspaceError for an unknown one, or all."""
-        before, gone = self.open(name), set(clips)
+        """Removes clips from the data set ``name``; :meth:`revert` undoes it.
+
+        Raises WorkspaceError for an unknown clip, or all of them.
+        """
+        info, before, gone = self.info(name), self.open(name), set(clips)
         if unknown := sorted(gone.difference(before.names)):
             raise WorkspaceError(f"There is no clip {unknown[0][:80]!r} in {name!r}.")
         if gone.issuperset(before.names):
             raise WorkspaceError("These are all its clips; delete the data set instead.")
         left = before.select(clip for clip in before.names if clip not in gone)
-        return self._change(name, lambda folder, _: _importing().store_dataset(folder, left, report))
+        files = tuple(file for file in before.report.files if file.clip not in gone)
+        left = replace(left, report=replace(before.report, files=files))
+        return self._change(info, lambda folder, _: _importing().store_dataset(folder, left, report))
+
+    def version(self, name: str) -> str:
+        """The token by which :meth:`revert` brings back what the data set ``name`` is now, after one change.
+
+        Raises WorkspaceError where there is no such data set.
+        """
+        return version_token(self.info(name))
+
+    def revert(self, token: str) -> DatasetInfo:
+        """Undoes the last change of a data set's content (:meth:`version`); its results are there again with it.
+
+        Raises WorkspaceError where what it was before is no longer there.
+        """
+        return self._datasets.revert(token)
 
     def import_upload(
         self,
@@ -138,20 +178,54 @@ class Workspace:
     ) -> ImportReport:
         """Imports an upload as the data set ``name`` and then removes the upload.
 
-        ``skeleton`` and ``labels`` name files of the upload (without ``labels``: its ``labels.csv``, if any).
-        Raises as :meth:`import_dataset`, and NameRefused where a name leaves the upload.
+        ``skeleton`` and ``labels`` name files of the upload; without them its only .asf serves all AMC files that have
+        none, and its label files are found. Archives are unpacked. Raises as :meth:`import_dataset`, and NameRefused
+        where a name leaves the upload.
         """
-        folder = self.uploads.path(upload)
-        imported = self.import_dataset(
-            name,
-            folder,
-            skeleton=self.uploads.file(upload, skeleton) if skeleton else None,
-            labels=self.uploads.file(upload, labels) if labels else None,
-            fps=fps,
-            report=report,
-        )
+        self.check_free(name)
+        what = self._unpacked(upload, skeleton, labels, fps, report)
+        imported = self._add(name, lambda folder, name: _importing().store_recordings(folder, name, what, report))
         self.uploads.remove(upload)
         return imported
+
+    def add_upload(
+        self,
+        name: str,
+        upload: str,
+        *,
+        fps: float | None = None,
+        replace_labels: bool = False,
+        report: Report = silent,
+    ) -> ImportReport:
+        """Adds an upload (recordings, label files or both) to the data set ``name`` and then removes the upload.
+
+        Raises as :meth:`add_files` and :meth:`add_labels`.
+        """
+        info, before = self.info(name), self.open(name)
+        what = self._unpacked(upload, "", "", fps, report, labels_alone=True)
+        what = replace(what, before=before, replace_labels=replace_labels)
+        if _importing().holds_recordings(what.sources[0]):
+            added = self._change(info, lambda folder, name: _importing().store_recordings(folder, name, what, report))
+        else:
+            added = self._relabel(info, *_importing().add_labels(before, what))
+        self.uploads.remove(upload)
+        return added
+
+    def _unpacked(
+        self, upload: str, skeleton: str, labels: str, fps: float | None, report: Report, labels_alone: bool = False
+    ) -> Recordings:
+        """What an upload holds once its archives are unpacked; raises WorkspaceError where no recording is in it."""
+        from core.workspace.archives import unpack_archives
+
+        folder = self.uploads.path(upload)
+        with plain_errors("unpack the upload"):
+            told = unpack_archives(folder, report)
+        if not labels_alone and not _importing().holds_recordings(folder):
+            reasons = " ".join(message for file in told if file.verdict != "ok" for message in file.messages)
+            raise WorkspaceError(reasons or "There is no recording among these files (BVH, or AMC with its ASF).")
+        given = self.uploads.file(upload, skeleton) if skeleton else _importing().only_skeleton(folder)
+        chosen = self.uploads.file(upload, labels) if labels else None
+        return _recordings(folder, skeleton=given, fps=fps, labels=chosen, also=told)
 
     def check_free(self, name: str) -> str:
         """``name`` in its final form; raises NameRefused where it cannot be used or is taken."""
@@ -168,8 +242,8 @@ class Workspace:
     def _add(self, name: str, fill: Fill) -> ImportReport:
         return self._datasets.open(self._datasets.add(name, fill)).report
 
-    def _change(self, name: str, fill: Fill) -> ImportReport:
-        return self._datasets.open(self._datasets.replace(self.info(name), fill)).report
+    def _change(self, info: DatasetInfo, fill: Fill) -> ImportReport:
+        return self._datasets.open(self._datasets.replace(info, fill)).report
 
     def rename(self, name: str, new_name: str) -> DatasetInfo:
         """Renames a data set; raises WorkspaceError where there is none, NameRefused for a bad or taken name."""

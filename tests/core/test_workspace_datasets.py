@@ -46,7 +46,9 @@ def test_an_import_reads_what_it_can_and_keeps_its_report(workspace, recordings)
     stages = set()
     report = workspace.import_dataset("Läufe", recordings, report=lambda stage, _: stages.add(stage))
     verdicts = {file.path: file.verdict for file in report.files}
-    assert verdicts["bad.bvh"] == "error" and set(verdicts) == {"bad.bvh", "sub/walk_0.bvh", "sub/walk_1.bvh"}
+    assert verdicts["bad.bvh"] == "error" and set(verdicts) == {
+        *("bad.bvh", "labels.csv", "sub/walk_0.bvh", "sub/walk_1.bvh")
+    }
     assert stages
     (info,) = workspace.datasets()
     assert (info.name, info.clips, info.frames, info.labels, info.errors) == ("Läufe", 2, 81, 1, 1)
@@ -159,7 +161,7 @@ def test_clips_can_be_added_and_removed(workspace, recordings):
         workspace.remove_clips("one", ["x"])
     with pytest.raises(WorkspaceError, match="delete the data set"):
         workspace.remove_clips("one", ["walk_0", "walk_1"])
-    assert len(list((workspace.path / "datasets").iterdir())) == 1
+    assert len(list((workspace.path / "datasets").iterdir())) == 2  # and what it was before the last change
 
 
 def test_a_damaged_data_set_is_said_plainly(workspace):
@@ -208,7 +210,7 @@ def test_an_upload_is_imported_and_then_gone(workspace, recordings):
     with pytest.raises(WorkspaceError, match="no file"):
         workspace.import_upload("one", token, skeleton="x.asf")
     report = workspace.import_upload("one", token, labels="my labels.csv")
-    assert [file.path for file in report.files] == ["a/walk_0.bvh", "a/walk_1.bvh"]
+    assert [file.path for file in report.files] == ["a/walk_0.bvh", "a/walk_1.bvh", "my labels.csv"]
     assert str(workspace.path) not in repr(report)
     assert workspace.info("one").labels == 1
     with pytest.raises(WorkspaceError, match="no longer here"):
