@@ -1,13 +1,11 @@
 // The Stage: a 3D player of stick figures on a 2D canvas. Time comes from the browser; the server is asked for motions
-// once. Views call motionscapeStage.show({dataset, version?, items: [{clip, start, end, label, colour?, warp?}], layout?,
-// sync?, title?}); version is the data set's fingerprint: with it, known motions are not asked for again.
+// once. What a request to show may say stands in docs/architecture.md, "The Stage's data".
 // This file runs before the other stage_*.js: they fill `parts`, which is used only once the page holds a stage.
 (function (parts) {
   "use strict";
 
-  const MOST_FIGURES = 48;
   const STATE_EVERY = 400; // milliseconds between "stage-state" events
-  const calm = () => window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+  const LAYOUT_WORDS = { overlay: "Laid over one another", side: "Side by side", pose: "Stills in rows" };
 
   class Stage {
     constructor(root) {
@@ -17,7 +15,8 @@
       this.traces = new parts.Traces();
       this.scene = new parts.Scene(root.querySelector("#stage-canvas"));
       this.warpStrip = new parts.WarpStrip(root.querySelector(".ms-warp"));
-      this.cache = new parts.MotionCache();
+      this.bands = new parts.SpanBands(root.querySelector(".ms-bands"));
+      this.requests = new parts.Requests(this);
       this.figures = [];
       this.timeline = { reference: 0, warped: false, fps: 30, duration: 0 };
       this.layout = "overlay";
@@ -55,79 +54,70 @@
 
     close() {
       this.closed = true;
-      this.abort?.abort();
       this.observers.forEach((observer) => observer.disconnect());
     }
 
-    async show(request) {
-      this.abort?.abort();
-      this.request = request;
-      if (!request?.items?.length) {
-        this.clear();
-        return this.setStatus("empty");
-      }
-      const abort = (this.abort = new AbortController());
-      const items = request.items.slice(0, MOST_FIGURES);
-      this.setStatus("loading", items.length > 1 ? `Loading ${items.length} motions …` : "Loading …");
-      const url = (item) => parts.motionUrl(this.root.dataset.api || "/api", request, item);
-      const get = (item) => this.cache.get(url(item), abort.signal, Boolean(request.version));
-      const answers = await Promise.allSettled(items.map(get));
-      if (abort.signal.aborted || this.closed) return undefined;
-      const failed = answers.filter((answer) => answer.status === "rejected");
-      if (failed.length === items.length) {
-        this.clear();
-        return this.setStatus("error", failed[0].reason.message);
-      }
-      this.figures = items.flatMap((item, k) =>
-        answers[k].status === "fulfilled" ? [new parts.Figure(item, answers[k].value, k)] : []);
-      this.layout = request.layout === "side" ? "side" : "overlay";
+    /** Show figures from their start, as a request wants it. */
+    begin(figures, request) {
+      this.layout = parts.LAYOUTS.includes(request.layout) ? request.layout : "overlay";
       this.sync = request.sync === "start" ? "start" : "warp";
       this.clock.time = 0;
-      this.camera.reset(parts.homeView(this.figures, this.layout));
-      this.prepare();
+      this.camera.reset(parts.homeView(figures, this.layout));
+      this.traces.suit(figures);
+      this.setFigures(figures);
+      const still = this.layout === "pose";
+      if (still) this.clock.seek(this.clock.duration / 2);
       this.setStatus("ready");
-      this.notice(request, items, failed);
       this.clock.playing = false;
-      if (!calm()) this.clock.play();
+      if (!still && !parts.calm()) this.clock.play();
       if (this.waiting) this.restore(this.waiting);
-      return this.touch(true);
+      this.touch(true);
     }
 
-    clear() {
-      this.figures = [];
-      this.prepare();
+    /** Put other figures in place of those that are shown; what a person has set, and the share of time, stay. */
+    exchange(figures) {
+      if (figures.length === this.figures.length) figures.forEach((figure, k) => (figure.visible = this.figures[k].visible));
+      this.keepingShare(() => this.setFigures(figures, true));
+      this.setStatus("ready");
+      this.touch();
     }
 
-    notice(request, items, failed) {
-      const missing = failed.length ? `${failed.length} of ${items.length} motions could not be loaded: ${failed[0].reason.message}` : "";
-      const cut = request.items.length > items.length ? `Showing ${items.length} of ${request.items.length} motions.` : "";
-      const note = this.root.querySelector(".ms-stage-note");
-      note.querySelector("span").textContent = [missing, cut].filter(Boolean).join(" ");
-      note.hidden = !missing && !cut;
-      note.querySelector("button").hidden = !missing;
+    setFigures(figures, keepView = false) {
+      this.figures = figures;
+      this.prepare(keepView);
     }
 
-    retry() {
-      this.show(this.request);
+    /** Do what changes the length of time; the clock goes on at the same share of it. */
+    keepingShare(change) {
+      const { clock } = this;
+      const share = clock.duration ? clock.time / clock.duration : 0;
+      change();
+      clock.seek(share * clock.duration);
     }
 
     /** Everything that depends on which figures there are, how they are laid out and kept in step. */
-    prepare() {
-      this.timeline = parts.makeTimeline(this.figures, this.sync);
+    prepare(keepView = false) {
+      this.timeline = parts.makeTimeline(this.figures, this.sync, this.layout);
       this.clock.duration = this.timeline.duration;
       this.clock.seek(this.clock.time);
-      this.place();
+      this.place(keepView);
       this.controls.listFigures();
       this.colour();
-      this.warpStrip.show(this.figures, this.timeline);
-      this.warpStrip.paint(this.scene.theme);
+      this.showStrips();
     }
 
-    place() {
+    /** The strips above the time bar: how fast each motion is, and its coloured spans. */
+    showStrips() {
+      this.warpStrip.show(this.figures, this.timeline);
+      this.warpStrip.paint(this.scene.theme);
+      this.bands.show(this.figures, this.timeline.duration);
+    }
+
+    place(keepView = false) {
       this.scene.resize();
-      parts.placeFigures(this.figures, this.layout, this.scene.width / Math.max(this.scene.height, 1));
+      parts.placeFigures(this.figures, this.layout, this.scene.width / Math.max(this.scene.height, 1), this.clock.duration);
       this.scene.bodies.collect(this.figures, this.layout === "overlay");
-      this.fit();
+      if (!keepView) this.fit();
       this.clock.jumped = true;
       this.draw();
     }
@@ -159,8 +149,7 @@
     setVisible(k, visible) {
       this.figures[k].visible = visible;
       this.place();
-      this.warpStrip.show(this.figures, this.timeline);
-      this.warpStrip.paint(this.scene.theme);
+      this.showStrips();
       this.touch(true);
     }
 
@@ -168,16 +157,15 @@
       if (this.figures.length < 2) return;
       this.layout = layout;
       this.camera.reset(parts.homeView(this.figures, layout));
-      this.place();
-      this.say(layout === "side" ? "Side by side" : "Laid over one another");
+      this.keepingShare(() => this.prepare());
+      if (layout === "pose") this.clock.playing = false;
+      this.say(LAYOUT_WORDS[layout]);
     }
 
     setSync(sync) {
       if (!this.figures.some((figure) => figure.warp)) return;
-      const share = this.clock.duration ? this.clock.time / this.clock.duration : 0;
       this.sync = sync;
-      this.prepare();
-      this.clock.seek(share * this.clock.duration);
+      this.keepingShare(() => this.prepare());
       this.say(this.timeline.warped ? "In step" : "Each at its own pace");
     }
 
@@ -191,9 +179,13 @@
       this.touch(true);
     }
 
-    seek(time) {
+    /** To a time in seconds, or to a frame of a clip: {clip, frame, dataset?, index?}. False where that is not shown. */
+    seek(to) {
+      const time = typeof to === "number" ? to : to ? parts.timeOf(this.figures, to) : null;
+      if (!Number.isFinite(time)) return false;
       this.clock.seek(time);
       this.touch();
+      return true;
     }
 
     step(frames) {
@@ -224,8 +216,22 @@
       if (this.telling || this.status !== "ready") return;
       this.telling = setTimeout(() => {
         this.telling = 0;
-        window.dispatchEvent(new CustomEvent("stage-state", { detail: this.state() }));
+        window.dispatchEvent(new CustomEvent("stage-state", { detail: { ...this.state(), items: this.standing() } }));
       }, STATE_EVERY);
+    }
+
+    /** Where every figure stands now. */
+    standing() {
+      return this.figures.map((figure) => parts.standing(figure, this.clock.time));
+    }
+
+    /** For what follows every frame: a cursor in a chart, a lit node. */
+    tellFrame() {
+      const { time, duration, playing } = this.clock;
+      if (this.status !== "ready" || (time === this.told?.time && this.figures === this.told.figures)) return;
+      this.told = { time, figures: this.figures };
+      window.dispatchEvent(new CustomEvent("stage-frame", { detail: { time, duration, playing, items: this.standing() } }));
+      if (playing) this.tell();
     }
 
     tick(now) {
@@ -255,11 +261,17 @@
       }
       this.scene.paint(this.camera, this.figures, this.traces, this.clock, this.layout === "overlay");
       this.controls.tick(this.figures.length ? this.readout() : "");
+      this.tellFrame();
     }
 
     readout() {
-      const frame = this.figures[this.timeline.reference].recordedFrame(this.clock.time);
-      return `${this.clock.time.toFixed(2)} / ${this.clock.duration.toFixed(2)} s · frame ${frame}`;
+      const { time, duration } = this.clock;
+      const figure = this.figures[this.timeline.reference];
+      const frame = figure.recordedFrame(time);
+      const span = figure.spanAt(frame)?.label;
+      const moment = this.layout === "pose" ? `${Math.round((100 * time) / (duration || 1))} % of each`
+        : `${time.toFixed(2)} / ${duration.toFixed(2)} s`;
+      return `${moment} · frame ${frame}${span ? ` · ${span}` : ""}`;
     }
 
     setStatus(status, message = "") {
@@ -292,47 +304,14 @@
       return was;
     }
 
-    /** What one sees, small enough for a link. */
     state() {
-      const { clock, camera, traces } = this;
-      const round = (value) => Math.round(value * 1000) / 1000;
-      return {
-        time: round(clock.time), speed: clock.speed, loop: clock.loop, playing: clock.playing,
-        layout: this.layout, sync: this.sync, ghosts: traces.ghosts, trails: traces.trails,
-        hidden: this.figures.flatMap((figure, k) => (figure.visible ? [] : [k])),
-        camera: {
-          yaw: round(camera.yaw), pitch: round(camera.pitch), distance: round(camera.distance),
-          pan: camera.pan.map(round), follow: camera.follow, centre: camera.follow ? undefined : camera.centre.map(round),
-        },
-      };
+      return parts.takeState(this);
     }
 
-    /** Take up a state again; what is missing or makes no sense stays as it is. */
     restore(state) {
-      if (this.status !== "ready") {
-        this.waiting = state;
-        return;
-      }
-      this.waiting = undefined;
-      const { clock, camera, traces } = this;
-      const number = (value, otherwise) => (Number.isFinite(value) ? value : otherwise);
-      const oneOf = (value, choices, otherwise) => (choices.includes(value) ? value : otherwise);
-      this.layout = oneOf(state.layout, ["overlay", "side"], this.layout);
-      this.sync = oneOf(state.sync, ["warp", "start"], this.sync);
-      this.figures.forEach((figure, k) => (figure.visible = !state.hidden?.includes(k)));
-      traces.ghosts = Boolean(state.ghosts ?? traces.ghosts);
-      traces.trails = oneOf(state.trails, parts.TRAILS, traces.trails);
-      clock.speed = Math.min(Math.max(number(state.speed, clock.speed), 0.1), 4);
-      clock.loop = oneOf(state.loop, ["loop", "bounce", "once"], clock.loop);
-      this.prepare();
-      const seen = state.camera || {};
-      camera.moved = Number.isFinite(seen.distance) || camera.moved;
-      for (const name of ["yaw", "pitch", "distance"]) camera[name] = number(seen[name], camera[name]);
-      if (seen.pan?.length === 3 && seen.pan.every(Number.isFinite)) camera.pan = [...seen.pan];
-      if (seen.centre?.length === 2 && seen.centre.every(Number.isFinite)) camera.centre = [...seen.centre];
-      camera.follow = Boolean(seen.follow ?? camera.follow);
-      clock.seek(number(state.time, clock.time));
-      clock.playing = Boolean(state.playing ?? clock.playing) && !calm();
+      this.waiting = this.status === "ready" ? undefined : state;
+      if (this.status !== "ready") return;
+      parts.restoreState(this, state);
       this.touch(true);
     }
   }
@@ -349,18 +328,25 @@
     stage?.close();
     stage = null;
     stage = root ? new Stage(root) : null;
-    if (stage && early?.request) stage.show(early.request);
+    if (stage && early?.request) stage.requests.show(early.request);
     if (stage && early?.state) stage.restore(early.state);
     if (stage) early = null;
   }
 
+  const shown = (request) => stage.status !== "error" && JSON.stringify(request) === JSON.stringify(stage.request);
+
   window.motionscapeStage = {
+    /** Show a request from its start (`replace: true` in it: as replace does); one that is shown already goes on. */
     show(request) {
       mount();
       if (!stage) early = { ...early, request };
-      else if (JSON.stringify(request) !== JSON.stringify(stage.request) || stage.status === "error") return stage.show(request);
+      else if (!shown(request)) return request?.replace ? stage.requests.replace(request) : stage.requests.show(request);
       return undefined;
     },
+    /** Swap the motions in place: the share of time, camera, layout and what plays stay as they are. */
+    replace: (request) => (stage ? stage.requests.replace(request) : window.motionscapeStage.show(request)),
+    /** Fetch a request's motions, so that showing them later is immediate. */
+    prefetch: (request) => stage?.requests.prefetch(request).then(() => undefined),
     restore(state) {
       if (!state) return;
       if (stage) stage.restore(state);
@@ -369,7 +355,9 @@
     state: () => stage?.state(),
     play: () => stage?.play(),
     pause: () => stage?.pause(),
-    seek: (time) => stage?.seek(time),
+    seek: (to) => stage?.seek(to) ?? false,
+    /** Where the figure of an item stands: {index, dataset, clip, label, start, end, frame, span}. */
+    frameOf: (index) => stage?.standing().find((item) => item.index === index),
     get time() { return stage?.clock.time ?? 0; },
     get duration() { return stage?.clock.duration ?? 0; },
     get frame() { return stage?.figures.length ? stage.figures[stage.timeline.reference].recordedFrame(stage.clock.time) : 0; },

@@ -24,16 +24,17 @@
       follow: () => ((camera.follow = !camera.follow), say(camera.follow ? "Camera follows" : "Camera stands still")),
       overlay: () => stage.setLayout("overlay"),
       side: () => stage.setLayout("side"),
+      pose: () => stage.setLayout("pose"),
       warp: () => stage.setSync(stage.sync === "warp" ? "start" : "warp"),
       reset: () => stage.resetCamera(),
       help: () => stage.toggleHelp(),
-      retry: () => stage.retry(),
+      retry: () => stage.requests.show(stage.request),
     };
   }
 
   const KEYS = {
     " ": "play", k: "play", Home: "start", End: "end", "+": "faster", "=": "faster", "-": "slower", _: "slower", 0: "speed",
-    l: "loop", g: "ghosts", t: "trails", f: "follow", r: "reset", 1: "overlay", 2: "side", s: "warp", "?": "help",
+    l: "loop", g: "ghosts", t: "trails", f: "follow", r: "reset", 1: "overlay", 2: "side", 3: "pose", s: "warp", "?": "help",
     ArrowLeft: "back", ArrowRight: "forward",
   };
   const ORBIT = { ArrowLeft: [-0.12, 0], ArrowRight: [0.12, 0], ArrowUp: [0, 0.08], ArrowDown: [0, -0.08] };
@@ -118,6 +119,14 @@
     bar.addEventListener("pointercancel", release);
   }
 
+  const CHIP_LETTERS = 20;
+
+  /** Beginning and end of a long name: clips of one session differ at either. */
+  function shorten(text, most) {
+    const kept = Math.floor((most - 1) / 2);
+    return text.length > most ? `${text.slice(0, most - 1 - kept).trimEnd()}…${text.slice(-kept).trimStart()}` : text;
+  }
+
   /** What the colours of a single figure mean. */
   function legend(side) {
     const entry = document.createElement("span");
@@ -138,6 +147,7 @@
       root.addEventListener("keydown", (event) => onKey(stage, this.actions, event));
       watchPointer(stage, this.find("#stage-canvas"));
       watchSeeking(stage, this.scrub);
+      watchSeeking(stage, this.find(".ms-bands"));
       watchSeeking(stage, this.find(".ms-warp-rows"));
       this.find(".ms-warp-rows").addEventListener("pointermove", (event) => {
         event.currentTarget.title = stage.warpStrip.describe(event);
@@ -155,6 +165,9 @@
     listFigures() {
       const { figures } = this.stage;
       const list = this.find(".ms-figures");
+      const names = JSON.stringify(figures.map((figure) => [figure.label, figure.visible, figure.item.colour, figure.header.start]));
+      if (names === this.listed) return; // a chip that is pointed at stays
+      this.listed = names;
       list.replaceChildren(...(figures.length > 1 ? figures.map((figure, k) => this.chip(figure, k)) : []));
       if (figures.length === 1 && !figures[0].item.colour) list.append(legend("left"), legend("right"));
     }
@@ -163,17 +176,18 @@
       const chip = document.createElement("button");
       chip.type = "button";
       chip.className = "ms-chip";
-      chip.title = `${figure.label}: click to hide or show`;
+      chip.title = `${figure.label}, frames ${figure.header.start} to ${figure.header.end}: click to hide or show`;
       chip.setAttribute("aria-pressed", String(figure.visible));
       const colour = document.createElement("span");
       colour.className = "ms-chip-colour";
       const name = document.createElement("span");
       name.className = "ms-chip-name";
-      name.textContent = figure.label;
+      name.textContent = shorten(figure.label, CHIP_LETTERS);
       chip.append(colour, name);
       chip.addEventListener("click", () => {
-        this.stage.setVisible(k, !figure.visible);
-        chip.setAttribute("aria-pressed", String(figure.visible));
+        const { visible } = this.stage.figures[k];
+        this.stage.setVisible(k, !visible);
+        chip.setAttribute("aria-pressed", String(!visible));
       });
       chip.addEventListener("pointerenter", () => this.stage.highlight(k));
       chip.addEventListener("pointerleave", () => this.stage.highlight(-1));
@@ -207,6 +221,7 @@
       show("follow", null, null, camera.follow);
       show("overlay", null, null, stage.layout === "overlay");
       show("side", null, null, stage.layout === "side");
+      show("pose", null, null, stage.layout === "pose");
       show("warp", null, null, stage.timeline.warped);
       this.find('[data-action="speed"]').textContent = `${clock.speed}×`;
       const many = stage.figures.length > 1;
@@ -221,6 +236,7 @@
       const share = clock.duration > 0 ? clock.time / clock.duration : 0;
       this.scrub.style.setProperty("--share", share.toFixed(4));
       this.stage.warpStrip.place(share);
+      this.stage.bands.place(share);
       if (text === this.shown) return;
       this.shown = text;
       this.find(".ms-readout").textContent = text;
@@ -231,5 +247,5 @@
     }
   }
 
-  parts.Controls = Controls;
+  Object.assign(parts, { Controls, shorten });
 })((window.motionscapeStageParts ||= {}));

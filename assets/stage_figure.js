@@ -23,11 +23,15 @@
       this.visible = true;
       this.warp = usableWarp(item.warp, header);
       this.warpFps = 0;
+      this.stretch = 0; // seconds over which all of the motion is spread; 0: its own pace
+      this.offset = 0; // frames (of those received) added to where time leads
+      this.spans = parts.readSpans(item.colours, header);
       this.yaw = [1, 0]; // cosine and sine
       this.origin = [0, 0, 0]; // of the recording, comes to stand at `place`
       this.place = [0, 0];
       this.walksInPlace = false;
       this.points = new Float32Array(3 * this.n);
+      this.spare = new Float32Array(3 * this.n);
       [this.x, this.y, this.scale, this.depth] = [0, 1, 2, 3].map(() => new Float32Array(this.n));
       this.size = header.height > 0 ? header.height / 1.75 : 1;
       this.sides = Uint8Array.from(header.sides, (side) => SIDES[side] ?? 2);
@@ -44,18 +48,41 @@
       return (this.frames - 1) / this.fps;
     }
 
-    /** Follow the medoid's frames at this rate; 0 = run at the motion's own pace. */
-    follow(medoidFps) {
+    /** Follow the medoid's frames at this rate; 0: run at the motion's own pace, or spread over `stretch` seconds. */
+    follow(medoidFps, stretch = 0) {
       this.warpFps = medoidFps;
+      this.stretch = stretch;
+      this.offset = 0;
     }
 
     /** Frame (a fraction, among the frames received) at a time in seconds of the stage. */
     frameAt(time) {
-      if (!this.warpFps) return Math.min(time * this.fps, this.frames - 1);
+      return Math.min(Math.max(this.ledTo(time) + this.offset, 0), this.frames - 1);
+    }
+
+    ledTo(time) {
+      if (!this.warpFps) return this.stretch ? (time / this.stretch) * (this.frames - 1) : time * this.fps;
       const at = Math.min(time * this.warpFps, this.warp.length - 1);
       const k = Math.min(Math.floor(at), this.warp.length - 2);
       const own = k < 0 ? this.warp[0] : this.warp[k] + (this.warp[k + 1] - this.warp[k]) * (at - k);
-      return Math.min(Math.max(own / this.header.step, 0), this.frames - 1);
+      return own / this.header.step;
+    }
+
+    /** Time in seconds of the stage at which a frame of the recording is reached; the end where it never is. */
+    timeAt(recorded) {
+      const frame = Math.min((recorded - this.header.start) / this.header.step, this.frames - 1);
+      let [low, high] = [0, this.stretch || this.duration];
+      for (let k = 0; k < 40; k++) {
+        const middle = (low + high) / 2;
+        if (this.frameAt(middle) < frame) low = middle;
+        else high = middle;
+      }
+      return high;
+    }
+
+    /** The coloured span that holds a frame of the recording. */
+    spanAt(recorded) {
+      return this.spans.find((span) => span.start <= recorded && recorded < span.end);
     }
 
     /** Number of a frame in the recording itself. */
@@ -85,11 +112,12 @@
       return out;
     }
 
-    /** Put the first frame's root at the origin, facing +Z, feet on the floor. */
-    stand() {
-      const root = 3 * this.header.root;
+    /** Put a frame's root (the first's) at the origin, facing +Z, feet on the floor. */
+    stand(frame = 0) {
+      const first = Math.min(Math.max(Math.floor(frame), 0), this.frames - 1);
+      const root = 3 * (first * this.n + this.header.root);
       this.origin = [this.positions[root], this.header.floor || 0, this.positions[root + 2]];
-      const [x, z] = this.facing();
+      const [x, z] = this.facing(first);
       const length = Math.hypot(x, z);
       this.heading = length > 1e-3 ? Math.atan2(-x, z) : 0;
       this.turn(0);
@@ -100,15 +128,15 @@
       this.yaw = [Math.cos(this.heading + angle), Math.sin(this.heading + angle)];
     }
 
-    /** Where the trunk faces over the first fifth of a second, on the ground. */
-    facing() {
+    /** Where the trunk faces over a fifth of a second from a frame on, on the ground. */
+    facing(first) {
       const role = (name) => this.header.roles.indexOf(name);
       const pairs = [["left_hip", "right_hip"], ["left_shoulder", "right_shoulder"]];
       let [x, z] = [0, 0];
-      const frames = Math.min(this.frames, 1 + Math.round(this.fps / 5));
+      const end = Math.min(this.frames, first + 1 + Math.round(this.fps / 5));
       for (const [left, right] of pairs.map((pair) => pair.map(role))) {
         if (left < 0 || right < 0) continue;
-        for (let f = 0; f < frames; f++) {
+        for (let f = first; f < end; f++) {
           const [l, r] = [3 * (f * this.n + left), 3 * (f * this.n + right)];
           x -= this.positions[l + 2] - this.positions[r + 2];
           z += this.positions[l] - this.positions[r];
@@ -117,12 +145,12 @@
       return [x, z];
     }
 
-    /** Space the motion takes when it starts at the origin: [min x, max x, min z, max z, max y]. */
-    extent(samples = 32) {
+    /** Space the motion takes between two times when it starts at the origin: [min x, max x, min z, max z, max y]. */
+    extent(from = 0, to = this.duration, samples = 32) {
       const box = [0, 0, 0, 0, 0];
-      const points = new Float32Array(3 * this.n);
+      const points = this.spare;
       for (let s = 0; s < samples; s++) {
-        this.pose((this.duration * s) / Math.max(samples - 1, 1), points);
+        this.pose(from + ((to - from) * s) / Math.max(samples - 1, 1), points);
         for (let k = 0; k < points.length; k += 3) {
           const [x, z] = [points[k] - this.place[0], points[k + 2] - this.place[1]];
           box[0] = Math.min(box[0], x);

@@ -72,20 +72,27 @@
 
   /**
    * How long the figures play and at what rate frames are stepped. In step ("warp"), time is the medoid's and every
-   * figure stands at the frame that matches; otherwise each runs at its own pace from its start.
+   * figure stands at the frame that matches; otherwise each runs at its own pace from its start. Poses side by side all
+   * move by the same share of their motion, whatever its length.
    */
-  function makeTimeline(figures, sync) {
+  function makeTimeline(figures, sync, layout) {
     const medoid = sync === "warp" ? findMedoid(figures) : -1;
     const reference = medoid < 0 ? longest(figures) : medoid;
     const warped = medoid >= 0;
     figures.forEach((figure) => figure.follow(warped && figure.warp ? figures[medoid].ownFps : 0));
     const chosen = figures[reference];
-    return {
-      reference,
-      warped,
-      fps: chosen ? chosen.fps : 30,
-      duration: figures.reduce((most, figure) => Math.max(most, figure.duration), 0),
-    };
+    const spread = layout === "pose" && figures.length > 0;
+    const duration = spread ? chosen.duration : figures.reduce((most, figure) => Math.max(most, figure.duration), 0);
+    if (spread) figures.forEach((figure) => spreadOver(figure, duration));
+    return { reference, warped, fps: chosen ? chosen.fps : 30, duration };
+  }
+
+  /** All of a motion within the time of the others; half-way it stands at the item's `frame`, or at its middle. */
+  function spreadOver(figure, duration) {
+    figure.follow(figure.warpFps, duration);
+    if (!Number.isFinite(figure.item.frame)) return;
+    const { start, step } = figure.header;
+    figure.offset = (figure.item.frame - start) / step - figure.frameAt(duration / 2);
   }
 
   function longest(figures) {

@@ -11,11 +11,21 @@
     constructor() {
       this.ghosts = false;
       this.trails = "off";
+      this.suited = false; // trails were switched on for the sake of coloured spans
+      this.paths = new parts.PathPainter();
       this.points = new Float32Array(3 * 256);
       [this.x, this.y, this.scale, this.depth] = [0, 1, 2, 3].map(() => new Float32Array(256));
     }
 
+    /** Motions with coloured spans show them on the floor; without them trails are as the person left them. */
+    suit(figures) {
+      const coloured = figures.some((figure) => figure.spans.length);
+      if (coloured && this.trails === "off") [this.trails, this.suited] = ["root", true];
+      else if (!coloured && this.suited) [this.trails, this.suited] = ["off", false];
+    }
+
     nextTrails() {
+      this.suited = false;
       this.trails = TRAILS[(TRAILS.indexOf(this.trails) + 1) % TRAILS.length];
     }
 
@@ -23,6 +33,7 @@
       const shown = figures.filter((figure) => figure.visible);
       context.lineJoin = "round";
       context.lineCap = "round";
+      if (this.trails === "root") this.paths.paint(context, camera, shown, clock.duration);
       if (this.trails !== "off") for (const figure of shown) this.paintTrails(context, camera, figure, clock);
       if (!this.ghosts || !shown.length) return;
       const count = Math.min(Math.max(Math.floor(24 / shown.length), 1), 4);
@@ -66,6 +77,7 @@
     /** A ribbon of the last seconds for the root, or for hands and feet. */
     paintTrails(context, camera, figure, clock) {
       const { header } = figure;
+      if (this.trails === "root" && figure.spans.length) return; // its path is on the floor
       const feet = header.feet.filter((j) => /_ankle$/.test(header.roles[j]));
       const joints = this.trails === "root" ? [header.root] : [...header.hands, ...feet];
       const from = Math.max(0, clock.time - TRAIL_SECONDS);

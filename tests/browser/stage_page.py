@@ -17,7 +17,10 @@ from webapp.components import stage
 
 ASSETS = Path(__file__).resolve().parents[2] / "assets"
 NAMES = tuple(f"walk {k}/a" for k in range(12))
-DATASETS: dict[str, Dataset] = {"walkers": walkers(NAMES, seconds=3.0)}
+DATASETS: dict[str, Dataset] = {
+    "walkers": walkers(NAMES, seconds=3.0),
+    "~made~1": walkers(("walk",), name="~made~1", seconds=2.0, fps=120.0),
+}
 PIXELS = """() => {
     const c = document.getElementById('stage-canvas');
     const data = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;

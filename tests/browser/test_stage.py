@@ -222,7 +222,7 @@ def test_controls_fit_every_width(page, width):
     play(page, warped(12))
     stage_box = page.locator("#stage").bounding_box()
     boxes = [button.bounding_box() for button in page.locator(".ms-toolbar button").all() if button.is_visible()]
-    assert len(boxes) == 15
+    assert len(boxes) == 16
     for box in boxes:
         assert stage_box["x"] <= box["x"] and box["x"] + box["width"] <= stage_box["x"] + stage_box["width"]
         assert box["y"] + box["height"] <= stage_box["y"] + stage_box["height"]

@@ -1,9 +1,7 @@
 """The Stage as a Dash layout: a canvas and its controls. All of it is driven by ``assets/stage*.js``.
 
-Views hand it segments by writing ``dcc.Store("stage-request")``: ``{"dataset", "version", "items": [{"clip", "start",
-"end", "label", "colour", "warp"}], "layout": "overlay" | "side", "sync": "warp" | "start", "title"}``. ``version`` is
-the data set's fingerprint: with it, motions already fetched are not asked for again.
-For links: ``motionscapeStage.state()`` and ``.restore(state)`` in the browser, and the window event ``stage-state``.
+Views hand it segments by writing ``dcc.Store("stage-request")``; what may stand there, and what the Stage offers in the
+browser (``motionscapeStage``, the events ``stage-state`` and ``stage-frame``), is written in docs/architecture.md.
 """
 
 from __future__ import annotations
@@ -21,7 +19,7 @@ KEYS = (
     ("L", "repeat, back and forth, once"),
     ("G T", "ghosts, trails"),
     ("F R", "follow, reset the view"),
-    ("1 2", "laid over, side by side"),
+    ("1 2 3", "laid over, side by side, stills"),
     ("S", "in step, own pace"),
     ("Shift + arrows", "turn the view"),
     ("↑ ↓", "zoom"),
@@ -42,6 +40,12 @@ def stage(api: str = "/api") -> html.Div:
             _view(),
             html.Div(
                 [
+                    html.Div(
+                        [html.Div(className="ms-band-rows"), html.Div(className="ms-band-cursor")],
+                        className="ms-bands",
+                        hidden=True,
+                        **{"aria-hidden": "true"},
+                    ),
                     html.Div(
                         html.Div([html.Canvas(), html.Div(className="ms-warp-cursor")], className="ms-warp-rows"),
                         className="ms-warp",
@@ -141,6 +145,7 @@ def _toolbar() -> html.Div:
             _group(
                 _tool("overlay", "Laid over one another", "1", True),
                 _tool("side", "Side by side", "2", False),
+                _tool("pose", "Stills in rows", "3", False),
                 _tool("warp", "In step", "S", False),
                 label="Arrangement",
                 name="ms-arrangement",
