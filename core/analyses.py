@@ -12,7 +12,7 @@ import threading
 import time
 import traceback
 from collections import OrderedDict
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field
 from datetime import datetime
@@ -22,9 +22,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from core.mocap.errors import RecordingError
+from core.motifs.axes import SweepParameters
 from core.parameters import Parameter, ParameterError, build, parameters_of
 from core.progress import Cancelled, Report, silent
-from core.workspace import Job, ResultDamaged, Workspace, WorkspaceError, explain, was_interrupted
+from core.workspace import Job, ResultDamaged, Workspace, WorkspaceError, explain, tasks, was_interrupted
 
 if TYPE_CHECKING:
     from core.mocap.dataset import Dataset
@@ -68,11 +69,15 @@ class Method:
 
 @dataclass(frozen=True)
 class Task:
-    """Something done to a workspace as a job that leaves a data set rather than a result."""
+    """Something done to a workspace as a job that leaves a data set, or results of other requests.
+
+    analyses: whether it works on a data set that is there already.
+    """
 
     title: str
     parameters: type
     perform: Callable[[Workspace, str, Any, Report], None]
+    analyses: bool = False
 
 
 def parameters(method: str) -> tuple[Parameter, ...]:
@@ -95,10 +100,15 @@ def compute(dataset: Dataset, method: str, values: Mapping[str, Any], report: Re
 def key(workspace: Workspace, request: Request) -> str:
     """Hash of content, method with version, and parameters; raises ParameterError, WorkspaceError (no data set)."""
     request = normalise(request)
-    if request.method in TASKS:
+    if request.method in TASKS and not TASKS[request.method].analyses:
         return _digest(request.method, request.dataset, request.parameters)
-    fingerprint = workspace.info(request.dataset).fingerprint
-    return _digest(request.method, METHODS[request.method].version, fingerprint, request.parameters)
+    return result_key(workspace.info(request.dataset).fingerprint, request)
+
+
+def result_key(fingerprint: str, request: Request) -> str:
+    """The key of a normalised request about the data set with this content; :func:`key` for many without looking up."""
+    version = METHODS[request.method].version if request.method in METHODS else 0
+    return _digest(request.method, version, fingerprint, request.parameters)
 
 
 def stored(workspace: Workspace, request: Request) -> Any | None:
@@ -118,14 +128,14 @@ def submit(workspace: Workspace, request: Request) -> Job:
     """
     request = normalise(request)
     asked = asdict(request)
-    if request.method in METHODS:
+    kind = METHODS.get(request.method) or TASKS[request.method]
+    if isinstance(kind, Method) or kind.analyses:
         asked["fingerprint"] = workspace.info(request.dataset).fingerprint
-        title = METHODS[request.method].title
-    else:
-        title = TASKS[request.method].title
-        if request.method == "import":
-            workspace.check_free(request.dataset)
-    return workspace.jobs.submit(key(workspace, request), asked, f"{title}: {request.dataset}")
+    elif request.method == "import":
+        workspace.check_free(request.dataset)
+    elif request.method in ("add", "remove"):
+        workspace.info(request.dataset)  # raises where it is not there
+    return workspace.jobs.submit(key(workspace, request), asked, f"{kind.title}: {request.dataset}")
 
 
 def run(workspace: Workspace, request: Request, report: Report = silent) -> Any:
@@ -184,7 +194,8 @@ def _perform(workspace: Workspace, job: Job, report: Report) -> Any:
     asked = job.request
     if asked["method"] in TASKS:
         task = TASKS[asked["method"]]
-        task.perform(workspace, asked["dataset"], build(task.parameters, asked["parameters"]), report)
+        name = workspace.open_fingerprint(asked["fingerprint"]).name if task.analyses else asked["dataset"]
+        task.perform(workspace, name, build(task.parameters, asked["parameters"]), report)
         return None
     result = _load(workspace, asked["method"], job.key)
     if result is None:  # otherwise someone finished it between the request and now
@@ -299,22 +310,6 @@ def _unpack_motifs(document: dict[str, Any], arrays: dict[str, np.ndarray]) -> A
 
 
 @dataclass(frozen=True)
-class ImportParameters:
-    """An import of an upload. ``skeleton``, ``labels``: files of it; ``fps``: frames per second of AMC files."""
-
-    upload: str
-    skeleton: str = ""
-    labels: str = ""
-    fps: float | None = field(default=None, metadata={"min": 1, "max": 1000})
-
-
-def _import_upload(workspace: Workspace, name: str, values: ImportParameters, report: Report) -> None:
-    workspace.import_upload(
-        name, values.upload, skeleton=values.skeleton, labels=values.labels, fps=values.fps, report=report
-    )
-
-
-@dataclass(frozen=True)
 class DemoParameters:
     """The embedded data set: its length, and the seed it grows from."""
 
@@ -333,15 +328,47 @@ def _make_demo(workspace: Workspace, name: str, values: DemoParameters, report: 
         submit(workspace, request)
 
 
+def _sweep(workspace: Workspace, name: str, values: SweepParameters, report: Report) -> None:
+    """Computes the motif graphs of all points that are not there yet, each kept under the key of its own request."""
+    from core.figures import keep_figures
+    from core.motifs.sweep import graphs_of
+
+    dataset = workspace.open(name)
+    asked = {point_key(dataset.fingerprint, point): point for point in values.points()}
+    missing = [(key, point) for key, point in asked.items() if not workspace.results.has(key)]
+    points = [point for _, point in missing]
+    for k, graph in graphs_of(dataset, points, report, ready=len(asked) - len(missing)):
+        workspace.results.put(missing[k][0], *_pack_motifs(graph, dataset))
+        keep_figures(workspace, missing[k][0], graph, dataset)
+
+
+def point_key(fingerprint: str, point: Any) -> str:
+    """The key of the motif graph with the MotifParameters ``point``, of the data set with this content."""
+    return result_key(fingerprint, Request("", "motifs", asdict(point)))
+
+
 METHODS: dict[str, Method] = {
     "motifs": Method("Motif graph", 1, _motif_parameters, _find_motifs, _pack_motifs, _unpack_motifs),
 }
 TASKS: dict[str, Task] = {
-    "import": Task("Import", ImportParameters, _import_upload),
+    "import": Task("Import", tasks.ImportParameters, tasks.import_upload),
+    "add": Task("Add to", tasks.AddParameters, tasks.add_upload),
+    "remove": Task("Remove clips from", tasks.RemoveParameters, tasks.remove_clips),
     "demo": Task("Demo", DemoParameters, _make_demo),
+    "sweep": Task("Sweep", SweepParameters, _sweep, analyses=True),
 }
 
 
 def import_request(name: str, upload: str, **options: Any) -> Request:
-    """The request that imports an upload as the data set ``name``; options as in :class:`ImportParameters`."""
+    """The request that imports an upload as the data set ``name``; options as in tasks.ImportParameters."""
     return Request(name, "import", {"upload": upload, **options})
+
+
+def add_request(name: str, upload: str, **options: Any) -> Request:
+    """The request that adds an upload to the data set ``name``; options as in tasks.AddParameters."""
+    return Request(name, "add", {"upload": upload, **options})
+
+
+def remove_request(name: str, clips: Iterable[str]) -> Request:
+    """The request that removes clips from the data set ``name``."""
+    return Request(name, "remove", {"clips": tasks.names_of_clips(clips)})

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import asdict, dataclass, field, replace
 from itertools import product
 from typing import Any
 
 from core.motifs.parameters import MotifParameters
-from core.parameters import Parameter, ParameterError, parameters_of
+from core.parameters import Parameter, ParameterError, build, parameters_of
 
 Axes = Mapping[str, Sequence[Any]]
 """Name of a parameter -> the values it takes, in the order in which they are shown."""
@@ -81,6 +82,46 @@ def points_of(base: MotifParameters, axes: Axes, seeds: int = 1) -> tuple[MotifP
         )
     except ValueError as error:
         raise ParameterError(str(error)) from error
+
+
+@dataclass(frozen=True)
+class SweepParameters:
+    """A sweep as a request asks for it, in text, so that it can stand in a link and in the job table.
+
+    axes: ``kappa:50,100;rho:0.2,1``; seeds: how many, from that of ``base`` on; base: the other parameters of the motif
+    graph as a JSON object, defaults left out. Equal sweeps have equal texts. Raises ParameterError.
+    """
+
+    axes: str
+    seeds: int = field(default=1, metadata={"min": 1, "max": 100, "help": "Seeds at every point of the sweep."})
+    base: str = "{}"
+
+    def __post_init__(self) -> None:
+        axes, base = self._axes(), self._base()
+        defaults = asdict(MotifParameters())
+        kept = {name: value for name, value in sorted(asdict(base).items()) if value != defaults[name]}
+        object.__setattr__(self, "axes", ";".join(write_axis(*axis) for axis in axes.items()))
+        object.__setattr__(self, "base", json.dumps({name: v for name, v in kept.items() if name not in axes}))
+        self.points()
+
+    def points(self) -> tuple[MotifParameters, ...]:
+        """All points of the sweep, see :func:`points_of`."""
+        return points_of(self._base(), self._axes(), self.seeds)
+
+    def _axes(self) -> dict[str, tuple[Any, ...]]:
+        axes = [read_axis(text) for text in self.axes.split(";") if text.strip()]
+        if len(dict(axes)) < len(axes):
+            raise ParameterError("axes: the two axes of a sweep must be different parameters")
+        return dict(axes)
+
+    def _base(self) -> MotifParameters:
+        try:
+            values = json.loads(self.base)
+        except ValueError:
+            values = None
+        if not isinstance(values, dict):
+            raise ParameterError("base: expected the other parameters as a JSON object")
+        return build(MotifParameters, values)
 
 
 def _order(value: Any) -> tuple:

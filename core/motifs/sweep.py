@@ -57,6 +57,8 @@ def graphs_of(
     dataset: Dataset,
     points: Sequence[MotifParameters],
     report: Report = silent,
+    *,
+    ready: int = 0,
     workers: int | None = None,
     stages: Sequence[Stage] = STAGES,
 ) -> Iterator[tuple[int, MotifGraph]]:
@@ -64,6 +66,7 @@ def graphs_of(
 
     The seconds of a graph are those of the stages behind it, whoever shares them. ``report`` is called in the thread
     that iterates, ten times a second at least; what it raises stops the sweep, and so does no longer iterating.
+    ready: how many more points were there before, for the report.
     ``stages``: the pipeline, where it is another; the last one must leave the graph.
     """
     tree = _Tree(dataset, points, stages)
@@ -71,13 +74,13 @@ def graphs_of(
     for thread in threads:
         thread.start()
     try:
-        ready = 0
-        while ready < len(points):
-            report(f"{ready} of {len(points)} points", tree.fraction)
+        total, already = ready + len(points), ready
+        while ready < total:
+            report(f"{ready} of {total} points", (already + tree.fraction * len(points)) / total)
             for k, graph in tree.next_graphs():
                 ready += 1
                 yield k, graph
-        report(f"{ready} of {len(points)} points", 1.0)
+        report(f"{ready} of {total} points", 1.0)
     finally:
         tree.stop(len(threads))
         for thread in threads:
