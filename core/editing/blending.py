@@ -222,7 +222,7 @@ def concatenate(clips: Sequence[Clip], name: str) -> Clip:
 
 
 def joint_weights(skeleton: Skeleton) -> np.ndarray:
-    """How much each joint counts when motions are laid upon one another, ``(n_joints,)``: feet threefold, fingers not."""
+    """How much joints count when motions are laid upon one another, ``(n_joints,)``: feet threefold, fingers not."""
     anatomy = find_anatomy(skeleton)
     weights = np.zeros(skeleton.n_joints)
     weights[[0, *anatomy.posture_joints]] = 1.0

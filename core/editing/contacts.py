@@ -72,9 +72,7 @@ def foot_skate(clip: Clip, contacts: np.ndarray | None = None, floor: float | No
     return metres / seconds if seconds else 0.0
 
 
-def slide(
-    clip: Clip, contacts: np.ndarray, floor: float, positions: np.ndarray | None = None
-) -> tuple[float, float]:
+def slide(clip: Clip, contacts: np.ndarray, floor: float, positions: np.ndarray | None = None) -> tuple[float, float]:
     """Metres that the standing feet slide, and seconds that they stand, both feet added up; see :func:`foot_skate`.
 
     contacts: ``(n_frames, 2)`` bool; floor: metres; positions: ``(n_frames, n_joints, 3)``, if they are at hand.

@@ -237,7 +237,7 @@ def _sided_measures(walker: _Walker, strikes: list[_Strike]) -> Iterable[Measure
 
     for a, b in pairwise(strikes):
         travel = walker.pelvis[b.frame] - walker.pelvis[a.frame]
-        apart = walker.ankles[b.frame, b.side] - walker.ankles[b.frame, a.side]
+        apart = walker.ankles[b.frame, b.side] - walker.ankles[a.frame, a.side]
         note("Step length", "m", b.side, apart @ travel / np.linalg.norm(travel))
         note("Step time", "s", b.side, (b.frame - a.frame) / walker.fps)
     for a, b in zip(strikes, strikes[2:], strict=False):

@@ -17,6 +17,7 @@ from core.mocap.kinematics import forward_kinematics, joint_positions
 # the second share on.
 _STRETCH, _SOFT = 0.999, 0.97
 _FARTHEST = 0.1  # body heights: a locked foot is never moved further than this
+_FOLLOW, _SINK = 0.15, 0.02  # seconds over which the pelvis follows its feet; body heights it sinks at most
 
 
 def smooth_step(u: np.ndarray) -> np.ndarray:
@@ -46,24 +47,36 @@ def place_ankles(clip: Clip, targets: np.ndarray, orientations: np.ndarray | Non
     return replace(clip, rotations=quat.normalise(rotations).astype(np.float32))
 
 
-def lock_feet(clip: Clip, contacts: np.ndarray | None = None, floor: float | None = None, ease: float = 0.15) -> Clip:
+def lock_feet(
+    clip: Clip,
+    contacts: np.ndarray | None = None,
+    floor: float | None = None,
+    ease: float = 0.15,
+    lifts: np.ndarray | None = None,
+) -> Clip:
     """The clip with the slide taken out of its standing feet, and their soles on the floor.
 
     Within a contact the ankle is shifted against the slide of the point the foot stands on, so the foot still rolls
-    from heel to toe; the shift eases in and out over ``ease`` seconds on either side.
+    from heel to toe; the shift eases in and out over ``ease`` seconds on either side, at the speed it has there. The
+    pelvis goes along with half of what its standing feet move, and sinks where a leg would not reach.
     contacts: ``(n_frames, 2)`` bool, as :func:`core.editing.contacts.foot_contacts` finds them; floor: metres, or None
-    to estimate it.
+    to estimate it; lifts: ``(n_frames, 2)`` metres by which feet are raised besides.
     """
     positions = joint_positions(clip).astype(np.float64)
     floor = floor_height(clip, positions) if floor is None else floor
     contacts = foot_contacts(clip, floor, positions) if contacts is None else contacts
+    shifts = np.zeros((clip.n_frames, 2, 3))
     targets = np.full((clip.n_frames, 2, 3), np.nan)
     for column, points in enumerate(sole_points(clip)):
-        if points and contacts[:, column].any():
-            shift = _shift(clip, positions, points, contacts[:, column], floor, ease)
-            moved = np.abs(shift).max(1) > 1e-5
-            targets[moved, column] = (positions[:, points[0]] + shift)[moved]
-    return place_ankles(clip, targets)
+        if points:
+            if contacts[:, column].any():
+                shifts[:, column] = _shift(clip, positions, points, contacts[:, column], floor, ease)
+            if lifts is not None:
+                shifts[:, column, 1] += lifts[:, column]
+            targets[:, column] = positions[:, points[0]] + shifts[:, column]
+    if not shifts.any():
+        return clip
+    return place_ankles(_follow(clip, positions, contacts, shifts, targets), targets)
 
 
 def lift_from_floor(clip: Clip, floor: float = 0.0, smooth: float = 0.1) -> Clip:
@@ -138,10 +151,9 @@ def _shift(clip: Clip, positions: np.ndarray, points: list[int], contact: np.nda
     """How far to move the ankle in each frame: (n_frames, 3), metres."""
     body = find_anatomy(clip.skeleton).body_height
     height = heights(clip, positions, points, floor)
-    # the foot stands on its lowest points; soft weights so that the change from heel to toe is smooth
-    weights = np.exp(-(height - height.min(1, keepdims=True)) / (0.003 * body))
-    weights = (weights[1:] + weights[:-1]) / (weights[1:] + weights[:-1]).sum(1, keepdims=True)
-    slide = (np.diff(positions[:, points], axis=0) * weights[..., None]).sum(1)
+    # the foot stands on the point that is lowest in both of two neighbouring frames
+    lowest = (height[1:] + height[:-1]).argmin(1)
+    slide = np.take_along_axis(np.diff(positions[:, points], axis=0), lowest[:, None, None], 1)[:, 0]
     shift = np.zeros((len(contact), 3))
     spans = runs(contact)
     for start, end in spans:
@@ -152,15 +164,41 @@ def _shift(clip: Clip, positions: np.ndarray, points: list[int], contact: np.nda
     share = np.linalg.norm(shift, axis=1, keepdims=True) / (_FARTHEST * body)
     shift /= (1 + share**4) ** 0.25
     _ease(shift, spans, max(1, round(ease * clip.fps)))
-    return gaussian_filter1d(shift, 0.015 * clip.fps, axis=0, mode="nearest")
+    shift[:, 1] = gaussian_filter1d(shift[:, 1], 0.015 * clip.fps, mode="nearest")
+    return shift
 
 
 def _ease(shift: np.ndarray, spans: np.ndarray, n: int) -> None:
-    """Let the shift fade in before each contact and out after it, in place; tails end where the next contact begins."""
+    """Let the shift fade in before each contact and out after it, in place; tails end where the next contact begins.
+
+    Outside it goes on as it goes at the edge: the foot comes to its stand, and leaves it, without a jerk.
+    """
     before, after = np.r_[0, spans[:-1, 1]], np.r_[spans[1:, 0], len(shift)]
+    held, level = shift.copy(), np.array([1.0, 0, 1])
     for (start, end), low, high in zip(spans, before, after, strict=True):
-        lead, trail = min(n, start - low), min(n, high - end)
-        fade = smooth_step(np.arange(1, lead + 1) / (lead + 1))[:, None]
-        shift[start - lead : start] += fade * shift[start]
-        fade = smooth_step(np.arange(trail, 0, -1) / (trail + 1))[:, None]
-        shift[end : end + trail] += fade * shift[end - 1]
+        k = min(3, end - start - 1)
+        into, out = (level * (held[b] - held[a]) / max(k, 1) for a, b in ((start, start + k), (end - 1 - k, end - 1)))
+        lead, trail = np.arange(min(n, start - low), 0, -1), np.arange(1, min(n, high - end) + 1)
+        fade = smooth_step(1 - lead / (len(lead) + 1))[:, None]
+        shift[start - len(lead) : start] += fade * (held[start] - lead[:, None] * into)
+        fade = smooth_step(1 - trail / (len(trail) + 1))[:, None]
+        shift[end : end + len(trail)] += fade * (held[end - 1] + trail[:, None] * out)
+
+
+def _follow(clip: Clip, positions, contacts, shifts, targets) -> Clip:
+    """The clip with its pelvis moved for its feet: half their mean shift, and down where a leg that stands is short."""
+    width = _FOLLOW * clip.fps
+    move = gaussian_filter1d(0.5 * shifts.mean(1), width, axis=0, mode="nearest")
+    sink = np.zeros(clip.n_frames)
+    joints, bones = find_anatomy(clip.skeleton).joints, np.linalg.norm(clip.skeleton.offsets, axis=1)
+    for column, side in enumerate(SIDES):
+        hip, knee, ankle = (joints.get(f"{side}_{part}", -1) for part in ("hip", "knee", "ankle"))
+        if min(hip, knee, ankle) >= 0:
+            ways = positions[:, ankle], targets[:, column] - move
+            now, want = (np.linalg.norm(x - positions[:, hip], axis=1) for x in ways)
+            missing = want - np.maximum(now, _SOFT * (bones[knee] + bones[ankle]))
+            sink = np.maximum(sink, missing * contacts[:, column])
+    sink = np.minimum(sink, _SINK * find_anatomy(clip.skeleton).body_height)
+    reach = 2 * round(width) + 1
+    move[:, 1] -= gaussian_filter1d(maximum_filter1d(sink, reach), width / 2, mode="nearest")
+    return replace(clip, root_positions=(clip.root_positions + move).astype(np.float32))

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from core.demo.actions import perform
+from core.demo.gaits import gait
 from core.demo.performers import PERFORMERS, skeleton_of
 from core.mocap import quaternions as quat
 from core.mocap.clip import Clip
@@ -40,3 +41,21 @@ def moved(clip: Clip, shift: np.ndarray) -> Clip:
 def action(name: str, seed: int = 0, performer: int = 0) -> Clip:
     """A performance out of the demo."""
     return perform(name, PERFORMERS[performer], np.random.default_rng(seed))
+
+
+def rerigged(clip: Clip, seed: int = 0) -> Clip:
+    """The same motion on a rig whose joint frames are turned at random: same positions, other rest pose and numbers."""
+    skeleton, rng = clip.skeleton, np.random.default_rng(seed)
+    turns = quat.normalise(rng.normal(size=(skeleton.n_joints, 4)))
+    above = turns[list(skeleton.parents)]
+    offsets = quat.rotate(quat.conjugate(above), skeleton.offsets.astype(float))
+    offsets[0] = 0
+    rotations = quat.multiply(quat.conjugate(above), quat.multiply(clip.rotations.astype(float), turns))
+    rotations[:, 0] = quat.multiply(clip.rotations[:, 0].astype(float), turns[0])
+    rig = Skeleton(skeleton.names, skeleton.parents, offsets, skeleton.end_sites)
+    return replace(clip, skeleton=rig, rotations=rotations.astype(np.float32))
+
+
+def going(*stages: tuple[str, float], turn: float = 0.0, seed: int = 0) -> Clip:
+    """The demo's gait: stages of ("walk" or "run", seconds), turning by ``turn`` radians over all."""
+    return gait(list(stages), turn, PERFORMERS[0], np.random.default_rng(seed))[0]

@@ -78,18 +78,20 @@ def test_locking_takes_the_slide_out() -> None:
     contacts = foot_contacts(clip)
     assert foot_skate(clip, contacts) == pytest.approx(0.1, abs=1e-4)
     assert foot_skate(locked, contacts) < 0.1 * foot_skate(clip, contacts)
-    assert np.array_equal(locked.root_positions, clip.root_positions)
+    slower = np.diff(locked.root_positions[20:70, 2]) / np.diff(clip.root_positions[20:70, 2])
+    assert np.allclose(slower, 0.5, atol=0.02)  # the pelvis shares the way with its feet
 
 
 def test_locking_eases_in_and_out() -> None:
     clip = action("punch", 1)
     locked = lock_feet(clip, floor=0.0)
     feet = joints(clip, "LeftFoot", "RightFoot")
-    shift = joint_positions(locked)[:, feet] - joint_positions(clip)[:, feet]
-    assert np.abs(shift).max() > 0.005
-    assert np.abs(np.diff(shift, n=2, axis=0)).max() < 0.012  # metres a frame a frame: no kink
+    before, after = (joint_positions(c)[:, feet].astype(float) for c in (clip, locked))
+    assert np.abs(after - before).max() > 0.005
+    kinks = [np.abs(np.diff(way, n=2, axis=0)).max() for way in (before, after)]
+    assert kinks[1] < 1.1 * kinks[0]  # the foot comes to its stand, and leaves it, no harder than before
     contacts = foot_contacts(clip, 0.0)
-    assert foot_skate(locked, contacts, 0.0) < 0.5 * foot_skate(clip, contacts, 0.0)
+    assert foot_skate(locked, contacts, 0.0) < 0.2 * foot_skate(clip, contacts, 0.0)
 
 
 def test_lifting() -> None:
@@ -128,7 +130,7 @@ def test_locking_real_walks(shared_data) -> None:
     for clip in clips:
         contacts = foot_contacts(clip)
         assert 0.35 < contacts.mean() < 0.7
-        assert foot_skate(lock_feet(clip, contacts), contacts) < 0.65 * foot_skate(clip, contacts)
+        assert foot_skate(lock_feet(clip, contacts), contacts) < 0.2 * foot_skate(clip, contacts)
 
 
 def test_joining_real_motions(shared_data) -> None:
