@@ -17,12 +17,12 @@
   const short = (text) => (text.length > LONGEST ? text.slice(0, LONGEST - 1) + "…" : text);
 
   clientside.names = {
-    async draw(names) {
+    async draw(said) {
       const cy = await graph();
       if (!cy) return clientside.no_update;
       cy.batch(() => cy.nodes("[motif >= 0]").forEach((node) => {
         if (node.data("plain") === undefined) node.data("plain", node.data("label"));
-        const name = (names || {})[node.data("motif")];
+        const [name] = (said || {})[node.data("motif")] || [];
         const label = name ? `${short(name)} · ${node.data("plain").split(" · ").pop()}` : node.data("plain");
         if (node.data("label") !== label) node.data("label", label);
       }));

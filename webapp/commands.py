@@ -92,19 +92,22 @@ def motifs(asked: Namespace) -> int:
     if asked.out.is_dir():
         raise WorkspaceError(f"{asked.out} is a folder; --out names the file to write.")
     named = named_dataset(asked.source)
-    started = time.perf_counter()
+    started, notes = time.perf_counter(), {}
     with progress_bar(asked.quiet) as report:
         if named and not asked.clips:
             refuse_reading_options(asked)
             workspace, name = named
             dataset = workspace.open(name)
             read = time.perf_counter() - started
-            graph = analyses.run(workspace, analyses.Request(name, "motifs", values), report)
+            request = analyses.Request(name, "motifs", values)
+            graph = analyses.run(workspace, request, report)
+            found = {motif.id: motif.segments for motif in graph.motifs}
+            notes = workspace.notes.of(workspace.info(name).id, analyses.key(workspace, request), found)
         else:
             dataset = open_source(asked, report)
             read = time.perf_counter() - started
             graph = analyses.compute(dataset, "motifs", values, report)
-    write_json(asked.out, graph.to_json(dataset))
+    write_json(asked.out, graph.to_json(dataset, notes))
     if not asked.quiet:
         print("\n".join(_motif_summary(dataset, graph, {"reading": read} | dict(graph.seconds), asked)))
     return 0

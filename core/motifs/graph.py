@@ -89,8 +89,11 @@ class MotifGraph:
             groups.setdefault(int(g), []).append(motif.id)
         return tuple(sorted(map(tuple, groups.values()), key=lambda ids: (-len(ids), ids)))
 
-    def to_json(self, dataset=None) -> dict[str, Any]:
-        """The document ``motifs.json``; ``dataset`` fills its head where the graph itself does not know it."""
+    def to_json(self, dataset=None, notes: Mapping[int, Any] | None = None) -> dict[str, Any]:
+        """The document ``motifs.json``; ``dataset`` fills its head where the graph itself does not know it.
+
+        notes: motif id -> what people said of it (``name``, ``tags``, ``note``), written beside its motions.
+        """
         clips = self.clips or tuple((c.name, c.n_frames, c.fps) for c in getattr(dataset, "clips", ()))
         head = dict(self.dataset) or dataset_head(dataset)
         return {
@@ -100,7 +103,7 @@ class MotifGraph:
             "parameters": dict(self.parameters),
             "seconds": {stage: round(t, 4) for stage, t in self.seconds.items()},
             "metrics": dict(self.metrics),
-            "motifs": [_motif_json(motif) for motif in self.motifs],
+            "motifs": [_motif_json(motif) | _said((notes or {}).get(motif.id)) for motif in self.motifs],
             "edges": [_edge_json(edge) for edge in self.edges],
             "components": [list(ids) for ids in self.components()],
         }
@@ -155,6 +158,10 @@ def _motif_json(motif: Motif) -> dict[str, Any]:
         "medoid": motif.medoid,
         "warps": [[round(float(f), 2) for f in warp] for warp in motif.warps],
     }
+
+
+def _said(note: Any) -> dict[str, Any]:
+    return {"name": note.name, "tags": list(note.tags), "note": note.note} if note else {}
 
 
 def _read_motif(entry: Mapping[str, Any]) -> Motif:

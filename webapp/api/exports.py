@@ -33,7 +33,8 @@ def export_blueprint(workspace: Workspace) -> Blueprint:
     @routes.get("/motifs.json")
     def motifs_json() -> Response:
         dataset, graph, _ = _asked(workspace)
-        text = json.dumps(graph.to_json(dataset), ensure_ascii=False, allow_nan=False)
+        notes = results.motif_notes(workspace, dataset.name, _parameters())
+        text = json.dumps(graph.to_json(dataset, notes), ensure_ascii=False, allow_nan=False)
         return _attachment(text, "application/json", f"{dataset.name}-motifs.json")
 
     @routes.get("/motifs.svg")
@@ -50,7 +51,7 @@ def export_blueprint(workspace: Workspace) -> Blueprint:
 def _asked(workspace: Workspace) -> tuple[Dataset, MotifGraph, str]:
     """Data set, graph and key of the current request; raises Refusal."""
     name = request.args.get("dataset", "")
-    parameters = {key: value for key, value in request.args.items() if key != "dataset"}
+    parameters = _parameters()
     problems = results.refused(parameters)
     if problems:
         raise Refusal(" ".join(problems), 400)
@@ -65,6 +66,10 @@ def _asked(workspace: Workspace) -> tuple[Dataset, MotifGraph, str]:
     if graph is None or key is None:
         raise Refusal("This motif graph has not been computed yet.", 404)
     return dataset, graph, key
+
+
+def _parameters() -> dict[str, str]:
+    return {key: value for key, value in request.args.items() if key != "dataset"}
 
 
 def _attachment(text: str, mimetype: str, name: str) -> Response:

@@ -71,14 +71,17 @@ def _show(app: Dash, workspace: Workspace) -> None:
 
     @app.callback(
         Output("motif-status", "children"),
+        Output("motif-status-of", "data"),
         Input("jobs-seen", "data"),
         Input("graph-key", "data"),
         State("dataset", "data"),
         State("parameters", "data"),
+        State("motif-status-of", "data"),
     )
-    def show_status(_seen, key, dataset, parameters):
+    def show_status(_seen, key, dataset, parameters, current):
         job = results.latest_job(workspace, dataset, parameters) if dataset and not key else None
-        return layout.status(dataset, job, bool(key))
+        of = [key, dataset, job and [job.id, job.state, job.error]]
+        return (no_update, no_update) if of == current else (layout.status(dataset, job, bool(key)), of)
 
     @app.callback(
         Output("motif-result", "children"),

@@ -18,7 +18,7 @@ from core.workspace import Job, MotifNote
 from webapp.components.actions import sends
 from webapp.components.errors import empty_state
 from webapp.components.icons import icon
-from webapp.components.job_bar import stage_words
+from webapp.components.running import running
 from webapp.figures import graph as graph_figure
 from webapp.figures.tables import strip_address
 from webapp.pages.motifs import views
@@ -66,6 +66,7 @@ def page() -> Component:
                 ),
             ),
             html.Div(id="motif-status"),
+            dcc.Store(id="motif-status-of"),  # what it speaks of: drawn anew only when that changes
             html.Div(id="motif-result"),
         ],
     )
@@ -79,7 +80,7 @@ def status(dataset: str | None, job: Job | None, ready: bool) -> Component | Non
         link = dcc.Link("Go to the library", href="/library", className="text-link")
         return _card(empty_state("person", "No dataset yet", "Add recordings, or make the demo, in the library.", link))
     if job is not None and job.alive:
-        return _card(_running(job))
+        return _card(running(job, "Finding motifs", "graph"))
     hint = "It shows which movements recur in these recordings, and what follows what."
     if job is not None and job.state == "failed":
         return _card(empty_state("error", "Finding motifs failed", job.error, _find_button("Try again")))
@@ -96,34 +97,6 @@ def _card(child: Component) -> Component:
 
 def _find_button(label: str) -> Component:
     return dmc.Button(label, variant="light", **sends("find-again", {"find": True}, every_time=True))
-
-
-def _running(job: Job) -> Component:
-    percent = round(100 * job.fraction)
-    return html.Div(
-        className="empty-state running",
-        role="status",
-        children=[
-            html.Div(icon("graph", 34), className="empty-icon"),
-            dmc.Title("Finding motifs", order=2, size="h4"),
-            dmc.Text(stage_words(job).capitalize() + " …", c="dimmed", size="sm", id="motif-stage"),
-            dmc.Progress(
-                value=percent if job.state == "running" else 100,
-                size="md",
-                w="min(420px, 80%)",
-                animated=True,
-                striped=True,
-                **{"aria-label": "Progress of this stage"},
-            ),
-            dmc.Button(
-                "Cancel",
-                variant="default",
-                mt="xs",
-                disabled=job.cancelling,
-                **sends("job-action", {"action": "cancel", "job": job.id}, every_time=True),
-            ),
-        ],
-    )
 
 
 def result(graph: MotifGraph, dataset: Dataset, elements: list[dict], scheme: str) -> Component:

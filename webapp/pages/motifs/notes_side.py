@@ -114,11 +114,13 @@ def register(app: Dash, workspace: Workspace) -> None:
         Output("notes-names", "data"),
         Input("notes-status", "children"),
         Input("notes-form", "id"),
+        State("notes-names", "data"),
         State("dataset", "data"),
         State("parameters", "data"),
     )
-    def collect(_status, _form, name, parameters):
-        return names(results.motif_notes(workspace, name, parameters)) if name else {}
+    def collect(_status, _form, before, name, parameters):
+        now = said(results.motif_notes(workspace, name, parameters)) if name else {}
+        return no_update if now == before else now
 
     @app.callback(
         Output("motif-table", "rowData"),
@@ -144,6 +146,6 @@ def register(app: Dash, workspace: Workspace) -> None:
     )
 
 
-def names(notes: Mapping[int, MotifNote]) -> dict[str, Any]:
-    """Motif id -> name, for the boxes of the graph."""
-    return {str(motif): note.name for motif, note in notes.items() if note.name}
+def said(notes: Mapping[int, MotifNote]) -> dict[str, Any]:
+    """Motif id -> [name, tags, note], for the boxes of the graph and the table."""
+    return {str(motif): [note.name, list(note.tags), note.note] for motif, note in notes.items()}

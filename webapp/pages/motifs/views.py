@@ -16,7 +16,7 @@ from dash.development.base_component import Component
 
 from core.workspace import Workspace
 from webapp.components.icons import icon
-from webapp.pages.motifs import notes_side
+from webapp.pages.motifs import notes_side, timeline_view
 
 
 class Part(NamedTuple):
@@ -51,7 +51,10 @@ def _nothing(app: Dash, workspace: Workspace) -> None:
 
 
 PARTS: dict[str, tuple[Part, ...]] = {
-    "view": (Part("table", "All motifs", _table, _nothing),),
+    "view": (
+        Part("table", "All motifs", _table, _nothing),
+        Part("timeline", "Timeline", timeline_view.layout, timeline_view.register),
+    ),
     "side": (
         Part("motions", "Motions", _motions, _nothing),
         Part("notes", "Notes", notes_side.layout, notes_side.register),

@@ -1,0 +1,170 @@
+/* The timeline of all clips: labels above, motifs below, one row a clip. Plain elements; rows out of sight cost nothing. */
+(function () {
+  "use strict";
+  const clientside = (window.dash_clientside = window.dash_clientside || {});
+  const ACTIONS = ["#4e79a7", "#f28e2b", "#59a14f", "#e15759", "#b07aa1", "#9c755f", "#76b7b2", "#d4a720", "#ff9da7", "#79706e"];
+  const colour = (action) => ACTIONS[action % ACTIONS.length];
+  const element = (name, className, text) => {
+    const made = document.createElement(name);
+    if (className) made.className = className;
+    if (text !== undefined) made.textContent = text;
+    return made;
+  };
+  const clock = (seconds) => `${Math.floor(seconds / 60)}:${(seconds % 60).toFixed(1).padStart(4, "0")}`;
+  const place = (node, start, end, seconds) => {
+    node.style.left = (100 * start) / seconds + "%";
+    node.style.width = Math.max((100 * (end - start)) / seconds, 0.15) + "%";
+  };
+
+  function labelBlock([start, end, action], actions, seconds) {
+    const block = element("span", "timeline-label", actions[action]);
+    block.title = `${actions[action]}, ${clock(start)} to ${clock(end)}`;
+    block.style.setProperty("--tone", colour(action));
+    place(block, start, end, seconds);
+    return block;
+  }
+
+  function motionBlock([start, end, motif, number], motifs, seconds) {
+    const { name, colour: tone, motions } = motifs[motif];
+    const block = element("button", "timeline-motion", String(motif));
+    block.type = "button";
+    block.tabIndex = -1;
+    block.title = `${name}, motion ${number + 1} of ${motions}, ${clock(start)} to ${clock(end)}`;
+    block.setAttribute("aria-label", block.title);
+    block.dataset.store = "selection";
+    block.dataset.value = JSON.stringify({ motif, motion: number });
+    block.dataset.motif = motif;
+    block.style.setProperty("--tone", tone);
+    place(block, start, end, seconds);
+    return block;
+  }
+
+  function row(clip, data, longest, fill) {
+    const line = element("div", "timeline-row");
+    line.setAttribute("role", "listitem");
+    const head = element("button", "timeline-clip");
+    head.type = "button";
+    head.title = `Play ${clip.clip}`;
+    head.dataset.store = "selection";
+    head.dataset.value = JSON.stringify({ clip: clip.clip });
+    head.append(element("span", "ellipsis", clip.clip), element("span", "muted number", `${Math.round(100 * clip.share)} %`));
+    const track = element("div", "timeline-track");
+    const time = element("div", "timeline-time");
+    time.style.width = fill ? "100%" : Math.max((100 * clip.seconds) / longest, 0.5) + "%";
+    time.dataset.clip = clip.clip;
+    time.dataset.seconds = clip.seconds;
+    time.dataset.fps = clip.fps;
+    if (data.actions.length) {
+      const labels = element("div", "timeline-labels");
+      labels.append(...clip.labels.map((label) => labelBlock(label, data.actions, clip.seconds)));
+      time.append(labels);
+    }
+    const motions = element("div", "timeline-motions");
+    motions.append(...clip.motions.map((motion) => motionBlock(motion, data.motifs, clip.seconds)));
+    if (motions.firstChild) motions.firstChild.tabIndex = 0;
+    time.append(motions, element("div", "timeline-now"));
+    track.append(time);
+    line.append(head, track);
+    return line;
+  }
+
+  function ordered(rows, order, motif) {
+    const has = (row) => row.motions.filter((motion) => String(motion[2]) === String(motif)).length;
+    if (order === "share") return [...rows].sort((a, b) => a.share - b.share);
+    if (order === "chosen") return [...rows].sort((a, b) => has(b) - has(a));
+    return rows;
+  }
+
+  function legend(box, actions) {
+    box.replaceChildren(...actions.slice(0, 24).map((action, i) => {
+      const entry = element("span", "timeline-key", action);
+      entry.style.setProperty("--tone", colour(i));
+      return entry;
+    }));
+    if (actions.length > 24) box.append(element("span", "muted", `and ${actions.length - 24} more`));
+  }
+
+  function mark(box, selection) {
+    const motif = selection && selection.motif !== undefined ? String(selection.motif) : null;
+    box.classList.toggle("one-motif", motif !== null);
+    for (const block of box.querySelectorAll(".timeline-motion")) {
+      block.classList.toggle("same", block.dataset.motif === motif);
+      const { motion } = JSON.parse(block.dataset.value);
+      block.setAttribute("aria-pressed", String(block.dataset.motif === motif && String(selection.motion) === String(motion)));
+    }
+    for (const head of box.querySelectorAll(".timeline-clip")) {
+      head.classList.toggle("chosen", Boolean(selection && selection.clip === JSON.parse(head.dataset.value).clip));
+    }
+  }
+
+  // Arrow keys go from block to block and from row to row; one block of a row can be reached with Tab.
+  function move(event) {
+    const block = event.target.closest(".timeline-motion");
+    if (!block) return;
+    const siblings = [...block.parentNode.children];
+    const lines = [...block.closest(".timeline-rows").querySelectorAll(".timeline-motions:not(:empty)")];
+    const at = siblings.indexOf(block);
+    const line = lines.indexOf(block.parentNode);
+    const next = {
+      ArrowRight: () => siblings[at + 1],
+      ArrowLeft: () => siblings[at - 1],
+      ArrowDown: () => lines[line + 1]?.firstChild,
+      ArrowUp: () => lines[line - 1]?.firstChild,
+    }[event.key];
+    if (!next) return;
+    event.preventDefault();
+    event.stopPropagation();
+    next()?.focus();
+  }
+  document.addEventListener("keydown", move);
+
+  // The cursor of what plays stands in the row of its clip.
+  let shown = [];
+  function cursor() {
+    const box = document.getElementById("timeline-rows");
+    if (!box || !box.offsetParent || !window.motionscapeStage || !window.motionscapeStage.frameOf) return;
+    const now = new Map();
+    for (let i = 0; i < 24; i++) {
+      const item = window.motionscapeStage.frameOf(i);
+      if (!item) break;
+      if (!String(item.dataset || "").startsWith("~")) now.set(item.clip, item.frame);
+    }
+    for (const line of shown) if (!now.has(line.parentNode.dataset.clip)) line.style.display = "";
+    shown = [];
+    for (const [clip, frame] of now) {
+      const time = box.querySelector(`.timeline-time[data-clip="${CSS.escape(clip)}"]`);
+      if (!time) continue;
+      const line = time.lastChild;
+      line.style.display = "block";
+      line.style.left = (100 * frame) / time.dataset.fps / time.dataset.seconds + "%";
+      shown.push(line);
+    }
+  }
+  setInterval(cursor, 80);
+
+  let drawn = null;
+  clientside.timeline = {
+    draw(data, order, scale, selection) {
+      const box = document.getElementById("timeline-rows");
+      if (!box || !data) return clientside.no_update;
+      const wanted = { data, order, scale, motif: order === "chosen" ? (selection || {}).motif : null };
+      const same = drawn && box.firstChild && Object.keys(wanted).every((key) => wanted[key] === drawn[key]);
+      if (!same) {
+        drawn = wanted;
+        const longest = Math.max(...data.rows.map((clip) => clip.seconds), 1e-3);
+        const rows = ordered(data.rows, order, (selection || {}).motif);
+        box.classList.toggle("labelled", data.actions.length > 0);
+        box.replaceChildren(...rows.map((clip) => row(clip, data, longest, scale === "fill")));
+        legend(document.getElementById("timeline-legend"), data.actions);
+      }
+      mark(box, selection);
+      return clientside.no_update;
+    },
+    mark(selection, order) {
+      if (drawn && order === "chosen") clientside.timeline.draw(drawn.data, order, drawn.scale, selection);
+      const box = document.getElementById("timeline-rows");
+      if (box) mark(box, selection);
+      return clientside.no_update;
+    },
+  };
+})();
