@@ -330,16 +330,17 @@ def _make_demo(workspace: Workspace, name: str, values: DemoParameters, report: 
 
 def _sweep(workspace: Workspace, name: str, values: SweepParameters, report: Report) -> None:
     """Computes the motif graphs of all points that are not there yet, each kept under the key of its own request."""
-    from core.figures import keep_figures
+    from core.figures import keep_figures, read_figures
     from core.motifs.sweep import graphs_of
 
     dataset = workspace.open(name)
     asked = {point_key(dataset.fingerprint, point): point for point in values.points()}
-    missing = [(key, point) for key, point in asked.items() if not workspace.results.has(key)]
-    points = [point for _, point in missing]
+    there = read_figures(workspace, dataset, list(asked))
+    missing = [key for key, figures in zip(asked, there, strict=True) if figures is None]
+    points = [asked[key] for key in missing]
     for k, graph in graphs_of(dataset, points, report, ready=len(asked) - len(missing)):
-        workspace.results.put(missing[k][0], *_pack_motifs(graph, dataset))
-        keep_figures(workspace, missing[k][0], graph, dataset)
+        workspace.results.put(missing[k], *_pack_motifs(graph, dataset))
+        keep_figures(workspace, missing[k], graph, dataset)
 
 
 def point_key(fingerprint: str, point: Any) -> str:

@@ -11,6 +11,7 @@ import json
 import threading
 from collections import OrderedDict
 from collections.abc import Iterable, Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -62,11 +63,12 @@ def _read(workspace: Workspace, dataset: Dataset, key: str) -> Figures | None:
     with _lock:
         if (workspace.path, place) in _known:
             return _known[workspace.path, place]
-    try:
+    with suppress(ResultDamaged):  # it has been set aside: count again
         found = workspace.results.get(place)
         if found is not None:
             _remember(workspace.path, place, found.document)
             return found.document
+    try:
         graph = workspace.results.get(key)
         return keep_figures(workspace, key, from_json(graph.document), dataset) if graph else None
     except (ResultDamaged, ValueError):  # set aside, or of another version: as if it had not been computed
