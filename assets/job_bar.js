@@ -38,9 +38,10 @@
     percent.setAttribute("aria-hidden", "true"); // the progress bar says it
     return element("div", "job", spinner, element("span", "job-title ellipsis", title), progress,
       element("span", "job-stage number", element("span", "job-words"), percent),
-      element("div", "job-actions", button("cancel", id, "", "Cancel")));
+      element("div", "job-actions", button("cancel", id, "job-cancel", "Cancel")));
   }
 
+  /** Of a row, or of the place in a page where the job's outcome is awaited (webapp/components/running.py). */
   function update(row, { stage, percent, stopping }) {
     const progress = row.querySelector(".job-progress"), known = percent !== null;
     progress.classList.toggle("waiting", !known);
@@ -49,8 +50,9 @@
     else progress.removeAttribute("aria-valuenow");
     const words = row.querySelector(".job-words"); // announced when they change, so written only then
     if (words.textContent !== stage) words.textContent = stage;
-    row.querySelector(".job-percent").textContent = percent ? ` ${percent} %` : "";
-    row.querySelector(".job-button").disabled = stopping;
+    const number = row.querySelector(".job-percent");
+    if (number) number.textContent = percent ? ` ${percent} %` : "";
+    row.querySelector(".job-cancel").disabled = stopping;
   }
 
   function failed({ id, title, error }) {
@@ -74,7 +76,7 @@
           row.dataset.job = name;
           box.insertBefore(row, box.children[k] || null);
         }
-        if (!job.error) update(row, job);
+        if (!job.error) document.querySelectorAll(`[data-job="${name}"]`).forEach((place) => update(place, job));
       });
       return clientside.no_update;
     },

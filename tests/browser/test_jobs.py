@@ -35,6 +35,10 @@ def test_progress_is_seen_and_the_graph_comes_by_itself(show, workspace):
     find_anew(page)
     expect(page.locator(".job-title", has_text="Motif graph: demo")).to_be_visible(timeout=15_000)
     expect(page.get_by_text("Finding motifs", exact=True)).to_be_visible()
+    page.evaluate("window.awaited = document.querySelector('.running')")
+    words = page.locator(".running .job-words").inner_text()
+    expect(page.locator(".running .job-words")).not_to_have_text(words, timeout=PATIENCE)
+    assert page.evaluate("awaited.isConnected")  # it is the same all the time, and can be clicked
     wait_for_graph(page)
     assert "seed=7" in page.url
     expect(page.locator(".job")).to_have_count(0, timeout=15_000)
