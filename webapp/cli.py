@@ -54,6 +54,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _in_words(error: BaseException) -> tuple[str, int]:
     from core.progress import Cancelled
     from core.workspace import explain, was_interrupted
+    from webapp.advice import on_the_command_line
 
     if was_interrupted(error):
         return "stopped", 130
@@ -66,7 +67,7 @@ def _in_words(error: BaseException) -> tuple[str, int]:
     if isinstance(error, OSError | MemoryError):
         return explain(error), 2
     if isinstance(error, ValueError):  # RecordingError, WorkspaceError, ParameterError: written for people
-        return " ".join(str(error).split()), 2
+        return " ".join(on_the_command_line(str(error)).split()), 2
     return f"a fault in Motionscape ({type(error).__name__}: {error}); {DEBUG}=1 shows where", 1
 
 
@@ -151,7 +152,15 @@ def _import_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("workspace", type=Path, metavar="WORKSPACE", help="folder of the workspace, made where missing")
     parser.add_argument("paths", nargs="+", type=Path, metavar="PATH", help="recordings, or folders of them")
     parser.add_argument("--name", help="name of the data set (default: that of the first PATH)")
+    parser.add_argument("--add", action="store_true", help="add to the data set of that name, which is there already")
     _common(parser)
+
+
+def _labels_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("source", metavar="WORKSPACE/NAME", help="the data set")
+    parser.add_argument("paths", nargs="+", type=Path, metavar="FILE|DIR", help="labels: CSV files or folders of them")
+    parser.add_argument("--replace", action="store_true", help="the labels that are there go")
+    parser.add_argument("--quiet", action="store_true", help="no summary")
 
 
 def _inspect_arguments(parser: argparse.ArgumentParser) -> None:
@@ -213,6 +222,9 @@ def _later(module: str, function: str) -> Callable[[argparse.Namespace], int]:
 COMMANDS = {
     "serve": Command("Show a workspace in the browser.", _serve_arguments, _later("webapp.serving", "serve")),
     "import": Command("Read recordings into a workspace.", _import_arguments, _later("webapp.commands", "import_")),
+    "labels": Command(
+        "Bring labels (CSV) to a data set of a workspace.", _labels_arguments, _later("webapp.label_commands", "labels")
+    ),
     "inspect": Command(
         "Say of every file whether it can be read, and what is odd about it.",
         _inspect_arguments,

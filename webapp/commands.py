@@ -13,6 +13,7 @@ from typing import Any
 
 from core.progress import Report
 from core.workspace import Workspace, WorkspaceError, atomic_file, clean_name
+from webapp.advice import on_the_command_line
 from webapp.progress_bar import progress_bar
 
 MB = 1024 * 1024
@@ -28,7 +29,7 @@ def import_(asked: Namespace) -> int:
     first = asked.paths[0].expanduser().resolve()
     name = asked.name if asked.name is not None else clean_name(_stem(first), "recordings")
     with progress_bar(asked.quiet) as report:
-        imported = workspace.import_dataset(
+        imported = (workspace.add_files if asked.add else workspace.import_dataset)(
             name,
             [path.expanduser() for path in asked.paths],
             skeleton=asked.skeleton,
@@ -37,9 +38,10 @@ def import_(asked: Namespace) -> int:
             labels=asked.labels,
             report=report,
         )
-    bad = [file for file in imported.files if file.verdict == "error"]
+    came = [file for file in imported.files if file.addition == imported.last_addition]
+    bad = [file for file in came if file.verdict == "error"]
     for file in bad[:SHOWN]:
-        print(_line(file), file=sys.stderr)
+        print(line_of(file), file=sys.stderr)
     if len(bad) > SHOWN:
         print(f"... and {len(bad) - SHOWN} more files that cannot be read", file=sys.stderr)
     if not asked.quiet:
@@ -58,7 +60,7 @@ def inspect(asked: Namespace) -> int:
         for file in _verdicts(asked, report):
             verdicts.append(file)
             if not asked.json and not (asked.quiet and file.verdict == "ok"):
-                print(_line(file), flush=True)
+                print(line_of(file), flush=True)
     if not verdicts:
         raise WorkspaceError(f"no recordings (.bvh, .amc, .asf) in {', '.join(map(str, asked.paths))}")
     if asked.json:
@@ -167,11 +169,11 @@ def _files(paths: Iterable[Path]) -> Iterator[Path]:
         yield from sorted(found)
 
 
-def _line(file: Any) -> str:
+def line_of(file: Any) -> str:
     """``verdict path[:line]: why``, on one line whatever the names of files hold."""
     text, name = f"{file.verdict:<8}{file.path}", f"{Path(file.path).name}:"
     if file.messages:
-        first, *others = (" ".join(message.split()) for message in file.messages)
+        first, *others = (" ".join(on_the_command_line(message).split()) for message in file.messages)
         text += first[len(name) - 1 :] if first.startswith(name) else f": {first}"
         text = "; ".join([text, *others])
     return "".join(c if c.isprintable() else "?" for c in text)

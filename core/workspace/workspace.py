@@ -106,6 +106,7 @@ class Workspace:
         *,
         skeleton: Source | None = None,
         fps: float | None = None,
+        clips: Sequence[str] | None = None,
         labels: Source | None = None,
         replace_labels: bool = False,
         report: Report = silent,
@@ -116,9 +117,8 @@ class Workspace:
         ``replace_labels``: where labels come, those that are there go. Raises as :meth:`import_dataset`.
         """
         info = self.info(name)
-        what = _recordings(
-            sources, skeleton=skeleton, fps=fps, labels=labels, before=self.open(name), replace_labels=replace_labels
-        )
+        how = {"skeleton": skeleton, "fps": fps, "clips": clips, "labels": labels}
+        what = _recordings(sources, before=self.open(name), replace_labels=replace_labels, **how)
         return self._change(info, lambda folder, name: _importing().store_recordings(folder, name, what, report))
 
     def add_labels(self, name: str, sources: Source | Sequence[Source], *, replace: bool = False) -> ImportReport:

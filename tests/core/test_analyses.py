@@ -211,10 +211,12 @@ def test_renaming_and_deleting_do_not_disturb_a_running_analysis(workspace):
 
 
 def test_a_job_whose_data_set_changed_says_so(workspace):
-    job = analyses.submit(workspace, toy())
+    first, second = analyses.submit(workspace, toy()), analyses.submit(workspace, toy(seconds=0.1))
     workspace.remove_clips("toy", ["walk_0"])
+    assert analyses.execute(workspace, workspace.jobs.claim(first.id))["frames"] == 81  # what was asked for
+    workspace.empty_trash()
     with pytest.raises(AnalysisError, match="changed or removed"):
-        analyses.execute(workspace, workspace.jobs.claim(job.id))
+        analyses.execute(workspace, workspace.jobs.claim(second.id))
 
 
 def test_an_upload_is_imported_as_a_job(workspace, tmp_path):
@@ -236,6 +238,23 @@ def test_an_upload_is_imported_as_a_job(workspace, tmp_path):
         analyses.run(workspace, analyses.import_request("bad", bad))
     with pytest.raises(AnalysisError, match="not a valid upload"):
         analyses.run(workspace, analyses.import_request("bad", "../datasets"))
+
+
+def test_what_comes_to_a_data_set_or_leaves_it_is_a_job(workspace):
+    token = workspace.uploads.create()
+    workspace.uploads.add(token, "a.csv", [b"clip,action\nwalk_1,sit\nwalk_0,stand\n"])
+    analyses.run(workspace, analyses.add_request("toy", token, labels="replace"))
+    assert [label.action for label in workspace.open("toy").labels] == ["sit", "stand"]
+    analyses.run(workspace, analyses.remove_request("toy", ["walk_1"]))
+    assert workspace.open("toy").names == ("walk_0",)
+    for wrong in (analyses.remove_request("toy", ["x"]), Request("toy", "remove", {"clips": "{"})):
+        with pytest.raises(AnalysisError, match=r"no clip|not clear"):
+            analyses.run(workspace, wrong)
+    for wrong in (analyses.remove_request("none", ["x"]), analyses.add_request("none", token)):
+        with pytest.raises(WorkspaceError, match="no data set"):
+            analyses.submit(workspace, wrong)
+    titles = {job.title for job in workspace.jobs.list()}
+    assert titles == {"Add to: toy", "Remove clips from: toy"}
 
 
 def test_the_demo_comes_with_its_motif_graph_asked_for(workspace):

@@ -18,7 +18,7 @@ from core.workspace import Workspace
 from tests.toy_method import REPOSITORY, make_dataset
 from webapp import cli
 
-KINDS = ("serve", "import", "inspect", "demo", "motifs")
+KINDS = ("serve", "import", "labels", "inspect", "demo", "motifs")
 
 
 class Outcome(NamedTuple):
@@ -157,6 +157,35 @@ def test_import_names_reports_and_refuses(recordings, tmp_path):
     only = run("import", space, recordings, "--name", "one", "--clips", "walk_1")
     assert "1 clips" in only.stdout
     assert "no clip is called" in run("import", space, recordings, "--name", "two", "--clips", "zz", code=2).stderr
+
+
+def test_recordings_and_labels_are_added_later(recordings, tmp_path):
+    space, labels = tmp_path / "space", tmp_path / "more.csv"
+    run("import", space, recordings / "walk_0.bvh", "--name", "one", "--quiet")
+    assert "already a data set" in run("import", space, recordings, "--name", "one", code=2).stderr
+    assert "2 clips" in run("import", space, recordings, "--name", "one", "--add").stdout
+    labels.write_text("clip,start_frame,end_frame,action\nwalk_1,0,5,walk\nwalk_0,2,9,sit\ngone,0,5,sit\n")
+    done = run("labels", space / "one", labels)
+    assert done.stdout == "one: 2 labels, 0 before\n"
+    assert done.stderr.startswith("warning more.csv: 2 labels of 2 clips; one clip it names is not here: gone (line 4)")
+    labels.write_text("clip,action\nwalk_1,run\n")
+    assert run("labels", space / "one", labels, "--replace").stdout == "one: 1 labels, 2 before\n"
+    for source, words in ((space / "two", "no data set"), (labels, "WORKSPACE/NAME"), (space, "say which data set")):
+        assert words in run("labels", source, labels, code=2).stderr
+    labels.write_text("clip,action\nother,run\n")
+    assert "other (line 2)" in run("labels", space / "one", labels, code=2).stderr
+
+
+def test_a_missing_skeleton_is_said_with_the_option_that_helps(tmp_path):
+    (tmp_path / "01_01.amc").write_text(":FULLY-SPECIFIED\n:DEGREES\n1\n")
+    for arguments in (
+        ["import", tmp_path / "space", tmp_path],
+        ["inspect", tmp_path],
+        ["motifs", tmp_path, "--out", "m"],
+    ):
+        done = run(*arguments, code=2)
+        assert "no skeleton: neither 01.asf" in done.stdout + done.stderr
+        assert "--skeleton FILE.asf" in done.stdout + done.stderr
 
 
 def test_motifs_writes_its_file_and_says_what_it_took(demo, tmp_path):
