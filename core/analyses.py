@@ -133,7 +133,7 @@ def submit(workspace: Workspace, request: Request) -> Job:
         asked["fingerprint"] = workspace.info(request.dataset).fingerprint
     elif request.method == "import":
         workspace.check_free(request.dataset)
-    elif request.method in ("add", "remove"):
+    elif request.method in ("add", "remove", "edit"):
         workspace.info(request.dataset)  # raises where it is not there
     return workspace.jobs.submit(key(workspace, request), asked, f"{kind.title}: {request.dataset}")
 
@@ -355,6 +355,7 @@ TASKS: dict[str, Task] = {
     "import": Task("Import", tasks.ImportParameters, tasks.import_upload),
     "add": Task("Add to", tasks.AddParameters, tasks.add_upload),
     "remove": Task("Remove clips from", tasks.RemoveParameters, tasks.remove_clips),
+    "edit": Task("Edit a clip of", tasks.EditParameters, tasks.edit_clip),
     "demo": Task("Demo", DemoParameters, _make_demo),
     "sweep": Task("Sweep", SweepParameters, _sweep, analyses=True),
 }
@@ -373,3 +374,8 @@ def add_request(name: str, upload: str, **options: Any) -> Request:
 def remove_request(name: str, clips: Iterable[str]) -> Request:
     """The request that removes clips from the data set ``name``."""
     return Request(name, "remove", {"clips": tasks.names_of_clips(clips)})
+
+
+def edit_request(name: str, clip: str, action: str, **options: Any) -> Request:
+    """The request that edits a clip of the data set ``name``; options as in tasks.EditParameters."""
+    return Request(name, "edit", {"clip": clip, "action": action, **options})

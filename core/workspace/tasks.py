@@ -1,4 +1,4 @@
-"""What is done to data sets as jobs: importing an upload, adding one to a data set, removing clips.
+"""What is done to data sets as jobs: importing an upload, adding one to a data set, removing clips, editing one.
 
 Parameters are plain values, as they stand in the job table; each function does one job in a worker.
 """
@@ -6,12 +6,17 @@ Parameters are plain values, as they stand in the job table; each function does 
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from core.progress import Report
 from core.workspace.errors import WorkspaceError
 from core.workspace.workspace import Workspace
+
+if TYPE_CHECKING:
+    from core.editing.edits import Edited
+    from core.mocap.dataset import Dataset
 
 
 @dataclass(frozen=True)
@@ -40,6 +45,23 @@ class RemoveParameters:
     clips: str
 
 
+@dataclass(frozen=True)
+class EditParameters:
+    """What to do to ``clip``: one of ``action``; the rest is what it needs.
+
+    start, end: frames to keep (trim). fps: the new rate. frame: the first of the second part (split).
+    into: name of a new data set for what comes of it; into the clip's own where empty.
+    """
+
+    clip: str
+    action: str = field(metadata={"choices": ("trim", "mirror", "rate", "split", "labels")})
+    start: int = field(default=0, metadata={"min": 0})
+    end: int = field(default=0, metadata={"min": 0})
+    fps: float = field(default=0.0, metadata={"min": 0, "max": 1000})
+    frame: int = field(default=0, metadata={"min": 0})
+    into: str = ""
+
+
 def import_upload(workspace: Workspace, name: str, values: ImportParameters, report: Report) -> None:
     """Imports an upload as the data set ``name``; raises as Workspace.import_upload."""
     workspace.import_upload(
@@ -64,3 +86,46 @@ def remove_clips(workspace: Workspace, name: str, values: RemoveParameters, repo
     except (ValueError, TypeError):
         raise WorkspaceError("Which clips to remove is not clear; choose them again.") from None
     workspace.remove_clips(name, clips, report)
+
+
+def edit_clip(workspace: Workspace, name: str, values: EditParameters, report: Report) -> None:
+    """Edits a clip of the data set ``name``; the clip itself stays as it is, what comes of it is added.
+
+    Raises WorkspaceError where there is no such clip, ValueError where the edit cannot be made.
+    """
+    from core.editing import edits
+    from core.mocap.dataset import Dataset
+    from core.mocap.reports import FileReport, ImportReport
+
+    dataset = workspace.open(name)
+    if values.clip not in dataset.names:
+        raise WorkspaceError(f"There is no clip {values.clip[:80]!r} in {name!r}.")
+    report("Editing", 0.0)
+    taken = set() if values.into else set(dataset.names)
+    made = []
+    for edited in _edits(dataset, values):
+        edited = edits.renamed(edited, edits.free_name(edited.clip.name, taken))
+        taken.add(edited.clip.name)
+        made.append(edited)
+    files = tuple(FileReport(edited.clip.name, edited.clip.name, "ok", (edited.said,)) for edited in made)
+    labels = tuple(label for edited in made for label in edited.labels)
+    more = Dataset(values.into or name, tuple(edited.clip for edited in made), labels, ImportReport(files))
+    if values.into:
+        workspace.add_dataset(values.into, more, report)
+    else:
+        workspace.add_clips(name, more, report)
+
+
+def _edits(dataset: Dataset, values: EditParameters) -> Sequence[Edited]:
+    from core.editing import edits
+    from core.poses.body_frames import body_frames
+
+    clip = dataset.clip(values.clip)
+    labels = [label for label in dataset.labels if label.clip == clip.name]
+    if values.action == "trim":
+        return [edits.trim(clip, labels, values.start, values.end)]
+    if values.action == "mirror":
+        return [edits.mirrored(clip, labels, body_frames([c for c in dataset.clips if c.skeleton == clip.skeleton]))]
+    if values.action == "rate":
+        return [edits.at_rate(clip, labels, values.fps)]
+    return edits.split(clip, labels, [values.frame] if values.action == "split" else edits.label_cuts(clip, labels))

@@ -152,6 +152,25 @@ class Workspace:
         left = replace(left, report=replace(before.report, files=files))
         return self._change(info, lambda folder, _: _importing().store_dataset(folder, left, report))
 
+    def add_clips(self, name: str, more: Dataset, report: Report = silent) -> ImportReport:
+        """Adds clips that are in memory, with labels and report, to the data set ``name``; :meth:`revert` undoes it.
+
+        Raises WorkspaceError where there is nothing to add or a clip of that name is there already.
+        """
+        info, before = self.info(name), self.open(name)
+        if not more.clips:
+            raise WorkspaceError("There are no clips to add.")
+        if taken := sorted(set(more.names).intersection(before.names)):
+            raise WorkspaceError(f"There is a clip {taken[0][:80]!r} in {name!r} already.")
+        both = replace(
+            before,
+            clips=(*before.clips, *more.clips),
+            labels=(*before.labels, *more.labels),
+            report=replace(before.report, files=(*before.report.files, *more.report.files)),
+            digests=(*before.digests, *more.digests),
+        )
+        return self._change(info, lambda folder, _: _importing().store_dataset(folder, both, report))
+
     def version(self, name: str) -> str:
         """The token by which :meth:`revert` brings back what the data set ``name`` is now, after one change.
 
