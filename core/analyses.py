@@ -21,6 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from core.methods import METHODS, Method
 from core.mocap.errors import RecordingError
 from core.motifs.axes import SweepParameters
 from core.parameters import Parameter, ParameterError, build, parameters_of
@@ -47,24 +48,6 @@ class Request:
     dataset: str
     method: str
     parameters: Mapping[str, Any] = field(default_factory=dict)
-
-
-@dataclass(frozen=True)
-class Method:
-    """A way to analyse a data set.
-
-    version: goes into the keys of results; raise it when the same request would give another result.
-    parameters: gives the dataclass of its parameters (see core.parameters); called late, imports are heavy.
-    compute: (data set, parameters, report) -> result.
-    pack, unpack: result and data set -> JSON document and arrays of any shape (n, ...), and back.
-    """
-
-    title: str
-    version: int
-    parameters: Callable[[], type]
-    compute: Callable[[Dataset, Any, Report], Any]
-    pack: Callable[[Any, Dataset], tuple[dict[str, Any], dict[str, np.ndarray]]]
-    unpack: Callable[[dict[str, Any], dict[str, np.ndarray]], Any]
 
 
 @dataclass(frozen=True)
@@ -287,28 +270,6 @@ _results: OrderedDict[tuple[Path, str], Any] = OrderedDict()  # by workspace and
 _lock = threading.Lock()
 
 
-def _motif_parameters() -> type:
-    from core.motifs.parameters import MotifParameters
-
-    return MotifParameters
-
-
-def _find_motifs(dataset: Dataset, values: Any, report: Report) -> Any:
-    from core.motifs.build import find_motifs
-
-    return find_motifs(dataset, values, report)
-
-
-def _pack_motifs(graph: Any, dataset: Dataset) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
-    return graph.to_json(dataset), {}
-
-
-def _unpack_motifs(document: dict[str, Any], arrays: dict[str, np.ndarray]) -> Any:
-    from core.motifs.graph import from_json
-
-    return from_json(document)
-
-
 @dataclass(frozen=True)
 class DemoParameters:
     """The embedded data set: its length, and the seed it grows from."""
@@ -339,7 +300,7 @@ def _sweep(workspace: Workspace, name: str, values: SweepParameters, report: Rep
     missing = [key for key, figures in zip(asked, there, strict=True) if figures is None]
     points = [asked[key] for key in missing]
     for k, graph in graphs_of(dataset, points, report, ready=len(asked) - len(missing)):
-        workspace.results.put(missing[k], *_pack_motifs(graph, dataset))
+        workspace.results.put(missing[k], *METHODS["motifs"].pack(graph, dataset))
         keep_figures(workspace, missing[k], graph, dataset)
 
 
@@ -348,9 +309,30 @@ def point_key(fingerprint: str, point: Any) -> str:
     return result_key(fingerprint, Request("", "motifs", asdict(point)))
 
 
-METHODS: dict[str, Method] = {
-    "motifs": Method("Motif graph", 1, _motif_parameters, _find_motifs, _pack_motifs, _unpack_motifs),
-}
+def _feature_parameters() -> type:
+    from core.export import FeatureParameters
+
+    return FeatureParameters
+
+
+def _features(dataset: Dataset, values: Any, report: Report) -> Any:
+    from core.export import feature_table
+
+    return feature_table(dataset, analysis_fps=values.analysis_fps, test_share=values.test_share, report=report)
+
+
+def _pack_features(table: Any, dataset: Dataset) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+    from core.export import pack_features
+
+    return pack_features(table)
+
+
+def _unpack_features(document: dict[str, Any], arrays: dict[str, np.ndarray]) -> Any:
+    from core.export import unpack_features
+
+    return unpack_features(document, arrays)
+
+
 TASKS: dict[str, Task] = {
     "import": Task("Import", tasks.ImportParameters, tasks.import_upload),
     "add": Task("Add to", tasks.AddParameters, tasks.add_upload),

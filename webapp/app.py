@@ -16,6 +16,7 @@ from webapp import access, jobs, links, playback, results
 from webapp.api.exports import export_blueprint
 from webapp.api.filmstrip import filmstrip_blueprint
 from webapp.api.motion import motion_blueprint
+from webapp.api.recordings import recordings_blueprint
 from webapp.api.uploads import Limits, upload_blueprint
 from webapp.components import errors, job_bar, shell
 from webapp.components import stage as stage_component
@@ -49,6 +50,7 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> dash.
         motion_blueprint(open_motion),
         filmstrip_blueprint(open_motion),
         export_blueprint(workspace),
+        recordings_blueprint(workspace, open_motion),
     ):
         app.server.register_blueprint(blueprint)
     stage_component.register(app)

@@ -183,6 +183,23 @@ def _motifs_arguments(parser: argparse.ArgumentParser) -> None:
     _common(parser)
 
 
+def _export_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("source", metavar="SOURCE", help=SOURCE_HELP)
+    parser.add_argument(
+        "--out", type=Path, required=True, metavar="FILE", help="features.npz, features.parquet, clip.bvh, or a folder"
+    )
+    parser.add_argument("--frames", type=_interval, metavar="START-END", help="only these frames of the clip (BVH)")
+    _method_arguments(parser, "features")
+    _common(parser)
+
+
+def _interval(text: str) -> tuple[int, int]:
+    start, dash, end = text.partition("-")
+    if not (dash and start.isdecimal() and end.isdecimal() and int(start) < int(end) < 10**9):
+        raise argparse.ArgumentTypeError(f"{text!r}: expected START-END, frames of the clip, the end excluded")
+    return int(start), int(end)
+
+
 def _method_arguments(parser: argparse.ArgumentParser, method: str) -> None:
     """The parameters of a method as options; the seed is among the common ones."""
     from core.analyses import parameters
@@ -232,6 +249,11 @@ COMMANDS = {
     ),
     "demo": Command(
         "Write the demo data set: labelled motion as BVH files.", _demo_arguments, _later("webapp.commands", "demo")
+    ),
+    "export": Command(
+        "Write features (npz, Parquet) or clips (BVH) for other tools.",
+        _export_arguments,
+        _later("webapp.export_commands", "export"),
     ),
     "motifs": Command(
         "Find the motions that recur and how they follow one another.",
