@@ -19,8 +19,6 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from core.methods import METHODS, Method
 from core.mocap.errors import RecordingError
 from core.motifs.axes import SweepParameters
@@ -307,30 +305,6 @@ def _sweep(workspace: Workspace, name: str, values: SweepParameters, report: Rep
 def point_key(fingerprint: str, point: Any) -> str:
     """The key of the motif graph with the MotifParameters ``point``, of the data set with this content."""
     return result_key(fingerprint, Request("", "motifs", asdict(point)))
-
-
-def _feature_parameters() -> type:
-    from core.export import FeatureParameters
-
-    return FeatureParameters
-
-
-def _features(dataset: Dataset, values: Any, report: Report) -> Any:
-    from core.export import feature_table
-
-    return feature_table(dataset, analysis_fps=values.analysis_fps, test_share=values.test_share, report=report)
-
-
-def _pack_features(table: Any, dataset: Dataset) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
-    from core.export import pack_features
-
-    return pack_features(table)
-
-
-def _unpack_features(document: dict[str, Any], arrays: dict[str, np.ndarray]) -> Any:
-    from core.export import unpack_features
-
-    return unpack_features(document, arrays)
 
 
 TASKS: dict[str, Task] = {
