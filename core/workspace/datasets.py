@@ -162,6 +162,11 @@ class DatasetStore:
         self._delete("id GLOB ? AND id != ?", f"{info.id}?*", old.id)
         return new
 
+    def last_version(self, info: DatasetInfo) -> str | None:
+        """Token of what the data set was before its last change, for :meth:`revert`; None where that is not there."""
+        row = self._one("id GLOB ? AND trashed IS NOT NULL", f"{info.id}?*")
+        return row.id if row else None
+
     def revert(self, token: str) -> DatasetInfo:
         """Puts a version of a data set, in the trash since :meth:`replace`, into its place; the two change places.
 

@@ -178,6 +178,13 @@ class Workspace:
         """
         return version_token(self.info(name))
 
+    def last_version(self, name: str) -> str | None:
+        """The token that undoes the last change of the data set ``name``; None where there is nothing to undo.
+
+        Raises WorkspaceError where there is no such data set.
+        """
+        return self._datasets.last_version(self.info(name))
+
     def revert(self, token: str) -> DatasetInfo:
         """Undoes the last change of a data set's content (:meth:`version`); its results are there again with it.
 

@@ -61,8 +61,10 @@ def files_of(workspace: Workspace) -> set[str]:
 def test_removed_clips_come_back_with_their_results(workspace):
     before = workspace.info("toy")
     result = analyses.run(workspace, request())
+    assert workspace.last_version("toy") is None
     undo = workspace.version("toy")
     workspace.remove_clips("toy", ["walk_0"])
+    assert workspace.last_version("toy") == undo
     left = workspace.open("toy")
     assert left.names == ("walk_1",) and left.labels == ()
     assert [file.clip for file in left.report.files] == ["walk_1"]

@@ -81,8 +81,8 @@ def look(workspace: Workspace, dismissed: Iterable[int] = ()) -> Pulse:
 
 
 def revision_of(datasets: Sequence[DatasetInfo]) -> str:
-    """A mark of the list of datasets: it changes when one comes, goes, is renamed or gets new content."""
-    return _mark(f"{info.id}{info.name}{info.fingerprint}" for info in datasets)
+    """A mark of the list of datasets: it changes when one comes, goes, is renamed or gets new content or labels."""
+    return _mark(f"{info.id}{info.name}{info.folder}" for info in datasets)
 
 
 def rows(jobs: Sequence[Job]) -> list[dict]:
