@@ -132,6 +132,19 @@
     }
   }
 
+  // Buttons that carry a text to copy (webapp/components/actions.py).
+  document.addEventListener("click", async (event) => {
+    const button = event.target.closest && event.target.closest("[data-copy]");
+    if (!button) return;
+    const done = await copy(button.dataset.copy);
+    clientside.set_props("notices", { sendNotifications: [{
+      action: "show",
+      title: done ? "Copied" : "Could not copy",
+      message: done ? "Paste it where you want to run it." : button.dataset.copy,
+      color: done ? "accent" : "orange",
+    }] });
+  });
+
   function watchTheme() {
     const root = document.documentElement;
     let last = null;

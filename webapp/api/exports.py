@@ -1,4 +1,4 @@
-"""Downloads of results: ``GET /api/motifs.json`` and ``/api/motifs.svg``, ``?dataset=...&kappa=...``."""
+"""Downloads of results: ``GET /api/motifs.json``, ``.csv`` and ``.svg``, ``?dataset=...&kappa=...``."""
 
 from __future__ import annotations
 
@@ -12,6 +12,7 @@ from core.motifs.graph import MotifGraph
 from core.workspace import Workspace, WorkspaceError
 from webapp import results
 from webapp.figures.drawing import graph_svg
+from webapp.figures.tables import motions_csv
 
 
 class Refusal(Exception):
@@ -36,6 +37,12 @@ def export_blueprint(workspace: Workspace) -> Blueprint:
         notes = results.motif_notes(workspace, dataset.name, _parameters())
         text = json.dumps(graph.to_json(dataset, notes), ensure_ascii=False, allow_nan=False)
         return _attachment(text, "application/json", f"{dataset.name}-motifs.json")
+
+    @routes.get("/motifs.csv")
+    def motifs_csv() -> Response:
+        dataset, graph, _ = _asked(workspace)
+        notes = results.motif_notes(workspace, dataset.name, _parameters())
+        return _attachment(motions_csv(dataset, graph, notes), "text/csv", f"{dataset.name}-motifs.csv")
 
     @routes.get("/motifs.svg")
     def motifs_svg() -> Response:

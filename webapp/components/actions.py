@@ -10,6 +10,11 @@ import json
 from collections.abc import Mapping
 
 
+def copies(text: str) -> dict[str, str]:
+    """Attributes for a button: a click copies ``text`` to the clipboard and says so."""
+    return {"data-copy": text}
+
+
 def sends(store: str, value: Mapping[str, object], *, every_time: bool = False) -> dict[str, str]:
     """Attributes for a button: a click puts ``value`` into ``store``; ``every_time``: also when it is there already."""
     return {"data-store": store, "data-value": json.dumps(value), **({"data-stamp": "yes"} if every_time else {})}

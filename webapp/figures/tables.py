@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import csv
+import io
 from collections import Counter
 from collections.abc import Iterable, Mapping
 from pathlib import PurePath
@@ -169,6 +171,23 @@ def motif_rows(graph: Any, dataset: Dataset, notes: Mapping[int, MotifNote] = Ma
             }
         )
     return rows
+
+
+def motions_csv(dataset: Dataset, graph: Any, notes: Mapping[int, MotifNote] = MappingProxyType({})) -> str:
+    """One line a motion: its motif, what people call it, its frames (end exclusive), seconds and main label."""
+    by_clip: dict[str, list[Label]] = {}
+    for label in dataset.labels:
+        by_clip.setdefault(label.clip, []).append(label)
+    text = io.StringIO()
+    lines = csv.writer(text, lineterminator="\n")
+    lines.writerow(["motif", "name", "tags", "clip", "start_frame", "end_frame", "seconds", "label"])
+    for motif in graph.motifs:
+        note = notes.get(motif.id, MotifNote())
+        for segment in motif.segments:
+            seconds = f"{segment.n_frames / dataset.clip(segment.clip).fps:.3f}"
+            label = majority_label([segment], by_clip).rpartition(" (")[0]
+            lines.writerow([motif.id, note.name, ";".join(note.tags), *segment, seconds, label])
+    return text.getvalue()
 
 
 def _said(note: MotifNote | None) -> Row:

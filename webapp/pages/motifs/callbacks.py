@@ -10,7 +10,7 @@ from dash.dependencies import ClientsideFunction
 from core import analyses
 from core.parameters import ParameterError
 from core.workspace import Workspace, WorkspaceError
-from webapp import jobs, results
+from webapp import jobs, recipes, results
 from webapp.components.errors import notice
 from webapp.figures import graph as graph_figure
 from webapp.figures import tables
@@ -97,7 +97,9 @@ def _show(app: Dash, workspace: Workspace) -> None:
             (job, results.not_default(job.request["parameters"]))
             for job in (results.earlier(workspace, name) if name else [])
         ]
-        shown = layout.menus(name or "", graph, past, urlencode({"dataset": name or "", **(parameters or {})}))
+        query = urlencode({"dataset": name or "", **(parameters or {})})
+        again = recipes.both(workspace.path, results.motif_request(name, parameters)) if graph else {}
+        shown = layout.menus(name or "", graph, past, query, again)
         if graph is None:
             return None, shown
         dataset = workspace.open(name)

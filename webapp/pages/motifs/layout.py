@@ -15,7 +15,7 @@ from dash.development.base_component import Component
 from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
 from core.workspace import Job, MotifNote
-from webapp.components.actions import sends
+from webapp.components.actions import copies, sends
 from webapp.components.errors import empty_state
 from webapp.components.icons import icon
 from webapp.components.running import running
@@ -227,9 +227,13 @@ def _tool(symbol: str, label: str, value: dict[str, str]) -> Component:
 
 
 def menus(
-    dataset: str, graph: MotifGraph | None, earlier: Sequence[tuple[Job, Mapping[str, str]]], query: str
+    dataset: str,
+    graph: MotifGraph | None,
+    earlier: Sequence[tuple[Job, Mapping[str, str]]],
+    query: str,
+    recipes: Mapping[str, str],
 ) -> list[Component]:
-    """Earlier results and downloads."""
+    """Earlier results, downloads, and ``recipes`` (label -> text to copy) that give this result again."""
     parts: list[Component] = []
     if len(earlier) > (1 if graph else 0):
         parts.append(
@@ -264,10 +268,13 @@ def menus(
                     dmc.MenuDropdown(
                         [
                             _download("Motifs and edges (JSON)", f"/api/motifs.json?{query}"),
+                            _download("All motions (CSV)", f"/api/motifs.csv?{query}"),
                             _download("Drawing of the graph (SVG)", f"/api/motifs.svg?{query}"),
                             dmc.MenuItem(
                                 "Picture of the graph (PNG)", **sends("graph-tool", {"graph": "png"}, every_time=True)
                             ),
+                            dmc.MenuDivider(),
+                            *(dmc.MenuItem(label, **copies(text)) for label, text in recipes.items()),
                         ]
                     ),
                 ],

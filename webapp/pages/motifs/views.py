@@ -15,6 +15,7 @@ from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
 from core.workspace import Workspace
+from webapp.components.downloads import table_download
 from webapp.components.icons import icon
 from webapp.pages.motifs import notes_side, timeline_view
 
@@ -43,7 +44,10 @@ def _table() -> Component:
         className="motif-search",
         **{"aria-label": "Search motifs"},
     )
-    return html.Div([search, html.Div(id="motif-table-place")])
+    bar = html.Div(
+        [search, html.Div(className="spacer"), table_download("motif-table", "motifs")], className="table-bar"
+    )
+    return html.Div([bar, html.Div(id="motif-table-place")])
 
 
 def _nothing(app: Dash, workspace: Workspace) -> None:

@@ -1,0 +1,50 @@
+"""A result's recipes give the very result again."""
+
+from __future__ import annotations
+
+import json
+import shlex
+import subprocess
+import sys
+
+import pytest
+
+from core import analyses
+from core.workspace import Workspace
+from tests.webapp.generated import walkers
+from webapp import recipes
+from webapp.cli import main
+
+
+@pytest.fixture(scope="module")
+def workspace(tmp_path_factory):
+    made = Workspace(tmp_path_factory.mktemp("re cipes") / "work's")
+    made.add_dataset("two walkers", walkers(("a", "b"), seconds=6.0))
+    yield made
+    made.close()
+
+
+REQUEST = analyses.Request("two walkers", "motifs", {"kappa": 30, "rho": 0.5, "min_letters": 3, "adjacency": "spheres"})
+
+
+def test_the_command_gives_the_result_again(workspace, tmp_path, monkeypatch):
+    wanted = analyses.run(workspace, REQUEST)
+    program, *words = shlex.split(recipes.command(workspace.path, REQUEST))
+    assert program == "motionscape"
+    monkeypatch.chdir(tmp_path)
+    workspace.results.remove(analyses.key(workspace, REQUEST))
+    assert main([*words, "--quiet"]) == 0
+    found = json.loads((tmp_path / "motifs.json").read_text())
+    assert found["motifs"] == wanted.to_json()["motifs"] and found["metrics"] == dict(wanted.metrics)
+
+
+def test_the_script_gives_the_result_again(workspace):
+    wanted = analyses.run(workspace, REQUEST)
+    text = recipes.script(workspace.path, REQUEST)
+    done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, timeout=240, check=True)
+    assert done.stdout.strip() == str(dict(wanted.metrics))
+
+
+def test_defaults_are_left_out(workspace):
+    text = recipes.command(workspace.path, analyses.Request("two walkers", "motifs", {"kappa": "auto", "seed": 3}))
+    assert "kappa" not in text and "--seed 3" in text
