@@ -1,6 +1,5 @@
 // The Stage: a 3D player of stick figures on a 2D canvas. Time comes from the browser; the server is asked for motions
-// once. What a request to show may say stands in docs/architecture.md, "The Stage's data".
-// This file runs before the other stage_*.js: they fill `parts`, which is used only once the page holds a stage.
+// once. This file runs before the other stage_*.js: they fill `parts`, which is used only once the page holds a stage.
 (function (parts) {
   "use strict";
 
@@ -65,11 +64,10 @@
       this.camera.reset(parts.homeView(figures, this.layout));
       this.traces.suit(figures);
       this.setFigures(figures);
-      const still = this.layout === "pose";
-      if (still) this.clock.seek(this.clock.duration / 2);
       this.setStatus("ready");
       this.clock.playing = false;
-      if (!still && !parts.calm()) this.clock.play();
+      if (this.layout === "pose") this.standStill();
+      else if (!parts.calm()) this.clock.play();
       if (this.waiting) this.restore(this.waiting);
       this.touch(true);
     }
@@ -82,8 +80,15 @@
       this.touch();
     }
 
+    /** Stills show the middle of each motion, until one moves them. */
+    standStill() {
+      this.clock.playing = false;
+      this.clock.seek(this.clock.duration / 2);
+    }
+
     setFigures(figures, keepView = false) {
       this.figures = figures;
+      parts.nameFigures(figures);
       this.prepare(keepView);
     }
 
@@ -115,7 +120,8 @@
 
     place(keepView = false) {
       this.scene.resize();
-      parts.placeFigures(this.figures, this.layout, this.scene.width / Math.max(this.scene.height, 1), this.clock.duration);
+      const aspect = this.scene.width / Math.max(this.scene.height, 1);
+      this.scene.ground.shelves = parts.placeFigures(this.figures, this.layout, aspect, this.clock.duration);
       this.scene.bodies.collect(this.figures, this.layout === "overlay");
       if (!keepView) this.fit();
       this.clock.jumped = true;
@@ -146,6 +152,14 @@
       this.colour();
     }
 
+    /** Say which figure is under the pointer. */
+    pointAt(x, y) {
+      const { canvas, ratio } = this.scene;
+      const figure = this.figures.length > 1 ? this.scene.figureAt(this.figures, x * ratio, y * ratio) : undefined;
+      const title = figure ? `${figure.label}, frame ${figure.recordedFrame(this.clock.time)}` : "";
+      if (canvas.title !== title) canvas.title = title;
+    }
+
     setVisible(k, visible) {
       this.figures[k].visible = visible;
       this.place();
@@ -158,7 +172,7 @@
       this.layout = layout;
       this.camera.reset(parts.homeView(this.figures, layout));
       this.keepingShare(() => this.prepare());
-      if (layout === "pose") this.clock.playing = false;
+      if (layout === "pose") this.standStill();
       this.say(LAYOUT_WORDS[layout]);
     }
 
@@ -316,65 +330,5 @@
     }
   }
 
-  let stage = null;
-  let mounted = null;
-  let early = null; // a request or state that came before the page held a stage
-
-  /** Take hold of the page's stage; again when the page was rebuilt. */
-  function mount() {
-    const root = document.getElementById("stage");
-    if (root === mounted) return;
-    mounted = root; // also where the next line fails: once is enough
-    stage?.close();
-    stage = null;
-    stage = root ? new Stage(root) : null;
-    if (stage && early?.request) stage.requests.show(early.request);
-    if (stage && early?.state) stage.restore(early.state);
-    if (stage) early = null;
-  }
-
-  const shown = (request) => stage.status !== "error" && JSON.stringify(request) === JSON.stringify(stage.request);
-
-  window.motionscapeStage = {
-    /** Show a request from its start (`replace: true` in it: as replace does); one that is shown already goes on. */
-    show(request) {
-      mount();
-      if (!stage) early = { ...early, request };
-      else if (!shown(request)) return request?.replace ? stage.requests.replace(request) : stage.requests.show(request);
-      return undefined;
-    },
-    /** Swap the motions in place: the share of time, camera, layout and what plays stay as they are. */
-    replace: (request) => (stage ? stage.requests.replace(request) : window.motionscapeStage.show(request)),
-    /** Fetch a request's motions, so that showing them later is immediate. */
-    prefetch: (request) => stage?.requests.prefetch(request).then(() => undefined),
-    restore(state) {
-      if (!state) return;
-      if (stage) stage.restore(state);
-      else early = { ...early, state };
-    },
-    state: () => stage?.state(),
-    play: () => stage?.play(),
-    pause: () => stage?.pause(),
-    seek: (to) => stage?.seek(to) ?? false,
-    /** Where the figure of an item stands: {index, dataset, clip, label, start, end, frame, span}. */
-    frameOf: (index) => stage?.standing().find((item) => item.index === index),
-    get time() { return stage?.clock.time ?? 0; },
-    get duration() { return stage?.clock.duration ?? 0; },
-    get frame() { return stage?.figures.length ? stage.figures[stage.timeline.reference].recordedFrame(stage.clock.time) : 0; },
-    /** Frame of each figure, counted from its start, at a time in seconds. */
-    framesAt: (time) => stage?.figures.map((figure) => figure.frameAt(time) * figure.header.step),
-    get camera() { return stage?.state().camera; },
-    get playing() { return stage?.clock.playing ?? false; },
-    get speed() { return stage?.clock.speed ?? 1; },
-    get fps() { return stage?.fps ?? 0; },
-    get figures() { return stage?.figures.filter((figure) => figure.visible).length ?? 0; },
-    get layout() { return stage?.layout; },
-    get sync() { return stage?.timeline.warped ? "warp" : "start"; },
-    get status() { return stage?.status ?? "absent"; },
-  };
-
-  document.addEventListener("DOMContentLoaded", () => {
-    mount();
-    new MutationObserver(mount).observe(document.body, { childList: true, subtree: true });
-  });
+  parts.Stage = Stage;
 })((window.motionscapeStageParts ||= {}));

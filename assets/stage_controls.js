@@ -71,7 +71,7 @@
     });
     canvas.addEventListener("pointermove", (event) => {
       const before = pointers.get(event.pointerId);
-      if (!before) return;
+      if (!before) return stage.pointAt(event.offsetX, event.offsetY);
       const pinch = pointers.size === 2 ? spread() : 0;
       const [dx, dy] = [event.clientX - before.clientX, event.clientY - before.clientY];
       pointers.set(event.pointerId, event);
@@ -120,12 +120,6 @@
   }
 
   const CHIP_LETTERS = 20;
-
-  /** Beginning and end of a long name: clips of one session differ at either. */
-  function shorten(text, most) {
-    const kept = Math.floor((most - 1) / 2);
-    return text.length > most ? `${text.slice(0, most - 1 - kept).trimEnd()}…${text.slice(-kept).trimStart()}` : text;
-  }
 
   /** What the colours of a single figure mean. */
   function legend(side) {
@@ -182,7 +176,7 @@
       colour.className = "ms-chip-colour";
       const name = document.createElement("span");
       name.className = "ms-chip-name";
-      name.textContent = shorten(figure.label, CHIP_LETTERS);
+      name.textContent = parts.shorten(figure.name, CHIP_LETTERS);
       chip.append(colour, name);
       chip.addEventListener("click", () => {
         const { visible } = this.stage.figures[k];
@@ -247,5 +241,5 @@
     }
   }
 
-  Object.assign(parts, { Controls, shorten });
+  parts.Controls = Controls;
 })((window.motionscapeStageParts ||= {}));

@@ -29,6 +29,7 @@
       this.yaw = [1, 0]; // cosine and sine
       this.origin = [0, 0, 0]; // of the recording, comes to stand at `place`
       this.place = [0, 0];
+      this.level = 0; // of the floor it stands on
       this.walksInPlace = false;
       this.points = new Float32Array(3 * this.n);
       this.spare = new Float32Array(3 * this.n);
@@ -106,7 +107,7 @@
         const x = from[a + k] + (from[b + k] - from[a + k]) * t - ox;
         const z = from[a + k + 2] + (from[b + k + 2] - from[a + k + 2]) * t - oz;
         out[k] = cos * x + sin * z + this.place[0];
-        out[k + 1] = from[a + k + 1] + (from[b + k + 1] - from[a + k + 1]) * t - this.origin[1];
+        out[k + 1] = from[a + k + 1] + (from[b + k + 1] - from[a + k + 1]) * t - this.origin[1] + this.level;
         out[k + 2] = cos * z - sin * x + this.place[1];
       }
       return out;

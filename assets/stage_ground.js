@@ -3,11 +3,13 @@
   "use strict";
 
   const LIGHT = [0.28, -0.22]; // metres a shadow slides along x and z for each metre of height
+  const SHELF_DEPTH = 0.5; // metres before and behind the stills
   const ROUND = Array.from({ length: 72 }, (_, k) => [Math.cos((k * Math.PI) / 36), Math.sin((k * Math.PI) / 36)]);
 
   class Ground {
     constructor() {
       this.radius = 3;
+      this.shelves = []; // [{level, half}]: instead of the floor
       this.corners = new Float32Array(3 * 74);
       this.world = new Float32Array(6);
       [this.x, this.y, this.scale, this.depth] = [0, 1, 2, 3].map(() => new Float32Array(74));
@@ -16,6 +18,10 @@
     }
 
     paint(context, camera, theme) {
+      if (this.shelves.length) {
+        for (const shelf of this.shelves) this.paintShelf(context, camera, theme, shelf);
+        return;
+      }
       const [cx, cz] = [camera.target[0], camera.target[2]];
       context.fillStyle = theme.floorCss;
       if (this.platform(context, camera, cx, cz, this.radius)) context.fill();
@@ -55,7 +61,25 @@
       return true;
     }
 
+    /** A board across the view under a row of stills. */
+    paintShelf(context, camera, theme, { level, half }) {
+      [[-half, SHELF_DEPTH], [half, SHELF_DEPTH], [half, -SHELF_DEPTH], [-half, -SHELF_DEPTH]].forEach(([x, z], k) => {
+        this.corners.set([x, level, z], 3 * k);
+      });
+      camera.project(this.corners, 4, this.x, this.y, this.scale, this.depth);
+      if (Math.min(...this.depth.subarray(0, 4)) < parts.NEAR) return;
+      context.beginPath();
+      for (let k = 0; k < 4; k++) context.lineTo(this.x[k], this.y[k]);
+      context.closePath();
+      context.fillStyle = theme.floorCss;
+      context.fill();
+      context.strokeStyle = theme.rimCss;
+      context.lineWidth = 1.25;
+      context.stroke();
+    }
+
     paintGrid(context, camera, theme) {
+      if (this.shelves.length) return;
       const [cx, cz] = [camera.target[0], camera.target[2]];
       const step = this.radius > 9 ? 2 : this.radius > 4 ? 1 : 0.5;
       context.strokeStyle = theme.gridCss;
@@ -94,9 +118,9 @@
       const n = Math.min(figure.n, 256);
       const { points } = figure;
       for (let k = 0; k < 3 * n; k += 3) {
-        const height = Math.max(points[k + 1], 0);
+        const height = Math.max(points[k + 1] - figure.level, 0);
         this.flat[k] = points[k] + LIGHT[0] * height;
-        this.flat[k + 1] = 0;
+        this.flat[k + 1] = figure.level;
         this.flat[k + 2] = points[k + 2] + LIGHT[1] * height;
       }
       camera.project(this.flat, n, this.sx, this.sy, this.ss, this.sd);
@@ -108,7 +132,7 @@
         parts.capsule(context, this.sx[head] - 0.4 * r, this.sy[head], 0.6 * r, this.sx[head] + 0.4 * r, this.sy[head], 0.6 * r);
       }
       context.fillStyle = theme.contactCss;
-      for (const limb of figure.limbs) this.shadowLimb(context, camera, figure, limb.bones, 0.16 * figure.size);
+      for (const limb of figure.limbs) this.shadowLimb(context, camera, figure, limb.bones, figure.level + 0.16 * figure.size);
     }
 
     shadowLimb(context, camera, figure, bones, below) {

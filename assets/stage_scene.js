@@ -2,6 +2,7 @@
 (function (parts) {
   "use strict";
 
+  const [LEAST_LETTERS, MOST_LETTERS] = [8, 26]; // fewer tell nothing; the pointer does
   const LABELS_OVERLAID = 3; // more would cover one another
 
   class Scene {
@@ -64,6 +65,21 @@
       if (figures.length > 1) this.paintLabels(figures, overlaid);
     }
 
+    /** The visible figure at a place of the picture, in its pixels; undefined where there is none near. */
+    figureAt(figures, x, y) {
+      let [found, least] = [undefined, Infinity];
+      for (const figure of figures) {
+        if (!figure.visible) continue;
+        for (let j = 0; j < figure.n; j++) {
+          if (figure.depth[j] < parts.NEAR) continue;
+          const away = Math.hypot(figure.x[j] - x, figure.y[j] - y);
+          const near = away + 0.02 * figure.depth[j]; // of two as near, the one in front
+          if (away < Math.max(14 * this.ratio, 0.16 * figure.scale[j]) && near < least) [found, least] = [figure, near];
+        }
+      }
+      return found;
+    }
+
     paintLabels(figures, overlaid) {
       const shown = figures.filter((figure) => figure.visible);
       if (overlaid && shown.length > LABELS_OVERLAID) return;
@@ -71,7 +87,8 @@
       for (const figure of shown.sort((a, b) => a.depth[a.header.root] - b.depth[b.header.root])) {
         const top = figure.header.head >= 0 ? figure.header.head : figure.header.root;
         if (figure.depth[top] < parts.NEAR) continue;
-        const sprite = this.label(figure);
+        const sprite = this.label(figure, figure.room * figure.scale[top]);
+        if (!sprite) continue;
         const room = this.canvas.width - sprite.width;
         if (figure.x[top] < 0 || figure.x[top] > this.canvas.width) continue;
         const x = Math.round(Math.min(Math.max(figure.x[top] - sprite.width / 2, 0), Math.max(room, 0))); // whole, not cut
@@ -84,13 +101,15 @@
       }
     }
 
-    /** A label drawn once: text on a soft plate with the figure's colour. */
-    label(figure) {
-      const key = `${figure.label}|${figure.shades.fill[2][0]}`;
+    /** A label drawn once: text on a soft plate with the figure's colour, no wider than `room` pixels; or none. */
+    label(figure, room) {
+      const size = 11.5 * this.ratio;
+      const letters = Math.min(Math.floor(room / (0.6 * size)) - 3, MOST_LETTERS);
+      if (letters < Math.min(LEAST_LETTERS, figure.name.length)) return null;
+      const text = parts.shorten(figure.name, letters);
+      const key = `${text}|${figure.shades.fill[2][0]}`;
       if (this.labels.has(key)) return this.labels.get(key);
       const sprite = document.createElement("canvas");
-      const size = 11.5 * this.ratio;
-      const text = figure.label.length > 26 ? `${figure.label.slice(0, 12)}…${figure.label.slice(-12)}` : figure.label;
       let context = sprite.getContext("2d");
       const font = `500 ${size}px ${this.theme.font}`;
       context.font = font;
