@@ -9,7 +9,7 @@ from core.mocap.dataset import Dataset
 from core.mocap.reports import FileReport, ImportReport
 from core.workspace import DatasetInfo
 from tests.webapp.generated import walk
-from webapp.figures import tables
+from webapp.figures import library_tables, tables
 from webapp.pages.library import layout as pages_layout
 from webapp.pages.library.callbacks import companions
 from webapp.pages.library.layout import dataset_cards, duration, trash_list
@@ -18,6 +18,10 @@ REPORTS = (
     FileReport("in/a.bvh", "a", "ok", ()),
     FileReport("in/b.bvh", "b", "warning", ("foot skate",)),
     FileReport("in/c.bvh", None, "error", ("c.bvh:7: found NaN; expected a number",)),
+)
+NO_SKELETON = (
+    "d.amc: no skeleton: neither d.asf nor a single .asf file stands beside it; "
+    "expected one of them, or one skeleton given for all"
 )
 
 
@@ -32,17 +36,22 @@ def info(name: str, **changes) -> DatasetInfo:
 def test_clips_say_length_labels_and_verdict():
     labels = (Label("b", 0, 60, "walk"), Label("b", 60, 120, "turn"))
     dataset = Dataset("d", (walk("a", 2.0, 60.0), walk("b", 4.0, 60.0)), labels, ImportReport(REPORTS))
-    a, b = tables.clip_rows(dataset)
-    assert (a["frames"], a["seconds"], a["fps"], a["labels"], a["verdict"]) == (120, 2.0, 60.0, 0, "ok")
-    assert (b["labels"], b["verdict"], b["messages"]) == (2, "warning", "foot skate")
-    assert b["selection"] == {"clip": "b"}
+    a, b = library_tables.clip_rows(dataset)
+    assert (a["frames"], a["seconds"], a["fps"], a["labels"], a["verdict"]) == ("120 frames", 2.0, 60.0, "", "ok")
+    assert (b["labels"], b["verdict"], b["messages"]) == ("walk, turn", "warning", "foot skate")
+    assert b["selection"] == {"clip": "b"} and b["href"] == "/clip?dataset=d&clip=b"
 
 
 def test_the_report_shows_the_worst_first_and_can_be_filtered():
-    rows = tables.report_rows(REPORTS)
+    rows = library_tables.report_rows(REPORTS)
     assert [row["verdict"] for row in rows] == ["error", "warning", "ok"]
     assert rows[0]["messages"] == "Line 7: found NaN; expected a number." and "selection" not in rows[0]
-    assert [row["path"] for row in tables.report_rows(REPORTS, ("warning",))] == ["b.bvh"]
+    assert [row["name"] for row in library_tables.report_rows(REPORTS, "warning")] == ["b.bvh"]
+    later = (*REPORTS, FileReport("x/d.amc", None, "error", (NO_SKELETON,), 1), FileReport("d.bvh", "d", "ok", (), 1))
+    rows = library_tables.report_rows(later, "added")
+    assert [(row["name"], row["path"]) for row in rows] == [("d.amc", "x/d.amc"), ("d.bvh", "d.bvh")]
+    assert rows[0]["messages"].endswith("beside it. Add the recording again together with its .asf file.")
+    assert "skeleton given" not in rows[0]["messages"] and "--" not in rows[0]["messages"]
 
 
 def test_strips_have_addresses_safe_for_any_name():

@@ -6,7 +6,6 @@ import csv
 import io
 from collections import Counter
 from collections.abc import Iterable, Mapping
-from pathlib import PurePath
 from types import MappingProxyType
 from typing import Any
 from urllib.parse import quote, urlencode
@@ -15,16 +14,16 @@ import dash_ag_grid as dag
 from dash import html
 
 from core.mocap.clip import Label, Segment
-from core.mocap.dataset import Dataset, FileReport
+from core.mocap.dataset import Dataset
 from core.workspace import MotifNote
 from webapp import theme
 
 Row = dict[str, Any]
 
-_NUMBER = {"cellClass": "number ag-right-aligned-cell", "headerClass": "ag-right-aligned-header"}
-_SECONDS = {"valueFormatter": {"function": "d3.format('.1f')(params.value)"}, **_NUMBER}
+NUMBER = {"cellClass": "number ag-right-aligned-cell", "headerClass": "ag-right-aligned-header"}
+SECONDS = {"valueFormatter": {"function": "d3.format('.1f')(params.value)"}, **NUMBER}
 
-_STRIP = {
+STRIP = {
     "headerName": "Motion",
     "flex": 1,
     "minWidth": 136,
@@ -32,45 +31,31 @@ _STRIP = {
     "sortable": False,
     "cellClass": "strip-cell",
 }
-_TEXT = {"filter": "agTextColumnFilter"}
+TEXT = {"filter": "agTextColumnFilter"}
 
 
-def _column(field: str, name: str, width: int, tip: str = "", **more: Any) -> dict[str, Any]:
+def column(field: str, name: str, width: int, tip: str = "", **more: Any) -> dict[str, Any]:
     tooltip = {"headerTooltip": tip} if tip else {}
     return {"field": field, "headerName": name, "width": width, **tooltip, **more}
 
 
-CLIP_COLUMNS = [
-    _column("clip", "Clip", 120, flex=1, minWidth=112, tooltipField="clip", **_TEXT),
-    {"field": "strip", **_STRIP},
-    _column("seconds", "Seconds", 86, **_SECONDS),
-    _column("frames", "Frames", 78, **_NUMBER),
-    _column("fps", "Rate", 58, "Frames per second", **_NUMBER),
-    _column("labels", "Labels", 72, "Labelled stretches", **_NUMBER),
-    _column("verdict", "Import", 104, "What the import said of it", cellRenderer="Verdict", cellClass="strip-cell"),
-]
-REPORT_COLUMNS = [
-    _column("verdict", "Result", 118, cellRenderer="Verdict", cellClass="wrapped-cell"),
-    _column("path", "File", 200, tooltipField="path", cellClass="wrapped-cell ellipsis", **_TEXT),
-    _column(
-        "messages", "What was found", 240, flex=1, wrapText=True, autoHeight=True, cellClass="wrapped-cell", **_TEXT
-    ),
-]
 MOTIF_COLUMNS = [
-    _column("id", "Motif", 76, **_NUMBER),
-    {"field": "strip", **_STRIP},
-    _column("motions", "Motions", 108, "How many times it occurs", sort="desc", **_NUMBER),
-    _column("seconds", "Seconds", 94, "Mean duration of its motions", **_SECONDS),
-    _column("clips", "Clips", 78, "In how many clips it occurs", **_NUMBER),
-    _column("name", "Name", 130, "What people call it", flex=1, minWidth=110, tooltipField="note"),
-    _column("tags", "Tags", 100, flex=1, minWidth=90, tooltipField="tags"),
-    _column("note", "Note", 100, hide=True),
-    _column("label", "Mostly", 120, "The label that covers most of its frames", flex=1, minWidth=120),
+    column("id", "Motif", 76, **NUMBER),
+    {"field": "strip", **STRIP},
+    column("motions", "Motions", 108, "How many times it occurs", sort="desc", **NUMBER),
+    column("seconds", "Seconds", 94, "Mean duration of its motions", **SECONDS),
+    column("clips", "Clips", 78, "In how many clips it occurs", **NUMBER),
+    column("name", "Name", 130, "What people call it", flex=1, minWidth=110, tooltipField="note"),
+    column("tags", "Tags", 100, flex=1, minWidth=90, tooltipField="tags"),
+    column("note", "Note", 100, hide=True),
+    column("label", "Mostly", 120, "The label that covers most of its frames", flex=1, minWidth=120),
 ]
 
 
-def grid(table_id: str, columns: list[dict], rows: list[Row], label: str, *, row_height: int = 46) -> html.Div:
-    """A table whose rows are chosen by a click or by Enter (assets/actions.js)."""
+def grid(
+    table_id: str, columns: list[dict], rows: list[Row], label: str, *, row_height: int = 46, **options: Any
+) -> html.Div:
+    """A table whose rows are chosen by a click or by Enter (assets/actions.js). ``options``: more of AG Grid's own."""
     table = dag.AgGrid(
         id=table_id,
         columnDefs=columns,
@@ -92,6 +77,7 @@ def grid(table_id: str, columns: list[dict], rows: list[Row], label: str, *, row
             "suppressCellFocus": False,
             "ensureDomOrder": True,
             "includeHiddenColumnsInQuickFilter": True,
+            **options,
         },
         eventListeners={"rowClicked": ["chooseRow(params)"], "cellKeyDown": ["chooseRowByKey(params)"]},
         className="grid",
@@ -103,48 +89,6 @@ def strip_address(dataset: str, segment: Segment, n_poses: int = 6, fingerprint:
     """The URL of a filmstrip; ``fingerprint`` lets browsers keep it."""
     query = urlencode({"start": segment.start, "end": segment.end, "n": n_poses, "v": fingerprint[:8]})
     return f"/api/filmstrip/{quote(dataset, safe='')}/{quote(segment.clip, safe='')}?{query}"
-
-
-def clip_rows(dataset: Dataset) -> list[Row]:
-    """One row a clip, in the dataset's order; ``selection`` is what a click selects."""
-    labels = Counter(label.clip for label in dataset.labels)
-    reports = {file.clip: file for file in dataset.report.files if file.clip}
-    rows = []
-    for clip in dataset.clips:
-        report = reports.get(clip.name)
-        rows.append(
-            {
-                "key": clip.name,
-                "clip": clip.name,
-                "strip": strip_address(dataset.name, Segment(clip.name, 0, clip.n_frames), 6, dataset.fingerprint),
-                "seconds": round(clip.seconds, 2),
-                "frames": clip.n_frames,
-                "fps": round(clip.fps, 2),
-                "labels": labels[clip.name],
-                "verdict": report.verdict if report else "ok",
-                "messages": "\n".join(report.messages) if report else "",
-                "selection": {"clip": clip.name},
-            }
-        )
-    return rows
-
-
-def report_rows(files: Iterable[FileReport], verdicts: Iterable[str] = ("ok", "warning", "error")) -> list[Row]:
-    """One row a file of the import report, of the given verdicts."""
-    wanted = set(verdicts)
-    worst_first = sorted(enumerate(files), key=lambda pair: ("error", "warning", "ok").index(pair[1].verdict))
-    return [
-        {
-            "key": f"{i}",
-            "verdict": file.verdict,
-            "path": PurePath(file.path).name,
-            "messages": " ".join(_sentence(_without_file(message, file.path)) for message in file.messages)
-            or "Read without remarks.",
-            **({"selection": {"clip": file.clip}} if file.clip else {}),
-        }
-        for i, file in worst_first
-        if file.verdict in wanted
-    ]
 
 
 def motif_rows(graph: Any, dataset: Dataset, notes: Mapping[int, MotifNote] = MappingProxyType({})) -> list[Row]:
@@ -215,18 +159,3 @@ def clock(seconds: float) -> str:
     """A moment of a clip: 0:07.3."""
     minutes, rest = divmod(round(float(seconds), 1), 60)
     return f"{int(minutes)}:{rest:04.1f}"
-
-
-def _without_file(message: str, path: str) -> str:
-    """The file stands in a column of its own: ``a.bvh:7: what`` becomes ``Line 7: what``."""
-    place, _, what = message.partition(": ")
-    name, _, line = place.partition(PurePath(path).name)
-    if name or not what or place == line:
-        return message
-    return f"line {line[1:]}: {what}" if line[1:].isdigit() else what if not line else message
-
-
-def _sentence(message: str) -> str:
-    message = message.strip()
-    message = message[:1].upper() + message[1:]
-    return message if message.endswith((".", "!", "?")) else message + "."

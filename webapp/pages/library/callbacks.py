@@ -18,7 +18,8 @@ from core.workspace import Workspace, WorkspaceError, check_name
 from webapp import jobs
 from webapp.components.actions import sends
 from webapp.components.errors import empty_state, notice
-from webapp.figures import tables
+from webapp.figures import library_tables as tables
+from webapp.figures.tables import grid
 from webapp.pages.library import layout
 
 
@@ -47,11 +48,10 @@ def _show(app: Dash, workspace: Workspace) -> None:
             dataset = workspace.open(name)
         except WorkspaceError as error:
             return empty_state("warning", "This dataset cannot be shown", str(error))
+        files = dataset.report.files
         shown = {
-            "clips": tables.grid("clips-table", tables.CLIP_COLUMNS, tables.clip_rows(dataset), "Clips"),
-            "report": tables.grid(
-                "report-table", tables.REPORT_COLUMNS, tables.report_rows(dataset.report.files), "Import report"
-            ),
+            "clips": grid("clips-table", tables.CLIP_COLUMNS, tables.clip_rows(dataset), "Clips"),
+            "report": grid("report-table", tables.REPORT_COLUMNS, tables.report_rows(files), "Import report"),
         }
         return layout.detail(name, shown, Counter(file.verdict for file in dataset.report.files))
 
@@ -66,7 +66,7 @@ def _show(app: Dash, workspace: Workspace) -> None:
             files = workspace.report(name).files
         except WorkspaceError:
             return []
-        return tables.report_rows(files, ("ok", "warning", "error") if verdict in (None, "all") else (verdict,))
+        return tables.report_rows(files, verdict or "all")
 
     app.clientside_callback(
         ClientsideFunction("tables", "mark"),

@@ -1,0 +1,48 @@
+/* The Library's table of clips: names open the Clip page, boxes choose clips, a click elsewhere plays (actions.js). */
+(function () {
+  "use strict";
+  const parts = (window.dashAgGridComponentFunctions = window.dashAgGridComponentFunctions || {});
+  const element = (...args) => window.React.createElement(...args);
+  const WORDS = { ok: "read without remarks", warning: "warnings", error: "not read" };
+  const ICONS = { ok: "check", warning: "warning", error: "error" };
+
+  parts.ClipLink = (props) =>
+    props.value
+      ? element("a", { className: "clip-link ellipsis", href: props.data.href, tabIndex: -1, "data-clip": props.value, draggable: false }, props.value)
+      : null;
+  parts.Mark = (props) =>
+    props.value
+      ? element("span", { className: "verdict verdict-mark verdict-" + props.value, role: "img", "aria-label": WORDS[props.value], title: (props.data && props.data.messages) || WORDS[props.value] },
+          element("span", { className: "icon icon-" + ICONS[props.value], style: { width: 14, height: 14 }, "aria-hidden": "true" }))
+      : null;
+
+  // Like dcc.Link: another page without loading the app again. What is shown there is the selection.
+  function open(clip) {
+    window.dash_clientside.set_props("selection", { data: { clip } });
+    history.pushState({}, "", "/clip");
+    window.dispatchEvent(new CustomEvent("_dashprivate_pushstate"));
+  }
+  document.addEventListener("click", (event) => {
+    const link = event.target.closest && event.target.closest("a.clip-link");
+    if (!link || event.button || event.metaKey || event.ctrlKey || event.shiftKey || event.altKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    open(link.dataset.clip);
+  }, true);
+  document.addEventListener("keydown", (event) => {
+    const cell = event.key === "Enter" && event.target.closest && event.target.closest(".ag-cell[col-id='clip']");
+    const link = cell && cell.querySelector("a.clip-link");
+    if (!link) return;
+    event.preventDefault();
+    event.stopPropagation();
+    open(link.dataset.clip);
+  }, true);
+  // A click on a box chooses the clip and does not play it.
+  document.addEventListener("click", (event) => {
+    const cell = event.target.closest && event.target.closest("#clips-table .ag-row .choice-cell");
+    if (!cell || event.target.closest("input, .ag-checkbox-input-wrapper")) return;
+    event.stopPropagation();
+    const box = cell.querySelector("input");
+    if (box) box.click();
+  }, true);
+})();
