@@ -20,7 +20,6 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
-from scipy.spatial.transform import Rotation
 
 from core.mocap import quaternions as quat
 from core.mocap.anatomy import SIDES, find_anatomy
@@ -131,10 +130,14 @@ def joint_angles(clip: Clip, frames: BodyFrames, joints: Iterable[str] | None = 
 
 def _angles(joint: AngleJoint, segments: Mapping[str, np.ndarray]) -> np.ndarray:
     turn = np.swapaxes(segments[joint.above], 1, 2) @ segments[joint.below]
-    if not joint.above:
-        heading, lean, tilt = np.degrees(Rotation.from_matrix(turn).as_euler("YXZ")).T
-        return np.stack([-tilt, lean, np.unwrap(heading, period=360)], axis=1)
-    angles = Rotation.from_matrix(turn).as_euler("ZXY", degrees=True, suppress_warnings=True) * joint.signs
+    if not joint.above:  # the product of turns about Y, X and Z
+        heading = np.unwrap(np.degrees(np.arctan2(turn[:, 0, 2], turn[:, 2, 2])), period=360)
+        lean, tilt = np.arcsin(np.clip(-turn[:, 1, 2], -1, 1)), np.arctan2(turn[:, 1, 0], turn[:, 1, 1])
+        return np.stack([-np.degrees(tilt), np.degrees(lean), heading], axis=1)
+    about_z = np.arctan2(-turn[:, 0, 1], turn[:, 1, 1])
+    about_x = np.arcsin(np.clip(turn[:, 2, 1], -1, 1))
+    about_y = np.arctan2(-turn[:, 2, 0], turn[:, 2, 2])
+    angles = np.degrees(np.stack([about_z, about_x, about_y], axis=1)) * joint.signs
     angles[:, 0] = (angles[:, 0] + 90) % 360 - 90
     if len(joint.channels) == 4:
         elevation = np.degrees(np.arccos(np.clip(turn[:, 1, 1], -1, 1)))
