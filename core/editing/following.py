@@ -18,10 +18,18 @@ _SMOOTH = 0.08  # seconds
 
 
 class Placements(NamedTuple):
-    """Turns about the vertical ``yaw`` ``(n,)``, radians, then shifts on the ground ``shift`` ``(n, 3)``, metres."""
+    """Turns about the vertical ``yaw`` ``(n,)``, radians, then shifts on the ground ``shift`` ``(n, 3)``, metres.
+
+    One a frame, or one (n = 1) for all frames.
+    """
 
     yaw: np.ndarray
     shift: np.ndarray
+
+    @property
+    def last(self) -> Placements:
+        """That of the last frame, ``(1,)`` and ``(1, 3)``."""
+        return Placements(self.yaw[-1:], self.shift[-1:])
 
     def of(self, points: np.ndarray) -> np.ndarray:
         """Points ``(n, 3)``, one a frame, where they are placed."""

@@ -3,7 +3,7 @@
 from core.synthesis.footing import Skate
 from core.synthesis.links import Link
 from core.synthesis.paths import Between, NoWay, Random, Ways, open_ways, parse_path
-from core.synthesis.stitching import Stitched, overlaps_between, stitch
+from core.synthesis.stitching import Speeds, Stitched, overlaps_between, seam_speed, stitch
 from core.synthesis.walks import TRANSITION, Part, Route, Walk, find_route, make_walk
 
 __all__ = [
@@ -15,6 +15,7 @@ __all__ = [
     "Random",
     "Route",
     "Skate",
+    "Speeds",
     "Stitched",
     "Walk",
     "Ways",
@@ -23,5 +24,6 @@ __all__ = [
     "open_ways",
     "overlaps_between",
     "parse_path",
+    "seam_speed",
     "stitch",
 ]

@@ -7,9 +7,10 @@ are kept where they stand.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import pairwise
+from typing import NamedTuple
 
 import numpy as np
 
@@ -28,6 +29,17 @@ from core.synthesis.bodies import commonest_body, fit_to_body, grounded, same_jo
 from core.synthesis.footing import Skate, Step
 from core.synthesis.timeline import Timeline, crossfade, schedule
 
+
+class Speeds(NamedTuple):
+    """Metres a second of the fastest joint: in the blends (0 where there are none), and in the recordings used.
+
+    A motion jumps where the first is greater than the second.
+    """
+
+    seams: float
+    sources: float
+
+
 FADE = 0.4  # seconds of a cross-fade where nothing else is said
 
 
@@ -37,7 +49,8 @@ class Stitched:
 
     clip: the motion, floor at height 0, beginning above the origin. pieces: the segments it is made of, in order.
     timeline: for every frame its one or two source frames. contacts: ``(n_frames, 2)`` bool, which foot stands, left
-    then right. skate: the foot-skate meter. warnings: what a person should know, in plain words.
+    then right. skate: the foot-skate meter. speeds: of the fastest joint. warnings: what a person should know, in plain
+    words.
     """
 
     clip: Clip
@@ -45,6 +58,7 @@ class Stitched:
     timeline: Timeline
     contacts: np.ndarray
     skate: Skate
+    speeds: Speeds
     warnings: tuple[str, ...] = ()
 
 
@@ -90,8 +104,9 @@ def stitch(
         contacts, lifts = footing.take_steps(contacts, steps, body)
         clip = lock_feet(plain, contacts, 0.0, lifts=lifts)
     skate = Skate(footing.source_skate(sources, pieces), slid, _rate(clip, contacts) if keep_feet else slid)
+    speeds = Speeds(seam_speed(clip, timeline.seams), _fastest(sources, pieces))
     report("feet", 1.0)
-    return Stitched(clip, tuple(pieces), timeline, contacts, skate, warnings)
+    return Stitched(clip, tuple(pieces), timeline, contacts, skate, speeds, warnings)
 
 
 def overlaps_between(dataset: Dataset, pieces: Sequence[Segment], seconds: float = FADE) -> list[np.ndarray | None]:
@@ -109,6 +124,22 @@ def overlaps_between(dataset: Dataset, pieces: Sequence[Segment], seconds: float
         most = min(seconds, a.n_frames / first.fps / 2, b.n_frames / second.fps / 2)
         overlaps.append(crossfade(first, a.end - 1, second, b.start, most))
     return overlaps
+
+
+def joint_speeds(clip: Clip) -> np.ndarray:
+    """Metres a second of every joint from each frame to the next: ``(n_frames - 1, n_joints)``."""
+    return np.linalg.norm(np.diff(joint_positions(clip), axis=0), axis=-1) * clip.fps
+
+
+def seam_speed(clip: Clip, seams: np.ndarray | Sequence[tuple[int, int]]) -> float:
+    """Metres a second of the fastest joint in the blends, the steps into and out of them included; seams ``(n, 2)``."""
+    fastest = joint_speeds(clip).max(1, initial=0.0)
+    return max((float(fastest[max(0, a - 1) : b].max(initial=0.0)) for a, b in seams), default=0.0)
+
+
+def _fastest(sources: Mapping[str, Clip], pieces: Sequence[Segment]) -> float:
+    cuts = (sources[piece.clip].cut(piece.start, piece.end) for piece in pieces)
+    return max(float(joint_speeds(cut).max(initial=0.0)) for cut in cuts)
 
 
 def _sources(dataset: Dataset, pieces: Sequence[Segment]) -> tuple[dict[str, Clip], tuple[str, ...]]:

@@ -27,7 +27,7 @@ from core.synthesis.paths import (
     skeleton_families,
 )
 from core.synthesis.planning import Plan, lay_out, smoothest
-from core.synthesis.stitching import Stitched, stitch
+from core.synthesis.stitching import Speeds, Stitched, stitch
 
 TRANSITION = -1
 """The motif of a part between two motifs."""
@@ -52,7 +52,7 @@ class Walk:
 
     clip: the motion, floor at height 0. path: motif ids. links: how each motif passes into the next. parts: where every
     frame comes from, in order and without gaps. seams: half-open frames of the blends. contacts ``(n_frames, 2)`` bool:
-    which foot stands. skate: the foot-skate meter. warnings: plain words.
+    which foot stands. skate: the foot-skate meter. speeds: of the fastest joint. warnings: plain words.
     """
 
     clip: Clip
@@ -62,6 +62,7 @@ class Walk:
     seams: tuple[tuple[int, int], ...]
     contacts: np.ndarray
     skate: Skate
+    speeds: Speeds
     warnings: tuple[str, ...] = ()
 
 
@@ -102,6 +103,7 @@ def make_walk(
         seams=tuple((int(a), int(b)) for a, b in made.timeline.seams),
         contacts=made.contacts,
         skate=made.skate,
+        speeds=made.speeds,
         warnings=route.warnings + made.warnings,
     )
 
