@@ -55,7 +55,8 @@
     cy.fit(undefined, 26);
   }
 
-  // A canvas draws a vector image anew at every repaint, a hundred of them take a quarter of a second: make them pixels once.
+  // A canvas draws a vector image anew at every repaint, a hundred of them take a quarter of a second: make them pixels
+  // once. They get short addresses: with each change of a style Cytoscape reads every letter of an image's address.
   const SHARPNESS = 3;
   const drawn = new Map();
   function pixels(address, width, height) {
@@ -69,7 +70,7 @@
           canvas.width = Math.max(1, Math.round(image.width * scale));
           canvas.height = Math.max(1, Math.round(image.height * scale));
           canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
-          resolve(canvas.toDataURL());
+          canvas.toBlob((blob) => resolve(blob ? URL.createObjectURL(blob) : address));
         };
         image.onerror = () => resolve(address);
         image.src = address;
