@@ -36,83 +36,49 @@ class Method:
     unpack: Callable[[dict[str, Any], dict[str, np.ndarray]], Any]
 
 
-def _later(module: str, name: str) -> Callable[..., Any]:
-    """A function of ``module`` that imports it when it is first called."""
-
-    def call(*arguments: Any) -> Any:
-        return getattr(import_module(module), name)(*arguments)
-
-    return call
+def _read_graph(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Any:
+    return import_module("core.motifs.graph").from_json(document)
 
 
-def _pack_motifs(graph: Any, dataset: Dataset) -> Kept:
-    return graph.to_json(dataset), {}
+def _method(
+    title: str,
+    version: int,
+    module: str,
+    parameters: str,
+    compute: str,
+    pack: Callable[[Any, Dataset], Kept] | None = None,
+    unpack: Callable[[dict[str, Any], dict[str, np.ndarray]], Any] | None = None,
+) -> Method:
+    """A method whose parts are names in ``module``, imported when first used.
 
+    Where nothing else is said the result keeps itself: ``result.to_json()``, and ``from_json(document)`` of the module.
+    """
 
-def _unpack_motifs(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Any:
-    from core.motifs.graph import from_json
+    def named(name: str) -> Any:
+        return getattr(import_module(module), name)
 
-    return from_json(document)
-
-
-def _motif_parameters() -> type:
-    from core.motifs.parameters import MotifParameters
-
-    return MotifParameters
-
-
-def _stability_parameters() -> type:
-    from core.motifs.stability import StabilityParameters
-
-    return StabilityParameters
-
-
-def _pack_stability(result: Any, dataset: Dataset) -> Kept:
-    return result.to_json(), {}
-
-
-def _unpack_stability(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Any:
-    from core.motifs.stability import from_json
-
-    return from_json(document)
-
-
-def _feature_parameters() -> type:
-    from core.export import FeatureParameters
-
-    return FeatureParameters
-
-
-def _features(dataset: Dataset, values: Any, report: Report) -> Any:
-    from core.export import feature_table
-
-    return feature_table(dataset, analysis_fps=values.analysis_fps, test_share=values.test_share, report=report)
-
-
-def _pack_features(table: Any, dataset: Dataset) -> Kept:
-    from core.export import pack_features
-
-    return pack_features(table)
+    return Method(
+        title,
+        version,
+        lambda: named(parameters),
+        lambda dataset, values, report: named(compute)(dataset, values, report),
+        pack or (lambda result, dataset: (result.to_json(), {})),
+        unpack or (lambda document, arrays: named("from_json")(document)),
+    )
 
 
 METHODS: dict[str, Method] = {
-    "motifs": Method(
-        "Motif graph", 1, _motif_parameters, _later("core.motifs.build", "find_motifs"), _pack_motifs, _unpack_motifs
-    ),
-    "stability": Method(  # judges the motifs of the method above: a new version of that makes a new version of this
-        "Stability",
-        1,
-        _stability_parameters,
-        _later("core.motifs.stability", "stability"),
-        _pack_stability,
-        _unpack_stability,
-    ),
-    "features": Method(
+    "motifs": _method("Motif graph", 1, "core.motifs.build", "MotifParameters", "find_motifs", unpack=_read_graph),
+    # the next two look at the motifs of the first: a new version of that makes a new version of these
+    "stability": _method("Stability", 1, "core.motifs.stability", "StabilityParameters", "stability"),
+    "redundancy": _method("Coverage report", 1, "core.motifs.redundancy", "RedundancyParameters", "redundancy"),
+    "features": _method(
         "Features",
         1,
-        _feature_parameters,
-        _features,
-        _pack_features,
-        _later("core.export", "unpack_features"),
+        "core.export",
+        "FeatureParameters",
+        "feature_table",
+        pack=lambda table, dataset: import_module("core.export").pack_features(table),
+        unpack=lambda document, arrays: import_module("core.export").unpack_features(document, arrays),
     ),
 }

@@ -6,7 +6,7 @@ from argparse import Namespace
 from dataclasses import replace
 from pathlib import Path
 
-from core.export import feature_table, write_features
+from core.export import FeatureParameters, feature_table, write_features
 from core.export.files import SUFFIXES
 from core.mocap.bvh import write_bvh
 from core.mocap.clip import Clip
@@ -29,7 +29,7 @@ def export(asked: Namespace) -> int:
     with progress_bar(asked.quiet) as report:
         dataset = open_source(asked, report)
         if suffix in SUFFIXES:
-            table = feature_table(dataset, analysis_fps=asked.analysis_fps, test_share=asked.test_share, report=report)
+            table = feature_table(dataset, FeatureParameters(asked.analysis_fps, asked.test_share), report)
             write_features(asked.out, table)
             tested = sum(split == "test" for split in table.splits)
             written = (

@@ -22,6 +22,19 @@ from core.progress import Report, silent
 FORMAT = "motionscape/features/1"
 
 
+@dataclass(frozen=True)
+class FeatureParameters:
+    """What a feature table holds: its frame rate, and the share of its frames that are kept for testing."""
+
+    analysis_fps: float = field(
+        default=30.0, metadata={"help": "Frames a second of the table.", "min": 5.0, "max": 240.0, "step": 5.0}
+    )
+    test_share: float = field(
+        default=TEST_SHARE,
+        metadata={"help": "Share of the frames kept for testing, by person.", "min": 0.0, "max": 0.9, "step": 0.05},
+    )
+
+
 @dataclass(frozen=True, eq=False)
 class FeatureTable:
     """Frames of all clips, one after the other, by the order of the clips' names; ``n`` rows in all.
@@ -53,13 +66,15 @@ class FeatureTable:
 
 
 def feature_table(
-    dataset: Dataset, *, analysis_fps: float = 30, test_share: float = TEST_SHARE, report: Report = silent
+    dataset: Dataset, parameters: FeatureParameters | None = None, report: Report = silent
 ) -> FeatureTable:
     """The table of a data set; time and memory are linear in its frames.
 
     Of overlapping labels the later in the list counts. Raises ValueError where there are no clips, no common joints, or
     a rate or share out of range.
     """
+    parameters = parameters or FeatureParameters()
+    analysis_fps, test_share = parameters.analysis_fps, parameters.test_share
     poses = pose_features(dataset, analysis_fps=analysis_fps, report=report)
     clips = [dataset.clip(name) for name in poses.clips]
     frames_of = {}
@@ -125,19 +140,6 @@ def _labels(dataset: Dataset, clips, starts: np.ndarray, frames: np.ndarray, act
         own = frames[starts[k] : starts[k + 1]]
         found[starts[k] : starts[k + 1]][(own >= label.start) & (own < label.end)] = number[label.action]
     return found
-
-
-@dataclass(frozen=True)
-class FeatureParameters:
-    """What a feature table holds: its frame rate, and the share of its frames that are kept for testing."""
-
-    analysis_fps: float = field(
-        default=30.0, metadata={"help": "Frames a second of the table.", "min": 5.0, "max": 240.0, "step": 5.0}
-    )
-    test_share: float = field(
-        default=TEST_SHARE,
-        metadata={"help": "Share of the frames kept for testing, by person.", "min": 0.0, "max": 0.9, "step": 0.05},
-    )
 
 
 _TEXT = ("clips", "subjects", "splits", "joints", "angle_names", "actions")

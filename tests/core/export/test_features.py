@@ -22,7 +22,7 @@ def dataset():
 
 @pytest.fixture(scope="module")
 def table(dataset):
-    return feature_table(dataset, analysis_fps=30)
+    return feature_table(dataset)
 
 
 def test_rows_are_frames_of_the_clips(dataset, table):
