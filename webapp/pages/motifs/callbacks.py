@@ -81,7 +81,7 @@ def _show(app: Dash, workspace: Workspace) -> None:
     def show_status(_seen, key, dataset, parameters, current):
         job = results.latest_job(workspace, dataset, parameters) if dataset and not key else None
         of = [key, dataset, job and [job.id, job.state, job.error]]
-        return (no_update, no_update) if of == current else (layout.status(dataset, job, bool(key)), of)
+        return (no_update, no_update) if of == current else (layout.status(dataset, job, bool(key)) or [], of)
 
     @app.callback(
         Output("motif-result", "children"),
@@ -101,7 +101,7 @@ def _show(app: Dash, workspace: Workspace) -> None:
         again = recipes.both(workspace.path, results.motif_request(name, parameters)) if graph else {}
         shown = layout.menus(name or "", graph, past, query, again)
         if graph is None:
-            return None, shown
+            return [], shown
         dataset = workspace.open(name)
         elements = results.graph_elements(dataset, key, graph)
         return layout.result(graph, dataset, elements, scheme or "light"), shown
@@ -118,7 +118,7 @@ def _browse(app: Dash, workspace: Workspace) -> None:
     def show_table(_place, key, name, parameters):
         graph = results.motif_graph(workspace, name, parameters) if key and name else None
         if graph is None:
-            return None
+            return []
         dataset = workspace.open(name)
         columns, rows = (
             tables.motif_columns(dataset),
@@ -138,12 +138,12 @@ def _browse(app: Dash, workspace: Workspace) -> None:
         try:
             graph = results.motif_graph(workspace, name, parameters)
             if graph is None:
-                return None, {}
+                return [], {}
             dataset, chosen = workspace.open(name), selection or {}
             notes = results.motif_notes(workspace, name, parameters)
             return layout.selection_panel(graph, chosen, notes), layout.motion_list(dataset, graph, chosen)
         except WorkspaceError:
-            return None, {}
+            return [], {}
 
     app.clientside_callback(ClientsideFunction("motions", "list"), Input("motions", "data"))
 
