@@ -13,6 +13,9 @@
   // tables: a click or Enter on a row selects what the row stands for
   const grid = (window.dashAgGridFunctions = window.dashAgGridFunctions || {});
   grid.chooseRow = (params) => {
+    const at = params.event && params.event.type === "click" && params.event.target;
+    if (at && at.closest && at.closest(".choice-cell")) return; // its box was meant
+    if (params.data && params.data.view) put("view-change", params.data.view, false);
     if (params.data && params.data.selection) put("selection", params.data.selection, false);
   };
   grid.chooseRowByKey = (params) => {
@@ -35,7 +38,8 @@
 
   // The row of what is selected is marked in every table, wherever it was selected. Rows come and go as one scrolls, so
   // a class rule marks new ones; those that are there are marked directly (redrawing them would lose the focus).
-  const same = (a, b) => Boolean(a && b) && ["clip", "motif", "edge"].every((key) => String(a[key] ?? "") === String(b[key] ?? ""));
+  const KEYS = ["clip", "motif", "edge"];
+  const same = (a, b) => Boolean(a && b) && KEYS.some((key) => key in a) && KEYS.every((key) => String(a[key] ?? "") === String(b[key] ?? ""));
   let chosen = null;
   grid.isChosen = (params) => same(params.data && params.data.selection, chosen);
 

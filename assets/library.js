@@ -37,12 +37,24 @@
     event.stopPropagation();
     open(link.dataset.clip);
   }, true);
-  // A click on a box chooses the clip and does not play it.
-  document.addEventListener("click", (event) => {
-    const cell = event.target.closest && event.target.closest("#clips-table .ag-row .choice-cell");
-    if (!cell || event.target.closest("input, .ag-checkbox-input-wrapper")) return;
-    event.stopPropagation();
-    const box = cell.querySelector("input");
-    if (box) box.click();
-  }, true);
+
+  // Which tab and which files of the report one looks at stand in the store "view", and so in the link.
+  const clientside = (window.dash_clientside = window.dash_clientside || {});
+  const noted = { tab: "clips", files: "all" }; // these are where one starts, and need no words in the link
+  clientside.library = {
+    look(tab, files, view) {
+      const change = {};
+      for (const [key, value] of Object.entries({ tab, files })) {
+        const wanted = value === noted[key] ? "" : value || "";
+        if (value && ((view || {})[key] || "") !== wanted) change[key] = wanted;
+      }
+      if (Object.keys(change).length) clientside.set_props("view-change", { data: change });
+      return clientside.no_update;
+    },
+    show(view, choices) {
+      const wanted = { ...noted, ...view };
+      const known = (choices || []).some((choice) => choice.value === wanted.files);
+      return [wanted.tab === "report" ? "report" : "clips", known ? wanted.files : "all"];
+    },
+  };
 })();

@@ -51,12 +51,14 @@
     const mine = batch;
     const { fileBytes, totalBytes, files: most, suffixes } = limits();
     const first = files[0].path.split("/");
-    if (!mine.name) mine.name = first.length > 1 ? first[0] : files.length > 1 ? "Recordings" : first[0].replace(/\.(bvh|amc|asf|csv)(\.gz)?$/i, "");
+    if (!mine.name) mine.name = first.length > 1 ? first[0] : files.length > 1 ? "Recordings" : first[0].replace(/\.(bvh|amc|asf|csv|zip)(\.gz)?$/i, "");
     let ignored = 0;
-    for (const { file, path } of files) {
+    for (const { file, path: given } of files) {
+      const path = freePath(mine, file, given);
+      if (!path) continue; // the very same file a second time
       const lower = path.toLowerCase();
       if (!suffixes.some((suffix) => lower.endsWith(suffix))) {
-        if (files.length > 1 && !/\.(bvh|amc|asf)/i.test(lower)) { ignored += 1; continue; }
+        if (files.length > 1 && !/\.(bvh|amc|asf|zip)/i.test(lower)) { ignored += 1; continue; }
       }
       const item = { file, path, sent: 0, state: "waiting", message: "", row: null };
       mine.items.push(item);
@@ -82,6 +84,15 @@
     }
     while (mine.active < AT_ONCE && mine.queue.length) next(mine);
     tell(mine);
+  }
+  // Files of one name from two places do not overwrite one another: the second lies in a folder of its own.
+  function freePath(mine, file, path) {
+    for (let k = 1; ; k++) {
+      const tried = k === 1 ? path : k + "/" + path;
+      const there = mine.items.find((item) => item.path === tried && item.state !== "error");
+      if (!there) return tried;
+      if (there.file.size === file.size && there.file.lastModified === file.lastModified) return null;
+    }
   }
   function refuse(item, message) { item.state = "error"; item.message = message; }
 
@@ -148,8 +159,14 @@
     summary(mine);
     const done = mine.active + mine.queue.length === 0;
     window.dash_clientside.set_props("upload", {
-      data: { token: mine.token, received: mine.sent, done, name: mine.name, total: mine.items.length },
+      data: { token: mine.token, received: mine.sent, done, name: mine.name, total: mine.items.length, ...kinds(mine) },
     });
+  }
+  /* what has come, by its names: the dialog asks only what matters for it */
+  function kinds(mine) {
+    const count = (pattern) => mine.items.filter((item) => item.state !== "error" && pattern.test(item.path)).length;
+    const archives = count(/\.zip$/i);
+    return { recordings: count(/\.(bvh|amc)(\.gz)?$/i) + archives, labels: count(/\.csv$/i), amc: count(/\.amc(\.gz)?$/i), archives };
   }
   function reset(discard) {
     if (batch) {
@@ -183,8 +200,11 @@
     if (!carriesFiles(event)) return;
     event.preventDefault();
     if (!$("drop-zone")) return;
+    const card = event.target.closest && event.target.closest(".dataset-card");
     const files = await gather(event.dataTransfer);
-    window.dash_clientside.set_props("upload-dialog", { opened: true });
+    if (!$("upload-list") || !$("upload-list").offsetParent) {
+      window.dash_clientside.set_props("upload-into", { data: { dataset: card ? card.dataset.dataset : "", at: Date.now() } });
+    }
     whenShown(() => add(files));
   });
   document.addEventListener("click", (event) => {

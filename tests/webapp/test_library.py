@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+import pytest
 
 from core.mocap.clip import Label, Segment
 from core.mocap.dataset import Dataset
 from core.mocap.reports import FileReport, ImportReport
-from core.workspace import DatasetInfo
+from core.workspace import DatasetInfo, WorkspaceError
 from tests.webapp.generated import walk
+from webapp.components import changes
 from webapp.figures import library_tables, tables
+from webapp.pages.library import adding
 from webapp.pages.library import layout as pages_layout
-from webapp.pages.library.callbacks import companions
 from webapp.pages.library.layout import dataset_cards, duration, trash_list
 
 REPORTS = (
@@ -79,13 +80,34 @@ def test_words_for_durations_and_trash():
     assert "empty" in str(trash_list([])) and "Restore" in str(trash_list([info("old")]))
 
 
-def test_the_only_labels_and_skeleton_of_an_upload_are_found(tmp_path: Path):
-    (tmp_path / "in").mkdir()
-    (tmp_path / "in" / "labels.csv").touch()
-    assert companions(tmp_path) == {"labels": "in/labels.csv"}
-    (tmp_path / "one.asf").touch()
-    (tmp_path / "more.csv").touch()
-    assert companions(tmp_path) == {"skeleton": "one.asf"}
+def test_what_has_arrived_decides_what_can_be_done_with_it():
+    arrived = {"done": True, "received": 2, "token": "0" * 16, "recordings": 1, "labels": 1}
+    only_labels = arrived | {"recordings": 0}
+    assert adding.ready(arrived, None) == adding.ready(arrived, "walks") == adding.ready(only_labels, "walks") == ""
+    assert "choose it under" in adding.ready(only_labels, None)
+    assert "no recording" in adding.ready(only_labels | {"labels": 0}, "walks")
+    assert "wait until" in adding.ready(arrived | {"done": False}, None) and "at least one" in adding.ready(None, None)
+    new = adding.request_for(arrived | {"amc": 1}, None, " park ", "add", "60")
+    assert (new.dataset, new.method, new.parameters) == ("park", "import", {"upload": "0" * 16, "fps": 60.0})
+    more = adding.request_for(arrived, "walks", "", "replace", 60)  # no AMC: the rate is not asked for
+    assert (more.method, more.parameters) == ("add", {"upload": "0" * 16, "labels": "replace"})
+    with pytest.raises(WorkspaceError, match="empty"):
+        adding.request_for(arrived, None, " ", "add", None)
+    names = adding.targets(["a", "b"])
+    assert [adding.into(item["value"]) for item in (names[0], *names[1]["items"])] == [None, "a", "b"]
+
+
+def test_a_change_is_told_in_one_sentence():
+    assert changes.what_came("walks", ImportReport(REPORTS)) == "2 clips to walks; 1 not read, 1 warning."
+    later = (*REPORTS, FileReport("l.csv", None, "ok", (), 1))
+    assert changes.what_came("walks", ImportReport(later)) == "labels to walks."
+
+
+def test_a_report_offers_what_there_is():
+    chips = {chip["value"]: chip["label"] for chip in pages_layout.report_chips(ImportReport(REPORTS))}
+    assert chips == {"all": "All 3", "error": "Not read 1", "warning": "Warnings 1", "ok": "Fine 1"}
+    later = ImportReport((*REPORTS, FileReport("l.csv", None, "ok", (), 1)))
+    assert {"value": "added", "label": "Added last 1"} in pages_layout.report_chips(later)
 
 
 def test_the_page_shows_the_limits():

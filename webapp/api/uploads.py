@@ -11,7 +11,7 @@ from flask import Blueprint, Response, jsonify, request
 from core.workspace import Workspace, WorkspaceError
 from core.workspace.uploads import MAX_BYTES, MAX_FILES
 
-SUFFIXES = (".bvh", ".bvh.gz", ".amc", ".amc.gz", ".asf", ".csv")
+SUFFIXES = (".bvh", ".bvh.gz", ".amc", ".amc.gz", ".asf", ".asf.gz", ".csv", ".zip")
 HEADER = "X-Motionscape"  # a page of another origin cannot send it without asking first
 _CHUNK = 1 << 18
 _DRAIN = 1 << 24
@@ -35,7 +35,8 @@ class Limits:
     def sentence(self) -> str:
         """The limits in words, for the people who upload."""
         sizes = f"{megabytes(self.file_bytes)} a file and {megabytes(self.total_bytes)} altogether"
-        return f"BVH, or AMC with its ASF; gzipped as well. Labels as CSV. Up to {self.files:,} files, {sizes}."
+        kinds = "BVH, or AMC with its ASF, as they are, gzipped or all in a zip; labels as CSV"
+        return f"{kinds} (columns clip, start_frame, end_frame, action). Up to {self.files:,} files, {sizes}."
 
 
 def megabytes(n_bytes: float) -> str:

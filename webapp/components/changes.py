@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from urllib.parse import urlencode
 
 import dash_mantine_components as dmc
-from dash import Dash, Input, Output, State, dcc, no_update, set_props
+from dash import Dash, Input, Output, State, dcc, html, no_update, set_props
 from dash.development.base_component import Component
 
 from core import analyses
@@ -38,6 +38,7 @@ def ask(workspace: Workspace, request: analyses.Request) -> Job:
     job = jobs.start(workspace, request)
     set_props("job-started", {"data": job.id})
     set_props("change-asked", {"data": {"job": job.id}})
+    set_props("job-poke", {"data": time.time()})
     return job
 
 
@@ -115,7 +116,7 @@ def what_came(name: str, report: ImportReport) -> str:
 def undo_notice(title: str, words: str, undo: Mapping[str, str], *buttons: Component) -> dict:
     """A notice with a button that sends ``undo`` to the store of that name."""
     button = dmc.Button("Undo", size="compact-sm", variant="light", **sends("undo", undo, every_time=True))
-    text = dmc.Text(words, size="sm", truncate="end", title=words)
+    text = html.Span(words, className="ellipsis", title=words)
     return notice(title, dmc.Group([text, *buttons, button], gap=10, wrap="nowrap"), autoClose=UNDO_SHOWN)
 
 

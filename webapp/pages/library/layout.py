@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 
 import dash_mantine_components as dmc
 from dash import dcc, html
 from dash.development.base_component import Component
 
+from core.mocap.reports import ImportReport
 from core.workspace import DatasetInfo
-from webapp.api.uploads import SUFFIXES, Limits
+from core.workspace.datasets import is_version
+from webapp.api.uploads import Limits
 from webapp.components.actions import sends
 from webapp.components.errors import empty_state
 from webapp.components.icons import icon
+from webapp.pages.library import adding
 
-VERDICTS = (("all", "All"), ("error", "Not read"), ("warning", "Warnings"), ("ok", "Fine"))
+REPORTS = (("all", "All"), ("added", "Added last"), ("error", "Not read"), ("warning", "Warnings"), ("ok", "Fine"))
 
 
 def page(limits: Limits) -> Component:
@@ -35,13 +39,12 @@ def page(limits: Limits) -> Component:
             ),
             html.Div(id="dataset-cards"),
             html.Div(id="dataset-detail"),
-            upload_dialog(limits),
+            adding.dialog(limits),
             _rename_dialog(),
             dmc.Modal(id="trash-dialog", title="Trash", size="lg", children=html.Div(id="trash-list")),
-            dcc.Store(
-                id="dataset-action"
-            ),  # {"action": "rename" | "trash" | "restore" | "empty", "dataset" or "token"}
-            dcc.Store(id="trash-revision"),
+            dcc.Store(id="dataset-action"),  # {"action": "rename" | "trash" | "empty", "dataset"}
+            dcc.Store(id="clips-action"),  # {"action": "remove" | "clear"}
+            dcc.Store(id="upload-into"),  # {"dataset": name}: open the dialog for it
             dcc.Store(id="upload", data={}),  # written by assets/upload.js
             dcc.Store(id="uploaded"),  # the token whose import was asked for
         ],
@@ -59,7 +62,7 @@ def dataset_cards(datasets: Sequence[DatasetInfo], chosen: str | None) -> Compon
             empty_state(
                 "person",
                 "No recordings yet",
-                "Drop BVH or AMC files, or whole folders, anywhere on this page; "
+                "Drop BVH or AMC files, whole folders or a zip of them anywhere on this page; "
                 "or look at the demo: six minutes of labelled motion.",
                 demo,
                 add,
@@ -85,6 +88,7 @@ def _card(info: DatasetInfo, chosen: bool) -> Component:
     return html.Div(
         className="card dataset-card" + (" chosen" if chosen else ""),
         role="listitem",
+        **{"data-dataset": info.name},
         children=[
             html.Button(
                 className="dataset-open",
@@ -124,6 +128,11 @@ def _card_menu(name: str) -> Component:
             dmc.MenuDropdown(
                 [
                     dmc.MenuItem(
+                        "Add recordings or labels",
+                        leftSection=icon("upload", 16),
+                        **sends("upload-into", {"dataset": name}, every_time=True),
+                    ),
+                    dmc.MenuItem(
                         "Rename",
                         leftSection=icon("edit", 16),
                         **sends("dataset-action", {"action": "rename", "dataset": name}, every_time=True),
@@ -147,34 +156,30 @@ def duration(seconds: float) -> str:
     return f"{seconds / 60:.1f} min" if seconds < 5400 else f"{seconds / 3600:.1f} h"
 
 
-def detail(name: str, tables: dict[str, Component], counts: dict[str, int]) -> Component:
-    """The chosen dataset: its clips, and its import report."""
-    files = sum(counts.values())
-    doubtful = counts.get("warning", 0) + counts.get("error", 0)
-    chips = [
-        {"value": key, "label": f"{label} {files if key == 'all' else counts.get(key, 0)}"} for key, label in VERDICTS
-    ]
+def detail(name: str, tables: dict[str, Component], report: ImportReport, tab: str, files: str) -> Component:
+    """The chosen dataset: its clips, and its import report, of which ``files`` are shown."""
+    doubtful = report.count("warning") + report.count("error")
+    badge = dmc.Badge(doubtful, size="sm", color="orange", variant="light") if doubtful else None
+    chips = report_chips(report)
+    chosen = files if files in {chip["value"] for chip in chips} else "all"
     return dmc.Tabs(
-        value="clips",
+        id="dataset-tabs",
+        value=tab,
         className="section dataset-tabs",
         keepMounted=True,
         children=[
             dmc.TabsList(
                 [
-                    dmc.TabsTab(f"Clips of {name}", value="clips"),
-                    dmc.TabsTab(
-                        "Import report",
-                        value="report",
-                        rightSection=dmc.Badge(doubtful, size="sm", color="orange", variant="light")
-                        if doubtful
-                        else None,
-                    ),
+                    dmc.TabsTab(f"Clips of {name}", value="clips", className="clips-tab"),
+                    dmc.TabsTab("Import report", value="report", rightSection=badge),
+                    html.Div(id="clips-chosen", className="clips-chosen"),
                 ]
             ),
             dmc.TabsPanel([tables["clips"], dcc.Store(id="clips-marked")], value="clips", pt="sm"),
             dmc.TabsPanel(
                 [
-                    dmc.SegmentedControl(id="report-filter", data=chips, value="all", size="xs", mb="xs"),
+                    dmc.SegmentedControl(id="report-filter", data=chips, value=chosen, size="xs", mb="xs"),
+                    *(dmc.Text(message, size="sm", c="dimmed", mb="xs") for message in report.messages),
                     tables["report"],
                 ],
                 value="report",
@@ -184,69 +189,42 @@ def detail(name: str, tables: dict[str, Component], counts: dict[str, int]) -> C
     )
 
 
-def upload_dialog(limits: Limits) -> Component:
-    """Choose or drop files, see each arrive, name the dataset, import."""
-    return dmc.Modal(
-        id="upload-dialog",
-        title="Add recordings",
-        size="xl",
-        keepMounted=True,
-        closeOnClickOutside=False,
-        children=[
-            html.Div(
-                id="drop-zone",
-                className="drop-zone",
-                children=[
-                    icon("upload", 30),
-                    html.Div("Drop files or folders here", className="drop-title"),
-                    html.Div(
-                        [
-                            dmc.Button(
-                                "Choose files", variant="default", size="compact-sm", **{"data-chooses": "files"}
-                            ),
-                            dmc.Button(
-                                "Choose a folder", variant="default", size="compact-sm", **{"data-chooses": "folder"}
-                            ),
-                        ],
-                        className="drop-buttons",
-                    ),
-                    html.Div(limits.sentence(), className="muted drop-limits"),
-                ],
-                **{
-                    "data-file-bytes": limits.file_bytes,
-                    "data-total-bytes": limits.total_bytes,
-                    "data-files": limits.files,
-                    "data-suffixes": " ".join(SUFFIXES),
-                },
+def report_chips(report: ImportReport) -> list[dict[str, str]]:
+    """What of a report one can look at, with the number of its files; only what there is."""
+    counts = Counter(file.verdict for file in report.files)
+    counts["all"] = len(report.files)
+    newest = report.last_addition
+    counts["added"] = sum(file.addition == newest for file in report.files) if newest else 0
+    kept = [(key, label) for key, label in REPORTS if counts[key] or key not in ("added",)]
+    return [{"value": key, "label": f"{label} {counts[key]:,}"} for key, label in kept]
+
+
+def clips_chosen(chosen: int) -> Component | None:
+    """What can be done to the clips that are chosen; nothing where none is."""
+    if not chosen:
+        return None
+    words = f"{chosen:,} clip{'s' if chosen != 1 else ''} chosen"
+    return dmc.Group(
+        [
+            html.Span(words, className="muted number", role="status"),
+            dmc.Button(
+                "Remove",
+                size="compact-sm",
+                color="red",
+                variant="light",
+                leftSection=icon("trash", 14),
+                **sends("clips-action", {"action": "remove"}, every_time=True),
             ),
-            html.Div(html.Div(id="upload-bar"), id="upload-progress", className="upload-progress hidden"),
-            html.Div(id="upload-summary", className="muted upload-summary", role="status", **{"aria-live": "polite"}),
-            html.Ul(id="upload-list", className="upload-list", tabIndex="0", **{"aria-label": "Files"}),
-            dmc.Group(
-                align="flex-end",
-                mt="md",
-                children=[
-                    dmc.TextInput(
-                        id="upload-name",
-                        label="Name of the dataset",
-                        placeholder="Walks in the park",
-                        style={"flex": 1},
-                    ),
-                    dmc.NumberInput(
-                        id="upload-fps",
-                        label="Frames per second of AMC files",
-                        description=None,
-                        placeholder="120",
-                        min=1,
-                        max=1000,
-                        w=220,
-                        debounce=False,
-                    ),
-                    dmc.Button("Import", id="upload-import", disabled=True),
-                ],
+            dmc.Button(
+                "Clear",
+                size="compact-sm",
+                variant="subtle",
+                color="gray",
+                **sends("clips-action", {"action": "clear"}, every_time=True),
             ),
-            html.Div(id="upload-problem", className="form-problem", role="alert"),
         ],
+        gap=8,
+        wrap="nowrap",
     )
 
 
@@ -271,13 +249,20 @@ def trash_list(trashed: Sequence[DatasetInfo]) -> Component:
         html.Li(
             className="trash-row",
             children=[
-                html.Span(info.name, className="ellipsis dataset-name"),
+                html.Span(
+                    [
+                        html.Span(info.name, className="dataset-name"),
+                        html.Span("before its last change", className="muted trash-note") if is_version(info) else None,
+                    ],
+                    className="ellipsis",
+                    title=info.name,
+                ),
                 html.Span(f"{info.clips:,} clips · {duration(info.seconds)}", className="muted number"),
                 dmc.Button(
                     "Restore",
                     size="compact-sm",
                     variant="default",
-                    **sends("dataset-action", {"action": "restore", "token": info.id}, every_time=True),
+                    **sends("undo", {"restore": info.id}, every_time=True),
                 ),
             ],
         )
