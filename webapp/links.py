@@ -16,7 +16,7 @@ VIEW_KEYS = {  # what a page shows beside the selection: kept in the store "view
     "library": ("tab", "files"),
     "motifs": ("view", "side", "walk", "weights", "other", "extra"),
     "sweeps": ("x", "y", "seeds"),
-    "clip": ("chart", "joints"),
+    "clip": ("chart", "angles", "joints", "rig", "channels", "span"),
 }
 MAX_QUERY = 4000
 _SELECTION_KEYS = ("motif", "motion", "edge", "transition", "clip", "start", "end")
