@@ -1,0 +1,79 @@
+"""The figures of a sweep as arrays over its axes and seeds, whole or as far as they are there."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from core.motifs.axes import Axes
+
+Figures = Mapping[str, float]
+"""Of one motif graph: its metrics and more, see core.figures."""
+
+
+@dataclass(frozen=True, eq=False)
+class SweepTable:
+    """figures: of every point in the order of :func:`core.motifs.axes.points_of`, None where it is not there yet.
+
+    Raises ValueError where their number is not that of the points.
+    """
+
+    axes: Axes
+    seeds: int
+    figures: Sequence[Figures | None]
+
+    def __post_init__(self) -> None:
+        if int(np.prod(self.shape)) != len(self.figures):
+            raise ValueError(f"{len(self.figures)} figures do not fill a sweep of {self.shape}")
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Number of values of each axis, and of seeds."""
+        return (*(len(values) for values in self.axes.values()), self.seeds)
+
+    @property
+    def n_ready(self) -> int:
+        """Points that are there."""
+        return sum(figures is not None for figures in self.figures)
+
+    def of(self, measure: str) -> np.ndarray:
+        """A figure, or one of DERIVED, of every point: ``shape`` float64, NaN where it is not there."""
+        read = DERIVED.get(measure, lambda figures: figures.get(measure, np.nan))
+        values = [np.nan if figures is None else read(figures) for figures in self.figures]
+        return np.array(values, np.float64).reshape(self.shape)
+
+    def middle(self, measure: str) -> np.ndarray:
+        """Median over the seeds that are there: ``shape`` without the last axis, NaN where there is none."""
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", RuntimeWarning)  # an empty cell is no fault
+            return np.nanmedian(self.of(measure), axis=-1)
+
+    def has(self, measure: str) -> bool:
+        """Whether any point has this figure."""
+        return bool(np.isfinite(self.of(measure)).any())
+
+
+def error_ratio(figures: Figures) -> float:
+    """Average frame error over the mean distance to the average pose, as the paper puts them side by side."""
+    distance = figures["mean_pose_distance"]
+    return figures["average_frame_error"] / distance if distance > 0 else 0.0
+
+
+def explained(figures: Figures) -> float:
+    """Ours: the share of the motion that the motifs explain, 0 to 1: coverage times one minus the error ratio.
+
+    A frame in no motif counts nothing; one in a motif counts less the further the motions of its motif lie apart,
+    nothing where they are as far apart as any poses. The mean distance of n motions to their own average is too small
+    by sqrt((n - 1) / n): corrected, so that motifs of two motions do not look tighter than they are.
+    """
+    n = figures["mean_motions"]
+    if n <= 1:
+        return 0.0
+    return figures["coverage"] * (1 - min(1.0, error_ratio(figures) * float(np.sqrt(n / (n - 1)))))
+
+
+DERIVED: dict[str, Any] = {"error_ratio": error_ratio, "explained": explained}
