@@ -55,14 +55,15 @@ def timeline(dataset: Dataset, graph: MotifGraph, notes: Mapping[int, MotifNote]
         "dataset": dataset.name,
         "rows": rows,
         "motifs": {
-            str(m.id): {"name": _name(m.id, notes or {}), "colour": motif_colour(m.id), "motions": m.n_motions}
+            str(m.id): {"name": motif_name(m.id, notes or {}), "colour": motif_colour(m.id), "motions": m.n_motions}
             for m in graph.motifs
         },
         "actions": actions,
     }
 
 
-def _name(motif: int, notes: Mapping[int, MotifNote]) -> str:
+def motif_name(motif: int, notes: Mapping[int, MotifNote]) -> str:
+    """What a band calls a motif: its number, and the name that someone gave it."""
     named = notes[motif].name if motif in notes else ""
     return f"{motif} {named}" if named else f"Motif {motif}"
 
