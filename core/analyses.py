@@ -74,8 +74,9 @@ def normalise(request: Request) -> Request:
 
 def compute(dataset: Dataset, method: str, values: Mapping[str, Any], report: Report = silent) -> Any:
     """The result of ``method`` on a data set in memory; nothing is kept. Raises ParameterError, AnalysisError."""
-    built = build(_kind(method), values)
-    return METHODS[method].compute(dataset, built, report)
+    built, needs = build(_kind(method), values), METHODS[method].needs
+    given = (compute(dataset, *needs(built), report),) if needs else ()
+    return METHODS[method].compute(dataset, built, report, *given)
 
 
 def key(workspace: Workspace, request: Request) -> str:
@@ -100,6 +101,11 @@ def stored(workspace: Workspace, request: Request) -> Any | None:
     if request.method in TASKS:
         return None
     return _load(workspace, request.method, key(workspace, request))
+
+
+def kept(workspace: Workspace, method: str, result_key: str) -> Any | None:
+    """The result of ``method`` under this key (:func:`key`), or None. Raises NameRefused for what is no key."""
+    return _load(workspace, method, result_key)
 
 
 def submit(workspace: Workspace, request: Request) -> Job:
@@ -183,9 +189,23 @@ def _perform(workspace: Workspace, job: Job, report: Report) -> Any:
         method = METHODS[asked["method"]]
         report("opening", 0.0)
         dataset = workspace.open_fingerprint(asked["fingerprint"])
-        result = method.compute(dataset, build(method.parameters(), asked["parameters"]), report)
+        built = build(method.parameters(), asked["parameters"])
+        given = (_needed(workspace, dataset, *method.needs(built), report),) if method.needs else ()
+        result = method.compute(dataset, built, report, *given)
         workspace.results.put(job.key, *method.pack(result, dataset))
         _remember(workspace, job.key, result)
+    return result
+
+
+def _needed(workspace: Workspace, dataset: Dataset, method: str, values: dict[str, Any], report: Report) -> Any:
+    """The result that another one builds on: opened, or computed and kept."""
+    request = normalise(Request(dataset.name, method, values))
+    needed_key = result_key(dataset.fingerprint, request)
+    result = _load(workspace, method, needed_key)
+    if result is None:
+        result = compute(dataset, method, request.parameters, report)
+        workspace.results.put(needed_key, *METHODS[method].pack(result, dataset))
+        _remember(workspace, needed_key, result)
     return result
 
 

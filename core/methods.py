@@ -26,14 +26,17 @@ class Method:
     parameters: gives the dataclass of its parameters (see core.parameters); called late, imports are heavy.
     compute: (data set, parameters, report) -> result.
     pack, unpack: result and data set -> JSON document and arrays of any shape (n, ...), and back.
+    needs: where it works on another method's result, parameters -> (that method, its parameters); ``compute`` takes
+    that result as a fourth argument.
     """
 
     title: str
     version: int
     parameters: Callable[[], type]
-    compute: Callable[[Dataset, Any, Report], Any]
+    compute: Callable[..., Any]
     pack: Callable[[Any, Dataset], Kept]
     unpack: Callable[[dict[str, Any], dict[str, np.ndarray]], Any]
+    needs: Callable[[Any], tuple[str, dict[str, Any]]] | None = None
 
 
 def _read_graph(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Any:
@@ -67,6 +70,15 @@ def _method(
     )
 
 
+def _walk(dataset: Dataset, values: Any, report: Report, graph: Any) -> Any:
+    from core.synthesis import NoWay, make_walk
+
+    try:
+        return make_walk(dataset, graph, values.path, **values.options, report=report)
+    except NoWay as error:
+        raise ValueError(str(error)) from error
+
+
 METHODS: dict[str, Method] = {
     "motifs": _method("Motif graph", 1, "core.motifs.build", "MotifParameters", "find_motifs", unpack=_read_graph),
     # the next two look at the motifs of the first: a new version of that makes a new version of these
@@ -80,5 +92,14 @@ METHODS: dict[str, Method] = {
         "feature_table",
         pack=lambda table, dataset: import_module("core.export").pack_features(table),
         unpack=lambda document, arrays: import_module("core.export").unpack_features(document, arrays),
+    ),
+    "walk": Method(
+        "Walk",
+        1,
+        lambda: import_module("core.synthesis.parameters").WalkParameters,
+        _walk,
+        lambda walk, dataset: import_module("core.synthesis.kept").pack_walk(walk),
+        lambda document, arrays: import_module("core.synthesis.kept").unpack_walk(document, arrays),
+        needs=lambda values: ("motifs", values.graph),
     ),
 }

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -44,6 +46,29 @@ class Skeleton:
         object.__setattr__(self, "channels", tuple(self.channels) or _default_channels(self.end_sites))
         text = repr((self.names, tuple(map(int, self.parents)), self.end_sites)).encode() + offsets.tobytes()
         object.__setattr__(self, "fingerprint", hashlib.blake2b(text, digest_size=8).hexdigest())
+
+    def to_json(self) -> dict[str, Any]:
+        """All of it as plain values; :meth:`from_json` gives the skeleton back."""
+        return {
+            "names": list(self.names),
+            "parents": [int(parent) for parent in self.parents],
+            "offsets": self.offsets.tolist(),
+            "end_sites": [bool(end) for end in self.end_sites],
+            "channels": [list(channels) for channels in self.channels],
+            "unit": self.unit,
+        }
+
+    @classmethod
+    def from_json(cls, entry: Mapping[str, Any]) -> Skeleton:
+        """The skeleton that :meth:`to_json` wrote. Raises KeyError, TypeError or ValueError for anything else."""
+        return cls(
+            names=tuple(entry["names"]),
+            parents=tuple(entry["parents"]),
+            offsets=np.array(entry["offsets"], np.float32),
+            end_sites=tuple(entry["end_sites"]),
+            channels=tuple(tuple(channels) for channels in entry["channels"]),
+            unit=entry["unit"],
+        )
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Skeleton) and self.fingerprint == other.fingerprint

@@ -108,16 +108,7 @@ class DatasetWriter:
     def _skeleton(self, skeleton: Skeleton) -> int:
         if skeleton not in self._skeletons:
             self._skeletons[skeleton] = len(self._skeletons)
-            self.head["skeletons"].append(
-                {
-                    "names": skeleton.names,
-                    "parents": [int(p) for p in skeleton.parents],
-                    "offsets": skeleton.offsets.tolist(),
-                    "end_sites": [bool(e) for e in skeleton.end_sites],
-                    "channels": skeleton.channels,
-                    "unit": skeleton.unit,
-                }
-            )
+            self.head["skeletons"].append(skeleton.to_json())
         return self._skeletons[skeleton]
 
 
@@ -133,7 +124,7 @@ def load_dataset(folder: str | Path) -> Dataset:
             raise RecordingError(folder, f"a dataset of format {head['format']!r}", FORMAT)
         mapped = "c" if head["clips"] else None  # a file without numbers cannot be mapped
         numbers = np.load(folder / "motion.npy", mmap_mode=mapped, allow_pickle=False)
-        skeletons = [_skeleton(entry) for entry in head["skeletons"]]
+        skeletons = [Skeleton.from_json(entry) for entry in head["skeletons"]]
         clips = tuple(_clip(entry, skeletons, np.asarray(numbers)) for entry in head["clips"])
         files = (FileReport(**{**f, "messages": tuple(f["messages"])}) for f in head["report"]["files"])
         return Dataset(
@@ -149,17 +140,6 @@ def load_dataset(folder: str | Path) -> Dataset:
         raise RecordingError(folder, "no dataset here", "a folder with dataset.json and motion.npy") from None
     except (OSError, EOFError, ValueError, KeyError, TypeError, IndexError) as error:
         raise RecordingError(folder, f"a damaged dataset ({error})", "one that was imported; import it again") from None
-
-
-def _skeleton(entry: dict) -> Skeleton:
-    return Skeleton(
-        names=tuple(entry["names"]),
-        parents=tuple(entry["parents"]),
-        offsets=np.array(entry["offsets"], np.float32),
-        end_sites=tuple(entry["end_sites"]),
-        channels=tuple(tuple(c) for c in entry["channels"]),
-        unit=entry["unit"],
-    )
 
 
 def _clip(entry: dict, skeletons: list[Skeleton], numbers: np.ndarray) -> Clip:

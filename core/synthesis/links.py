@@ -11,11 +11,11 @@ from typing import NamedTuple
 
 import numpy as np
 from scipy.spatial import cKDTree
-from sklearn.decomposition import PCA
 
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.motifs.graph import Motif, MotifGraph
+from core.poses.features import principal_directions
 from core.synthesis.postures import Moment, moments_apart
 from core.synthesis.timeline import crossfade, smooth_warp
 
@@ -27,7 +27,7 @@ _PACE = 0.4  # metres a second at which the joints may move through a cross-fade
 _HALF_ROOM = 0.06  # seconds on either side of a motion's middle that cross-fades leave alone
 _EVERY = 0.1  # seconds between two moments that are looked at for further links
 _MARGIN = 0.3  # seconds on either side of a motion's middle that moments for further links keep from
-_DIMENSIONS = 16
+_VARIANCE, _DIMENSIONS = 0.97, 16  # of the clouds that the tree holds: the variance kept, and dimensions at most
 _NEIGHBOURS = 64
 _MOMENTS = 48  # a motif's moments that are looked at, spread over its motions
 
@@ -107,7 +107,8 @@ def further_links(
         return {}
     limit = typical_distance(dataset, graph) if limit is None else limit
     features = moments_apart(dataset, [row[2] for row in exits] + [row[2] for row in entries])
-    reduced = PCA(min(_DIMENSIONS, *features.shape), random_state=0).fit_transform(features)
+    mean, basis, _ = principal_directions(features, _VARIANCE)
+    reduced = (features - mean) @ basis[:, :_DIMENSIONS]
     tree = cKDTree(reduced[len(exits) :])
     # a reduced distance is never larger than the whole one
     _, near = tree.query(reduced[: len(exits)], k=min(_NEIGHBOURS, len(entries)), distance_upper_bound=limit)

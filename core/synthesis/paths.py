@@ -162,7 +162,7 @@ def parse_path(text: str) -> tuple[int, ...] | Between | Random:
         return path
     if match := re.fullmatch(r"(fewest|used):(\d{1,6}):(\d{1,6})", text):
         return Between(int(match[2]), int(match[3]), match[1])
-    if match := re.fullmatch(r"random:(\d{1,4}(?:\.\d{1,3})?):(\d{1,9})(?::(\d{1,6}))?", text):
+    if match := re.fullmatch(r"random:(\d{1,6}(?:\.\d{1,3})?):(\d{1,9})(?::(\d{1,6}))?", text):
         seconds = float(match[1])
         if not 0 < seconds <= MOST_SECONDS:
             raise ValueError(f"A random walk lasts at most {MOST_SECONDS:g} seconds, and more than 0, not {seconds:g}.")
