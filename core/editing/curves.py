@@ -157,6 +157,16 @@ class ClipCurves:
         rise = [Curve(f"{side}_foot", "height", "m", lowest[:, k]) for k, side in enumerate(SIDES)]
         return rise + [Curve(f"{side}_foot", "on floor", "0/1", contacts[:, k], True) for k, side in enumerate(SIDES)]
 
+    def events(self) -> list[Curve]:
+        """Heel strikes and toe-offs: 1 in the frame of the event, 0 in all others."""
+        curves = []
+        for side in SIDES:
+            for kind, name in (("strike", "heel strike"), ("off", "toe-off")):
+                values = np.zeros(self.clip.n_frames, bool)
+                values[[e.frame for e in self.gait.events if (e.side, e.kind) == (side, kind)]] = True
+                curves.append(Curve(f"{side}_foot", name, "0/1", values, True))
+        return curves
+
 
 def speed(places: np.ndarray, fps: float) -> np.ndarray:
     """Speed ``(n_frames,)`` of a point ``(n_frames, d)``, units a second, over :data:`SPEED_SPAN` around each frame."""

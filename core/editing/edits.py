@@ -46,20 +46,25 @@ def mirrored(clip: Clip, labels: Iterable[Label], frames: BodyFrames | None = No
 def at_rate(clip: Clip, labels: Iterable[Label], fps: float) -> Edited:
     """At ``fps`` frames a second: frames in between are interpolated, or dropped where the rate is a whole part.
 
-    Raises ValueError where the rate is not from 1 to 1000, is the clip's own, or leaves fewer than 2 frames.
+    Raises ValueError as :func:`check_rate`.
     """
-    if not 1 <= fps <= 1000:
-        raise ValueError(f"A frame rate is from 1 to 1000 frames a second, not {fps:g}")
-    if abs(clip.fps - fps) < 1e-3 * fps:
-        raise ValueError(f"{clip.name} has {clip.fps:g} frames a second already")
+    check_rate(clip, fps)
     new = replace(resample(clip, fps), name=f"{clip.name} {fps:g} fps")
-    if new.n_frames < FEWEST_FRAMES:
-        raise ValueError(f"At {fps:g} frames a second, {clip.name} would have a single frame")
     ratio, n, kept = fps / clip.fps, new.n_frames, []
     for label in _within(labels, clip, 0, clip.n_frames, new.name):
         start = min(round(label.start * ratio), n - 1)
         kept.append(label._replace(start=start, end=min(max(round(label.end * ratio), start + 1), n)))
     return _edited(new, tuple(kept), f"{clip.name} at {fps:g} instead of {clip.fps:g} frames a second")
+
+
+def check_rate(clip: Clip, fps: float) -> None:
+    """Raises ValueError where ``fps`` is not from 1 to 1000, is the clip's own rate, or leaves fewer than 2 frames."""
+    if not 1 <= fps <= 1000:
+        raise ValueError(f"A frame rate is from 1 to 1000 frames a second, not {fps:g}")
+    if abs(clip.fps - fps) < 1e-3 * fps:
+        raise ValueError(f"{clip.name} has {clip.fps:g} frames a second already")
+    if (clip.n_frames - 1) * fps < (FEWEST_FRAMES - 1 - 1e-6) * clip.fps:
+        raise ValueError(f"At {fps:g} frames a second, {clip.name} would have a single frame")
 
 
 def split(clip: Clip, labels: Sequence[Label], cuts: Iterable[int]) -> tuple[Edited, ...]:

@@ -59,6 +59,10 @@ def test_angles_positions_and_feet_are_those_of_the_clip(curves):
     assert np.array_equal(np.stack([left_down.values, right_down.values], 1), foot_contacts(clip))
     assert left.values[left_down.values].max() < 0.05 < left.values.max() and right.values.max() > 0.05
     assert curves.gait.bouts
+    events = {(c.part, c.name): np.flatnonzero(c.values).tolist() for c in curves.events()}
+    for side in ("left", "right"):
+        strikes = [e.frame for e in curves.gait.events if (e.side, e.kind) == (side, "strike")]
+        assert events[f"{side}_foot", "heel strike"] == strikes != []
 
 
 def test_channels_are_named_as_in_the_file(curves):

@@ -1,0 +1,206 @@
+/* The cursor of the Clip page: it follows the Stage frame by frame, shows the values under it, and moves the Stage. */
+(function () {
+  "use strict";
+  const clientside = (window.dash_clientside = window.dash_clientside || {});
+  const set = (store, data) => clientside.set_props(store, { data });
+
+  const at = { shown: null, frame: null, hover: null, items: [], pending: null, values: null, from: "" };
+  const parts = (window.motionscapeClip = { at, set });
+
+  const byId = (id) => document.getElementById(id);
+  const find = (name) => document.querySelector(`#clip-box .clip-${name}`);
+
+  /** Where the chart's axes lie within the box, in pixels; null while nothing is drawn. */
+  parts.plot = () => {
+    const graph = document.querySelector("#clip-graph .js-plotly-plot");
+    const full = graph && graph._fullLayout;
+    if (!full || !full.xaxis || !full.meta || !at.shown || full.meta.clip !== at.shown.clip) return null;
+    const box = byId("clip-box").getBoundingClientRect();
+    const own = graph.getBoundingClientRect();
+    const { xaxis, yaxis, meta } = full;
+    const dx = own.left - box.left + xaxis._offset;
+    return {
+      graph, meta, full,
+      left: dx, width: xaxis._length,
+      top: own.top - box.top + full._size.t, height: full._size.h,
+      x: (value) => dx + xaxis.l2p(value),
+      y: (value) => own.top - box.top + yaxis._offset + yaxis.l2p(value),
+      time: (pixel) => xaxis.p2l(pixel - dx),
+      range: xaxis.range.map(Number),
+    };
+  };
+
+  /** Index of the entry of a rising list that is nearest to a value. */
+  function nearest(list, value) {
+    let low = 0;
+    let high = list.length - 1;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (list[middle] <= value) low = middle;
+      else high = middle;
+    }
+    return high < 0 ? -1 : Math.abs(list[low] - value) <= Math.abs(list[high] - value) ? low : high;
+  }
+
+  /** Lay cursor, pointer and selected range over the chart. */
+  parts.place = () => {
+    const plot = parts.plot();
+    const cursor = find("cursor");
+    if (!cursor) return;
+    const time = plot && plot.meta.kind === "time";
+    upright(cursor, time && at.frame !== null ? at.frame / plot.meta.fps : null, plot);
+    upright(find("pointer"), time && at.hover !== null ? at.hover / plot.meta.fps : null, plot);
+    band(find("band"), time ? parts.range() : null, plot);
+    dot(find("dot"), plot && plot.meta.kind === "path" ? at.frame : null, plot);
+    if (time) tell(plot);
+  };
+
+  function upright(line, seconds, plot) {
+    const x = seconds === null ? null : plot.x(seconds);
+    line.hidden = x === null || x < plot.left - 1 || x > plot.left + plot.width + 1;
+    if (line.hidden) return;
+    line.style.height = `${plot.height}px`;
+    line.style.transform = `translate(${x.toFixed(1)}px, ${plot.top}px)`;
+  }
+
+  function band(area, range, plot) {
+    area.hidden = !range;
+    if (!range) return;
+    const clamp = (x) => Math.min(Math.max(x, plot.left), plot.left + plot.width);
+    const [a, b] = range.map((frame) => clamp(plot.x(frame / plot.meta.fps)));
+    Object.assign(area.style, { height: `${plot.height}px`, width: `${Math.max(b - a, 1)}px`, transform: `translate(${a}px, ${plot.top}px)` });
+  }
+
+  function dot(mark, frame, plot) {
+    const path = plot && plot.graph.data[0];
+    const k = frame === null || !path || !path.customdata ? -1 : nearest(path.customdata, frame);
+    mark.hidden = k < 0;
+    if (k >= 0) mark.style.transform = `translate(${plot.x(path.x[k])}px, ${plot.y(path.y[k])}px)`;
+  }
+
+  /** The selected frames, or those being dragged over. */
+  parts.range = () => parts.dragged || at.range || null;
+
+  /** Values of all lines at the pointer, else at the cursor. */
+  function tell(plot) {
+    const chips = document.querySelectorAll("#clip-legend .clip-value");
+    const frame = at.hover ?? at.frame;
+    const lines = plot.graph.data.filter((trace) => trace.mode === "lines");
+    chips.forEach((chip, k) => {
+      const value = frame === null || !lines[k] ? null : valueAt(plot, lines[k], k, frame);
+      const digits = { "°": 1, " m/s": 2 }[chip.dataset.unit] ?? 3;
+      const text = value === null ? "" : value.toFixed(digits).replace("-", "\u2212") + chip.dataset.unit;
+      if (chip.textContent !== text) chip.textContent = text;
+    });
+  }
+
+  function valueAt(plot, line, k, frame) {
+    const { fps, frames, thinned } = plot.meta;
+    const whole = at.values && at.values.length >= (k + 1) * frames ? at.values[k * frames + Math.min(Math.round(frame), frames - 1)] : null;
+    if (thinned) return whole;
+    const i = nearest(line.x, frame / fps);
+    return i < 0 || Math.abs(line.x[i] - frame / fps) > 1 / fps ? whole : line.y[i];
+  }
+
+  /** Lines thinned for the chart lack values: those come once as plain numbers. */
+  async function fetchValues(view) {
+    const { dataset, clip, version } = at.shown;
+    const query = new URLSearchParams({ v: version });
+    for (const key of ["chart", "angles", "joints", "rig", "channels"]) if ((view || {})[key]) query.set(key, view[key]);
+    const where = clip.split("/").map(encodeURIComponent).join("/");
+    const address = `/api/clip-values/${encodeURIComponent(dataset)}/${where}?${query}`;
+    if (address === at.from) return;
+    at.from = address;
+    at.values = null;
+    const answer = await fetch(address);
+    if (!answer.ok || at.from !== address) return;
+    const bytes = await answer.arrayBuffer();
+    if (at.from !== address) return;
+    at.values = new Float32Array(bytes);
+    parts.place();
+  }
+
+  /** Go to a frame of the clip that is shown, on the Stage; what plays something else is made to play the clip first. */
+  parts.seek = (frame) => {
+    const { shown } = at;
+    if (!shown) return;
+    const wanted = Math.min(Math.max(Math.round(frame), 0), shown.frames - 1);
+    const there = at.items.some((item) => isShown(item) && wanted >= item.start && wanted < item.end);
+    if (there && window.motionscapeStage.seek({ clip: shown.clip, frame: wanted })) return;
+    at.pending = { clip: shown.clip, frame: wanted };
+    set("selection", { clip: shown.clip });
+  };
+
+  const isShown = (item) => at.shown && item.clip === at.shown.clip && (!item.dataset || item.dataset === at.shown.dataset);
+
+  function follow(items) {
+    at.items = items || [];
+    const item = at.items.find(isShown);
+    if (item && at.pending && at.pending.clip === item.clip && at.pending.frame >= item.start && at.pending.frame < item.end) {
+      const { frame } = at.pending;
+      at.pending = null;
+      window.motionscapeStage.seek({ clip: item.clip, frame });
+    }
+    at.frame = item ? item.frame : null;
+    parts.place();
+  }
+
+  for (const kind of ["stage-frame", "stage-state"]) {
+    window.addEventListener(kind, (event) => { if (byId("clip-box")) follow(event.detail.items); });
+  }
+
+  clientside.clip = {
+    // A chart was drawn: lay everything over it again, now and after every redrawing.
+    drawn(figure, legend, shown, view) {
+      at.shown = shown;
+      const graph = document.querySelector("#clip-graph .js-plotly-plot");
+      if (graph && graph.on && !graph.dataset.clipWatched) {
+        graph.dataset.clipWatched = "yes";
+        graph.on("plotly_afterplot", parts.place);
+      }
+      if (figure && figure.layout && figure.layout.meta && figure.layout.meta.thinned) fetchValues(view);
+      requestAnimationFrame(() => requestAnimationFrame(parts.place)); // Plotly draws after this
+      return clientside.no_update;
+    },
+    mark(selection, shown) {
+      at.shown = shown;
+      const own = selection && shown && selection.clip === shown.clip && selection.end > selection.start;
+      at.range = own ? [selection.start, Math.min(selection.end, shown.frames)] : null;
+      const items = [];
+      for (let k = 0, item; k < 48 && (item = window.motionscapeStage.frameOf?.(k)); k++) items.push(item);
+      follow(items);
+      return clientside.no_update;
+    },
+    pick(value, _back, _next, names, shown) {
+      const trigger = (clientside.callback_context.triggered[0] || {}).prop_id || "";
+      const step = trigger.startsWith("clip-previous") ? -1 : trigger.startsWith("clip-next") ? 1 : 0;
+      const clip = step ? names[names.indexOf(shown ? shown.clip : value) + step] : value;
+      if (clip && (!shown || clip !== shown.clip)) {
+        set("view-change", { span: "" });
+        set("selection", { clip });
+      }
+      return clientside.no_update;
+    },
+    // What was chosen above the chart, into the view; what a clip offers of itself is no choice.
+    control(chart, kind, joints, channels, view) {
+      const now = view || {};
+      const trigger = (clientside.callback_context.triggered[0] || {}).prop_id || "";
+      const change = {};
+      if (trigger.startsWith("clip-chart")) Object.assign(change, { chart: chart === "angles" ? "" : chart, joints: "" });
+      if (trigger.startsWith("clip-kind")) change.angles = kind === "body" ? "" : kind;
+      if (trigger.startsWith("clip-joints")) change[kind === "file" && chart === "angles" ? "rig" : "joints"] = (joints || []).join(",");
+      if (trigger.startsWith("clip-channels")) change.channels = (channels || []).join(",");
+      if (trigger.startsWith("clip-chart") && (now.chart || "angles") === chart) return clientside.no_update;
+      if (trigger.startsWith("clip-kind") && (now.angles || "body") === kind) return clientside.no_update;
+      set("view-change", change);
+      return clientside.no_update;
+    },
+    seek(to) {
+      if (to && at.shown && to.clip === at.shown.clip) parts.seek(to.frame);
+      return clientside.no_update;
+    },
+    asked(edit) {
+      return edit ? { ...edit, frame: at.frame ?? 0 } : clientside.no_update;
+    },
+  };
+})();
