@@ -5,9 +5,14 @@ from __future__ import annotations
 import os
 import secrets
 import shutil
+import time
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
+from typing import BinaryIO
+
+TEMPORARY = ".tmp-"
+ABANDONED_AFTER = 24 * 3600.0  # seconds; a temporary file this old has lost its writer
 
 
 def files_below(folder: str | Path) -> Iterator[Path]:
@@ -24,7 +29,7 @@ def replacing(path: str | Path) -> Iterator[Path]:
     Where the block raises, what was written is removed and ``path`` stays as it was. Raises OSError as writing does.
     """
     path = Path(path)
-    fresh = path.with_name(f".{path.name[:100]}.{os.getpid()}-{secrets.token_hex(4)}.tmp")
+    fresh = path.with_name(f"{TEMPORARY}{secrets.token_hex(8)}")
     old = path.with_name(fresh.name + ".old")
     try:
         yield fresh
@@ -39,7 +44,37 @@ def replacing(path: str | Path) -> Iterator[Path]:
             fresh.replace(path)
     finally:
         for left in (fresh, old):
-            if left.is_dir():
-                shutil.rmtree(left, ignore_errors=True)
-            else:
-                left.unlink(missing_ok=True)
+            _remove(left)
+
+
+@contextmanager
+def atomic_file(path: str | Path) -> Iterator[BinaryIO]:
+    """Opens a file for binary writing that is on the disk, at ``path``, only when the block has ended well.
+
+    Missing folders are made. Raises OSError as usual (disk full, no permission); then nothing has changed at ``path``.
+    """
+    path = Path(path)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with replacing(path) as fresh, fresh.open("xb") as file:
+        yield file
+        file.flush()
+        os.fsync(file.fileno())
+
+
+def sweep_abandoned(folder: Path, older_than: float = ABANDONED_AFTER) -> int:
+    """Removes temporary files and folders in ``folder`` that no writer has touched for ``older_than`` seconds."""
+    removed = 0
+    for path in folder.glob(f"{TEMPORARY}*"):
+        with suppress(OSError):
+            if time.time() - path.stat().st_mtime > older_than:
+                _remove(path)
+                removed += 1
+    return removed
+
+
+def _remove(path: Path) -> None:
+    if path.is_dir() and not path.is_symlink():
+        shutil.rmtree(path, ignore_errors=True)
+    else:
+        with suppress(OSError):
+            path.unlink(missing_ok=True)

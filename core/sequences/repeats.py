@@ -1,4 +1,4 @@
-"""Strings of letters: runs of equal letters removed, inverted lists of where each letter stands."""
+"""Strings of letters: runs of equal letters removed."""
 
 from __future__ import annotations
 
@@ -51,11 +51,3 @@ def remove_runs(labels: np.ndarray, clip_starts: np.ndarray) -> Runs:
         np.repeat(bounds[1:], per_clip),
     )
     return Runs(*(column.astype(np.int32) for column in columns))
-
-
-def inverted_lists(letters: np.ndarray, n_letters: int) -> tuple[np.ndarray, np.ndarray]:
-    """Where each letter stands in ``letters`` (m,): pointers ``(n_letters + 1,)`` into positions ``(m,)``,
-    ascending."""
-    pointers = np.zeros(n_letters + 1, np.int64)
-    np.cumsum(np.bincount(letters, minlength=n_letters), out=pointers[1:])
-    return pointers, np.argsort(letters, kind="stable").astype(np.int32)

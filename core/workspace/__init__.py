@@ -1,8 +1,8 @@
 """Data sets, results and the job table on disk, addressed by content."""
 
+from core.mocap.files import atomic_file
 from core.workspace.datasets import DatasetInfo
 from core.workspace.errors import NameRefused, ResultDamaged, WorkspaceError, explain, plain_errors, was_interrupted
-from core.workspace.files import atomic_file
 from core.workspace.jobs import Job, JobTable
 from core.workspace.names import check_name, clean_name
 from core.workspace.notes import MotifNote, Notes

@@ -20,9 +20,9 @@ from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from core.mocap.files import atomic_file, replacing, sweep_abandoned
 from core.workspace.database import Database
 from core.workspace.errors import NameRefused, WorkspaceError, plain_errors
-from core.workspace.files import atomic_file, atomic_folder, sweep_abandoned
 from core.workspace.names import check_name, check_token, inside
 
 if TYPE_CHECKING:
@@ -256,7 +256,8 @@ class DatasetStore:
         token = secrets.token_hex(8)
         with plain_errors(f"store the data set {name!r}"):
             sweep_abandoned(self.folder)
-            with atomic_folder(self._path(token)) as folder:
+            with replacing(self._path(token)) as folder:
+                folder.mkdir(parents=True)
                 fill(folder, name)
                 info = _info(load_dataset(folder), name, token)
                 (folder / _CARD).write_text(json.dumps(asdict(info)), encoding="utf-8")

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from core.mocap.files import atomic_file, sweep_abandoned
 from core.workspace.errors import ResultDamaged, plain_errors
-from core.workspace.files import atomic_file, sweep_abandoned
 from core.workspace.names import check_token, inside
 
 _DOCUMENT = "document"  # the npz member that holds the JSON text as bytes

@@ -11,8 +11,8 @@ from collections.abc import Iterable
 from contextlib import suppress
 from pathlib import Path
 
+from core.mocap.files import atomic_file
 from core.workspace.errors import NameRefused, WorkspaceError, plain_errors
-from core.workspace.files import atomic_file
 from core.workspace.names import check_token, clean_name, inside
 
 MAX_FILES = 5000

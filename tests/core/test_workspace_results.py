@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from core.workspace import NameRefused, ResultDamaged, Workspace, WorkspaceError
-from core.workspace import files as workspace_files
 
 KEY = "0123456789abcdef"
 
@@ -87,7 +86,7 @@ def test_a_full_disk_leaves_nothing_half_and_is_said_plainly(workspace, monkeypa
         raise OSError(code, os.strerror(code))
 
     workspace.results.put(KEY, {"old": 1})
-    monkeypatch.setattr(workspace_files.os, "fsync", fails)
+    monkeypatch.setattr("core.mocap.files.os.fsync", fails)
     with pytest.raises(WorkspaceError, match=words):
         workspace.results.put(KEY, {"new": 1})
     token = workspace.uploads.create()

@@ -231,7 +231,7 @@ def test_an_output_that_cannot_be_written_is_said_and_nothing_half_is_left(demo,
     def fails(_descriptor):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("core.workspace.files.os.fsync", fails)
+    monkeypatch.setattr("core.mocap.files.os.fsync", fails)
     (tmp_path / "m.json").write_text("before")
     assert cli.main(["motifs", str(demo), "--kappa", "60", "--out", str(tmp_path / "m.json")]) == 2
     assert "disk is full" in capsys.readouterr().err

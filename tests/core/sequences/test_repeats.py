@@ -1,4 +1,4 @@
-"""Runs of letters and inverted lists."""
+"""Runs of letters."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from core.sequences.repeats import inverted_lists, remove_runs
+from core.sequences.repeats import remove_runs
 
 
 @given(st.lists(st.lists(st.integers(0, 3), min_size=1, max_size=20), min_size=1, max_size=4))
@@ -25,12 +25,3 @@ def test_runs_spell_the_labels_again(clips):
 def test_run_times():
     runs = remove_runs(np.array([5, 5, 5, 2, 2, 5]), np.array([0, 6]))
     assert runs.middles.tolist() == [1.0, 3.5, 5.0] and runs.lengths.tolist() == [3, 2, 1]
-
-
-@given(st.lists(st.integers(0, 5), max_size=30))
-def test_inverted_lists_point_at_every_place_once(letters):
-    letters = np.array(letters, np.int64)
-    pointers, places = inverted_lists(letters, 6)
-    assert sorted(places.tolist()) == list(range(len(letters)))
-    for x in range(6):
-        assert places[pointers[x] : pointers[x + 1]].tolist() == np.flatnonzero(letters == x).tolist()
