@@ -41,10 +41,10 @@ def dialogs() -> list[Component]:
                 html.Div(id="clip-table-what", className="muted clip-table-what", role="status"),
                 dmc.Group(
                     html.A(
-                        dmc.Button("Download CSV", leftSection=icon("download", 16), component="span"),
+                        [icon("download", 16), "Download CSV"],
                         id="clip-table-link",
                         href="",
-                        className="plain-link",
+                        className="clip-download",
                     ),
                     justify="flex-end",
                     mt="md",
