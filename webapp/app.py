@@ -13,6 +13,7 @@ from dash.development.base_component import Component
 from core import analyses
 from core.workspace import Workspace, WorkspaceError, shared_workspace
 from webapp import access, jobs, links, playback, results
+from webapp.api.clip import clip_blueprint
 from webapp.api.exports import export_blueprint
 from webapp.api.filmstrip import filmstrip_blueprint
 from webapp.api.motion import motion_blueprint
@@ -48,6 +49,7 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> dash.
     for blueprint in (
         upload_blueprint(workspace, limits),
         motion_blueprint(open_motion),
+        clip_blueprint(open_motion),
         filmstrip_blueprint(open_motion),
         export_blueprint(workspace),
         recordings_blueprint(workspace, open_motion),
