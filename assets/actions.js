@@ -1,8 +1,10 @@
 /* Buttons and table rows that put a value into a store. */
 (function () {
   "use strict";
-  const put = (store, value, stamp) =>
+  const put = (store, value, stamp) => {
+    if (store === "selection") window.motionscapeAhead.play(value);
     window.dash_clientside.set_props(store, { data: stamp ? { ...value, at: Date.now() } : value });
+  };
 
   document.addEventListener("click", (event) => {
     const button = event.target.closest && event.target.closest("[data-store]");

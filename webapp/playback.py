@@ -13,7 +13,7 @@ from core.mocap.dataset import Dataset
 from core.motifs.graph import Edge, Motif, MotifGraph
 from core.workspace import Workspace, WorkspaceError
 from webapp.figures.tables import clock
-from webapp.results import motif_graph, motif_notes
+from webapp.results import comparing, motif_graph, motif_notes
 
 MOST_FIGURES = 24  # the Stage stays fluid; more bodies would hide one another anyway
 AROUND = 1.0  # seconds of motion before and after a transition
@@ -126,6 +126,28 @@ def _request(dataset: Dataset, items: list[dict[str, Any]], title: str) -> Reque
     return {**content, "layout": "overlay", "sync": "warp"}
 
 
+def selected_request(
+    workspace: Workspace,
+    dataset_name: str | None,
+    parameters: Mapping[str, Any] | None,
+    selection: Mapping[str, Any] | None,
+    view: Mapping[str, str] | None,
+) -> Request | None:
+    """What plays when this is selected on a page that shows ``view``; None where nothing does."""
+    if not selection or not dataset_name:
+        return None
+    if comparing(view) and "motif" in selection and "motion" not in selection:
+        return None  # the comparison plays both results (pages/motifs/compare_view.py)
+    try:
+        dataset = workspace.open(dataset_name)
+        graph = motif_graph(workspace, dataset_name, parameters) if "clip" not in selection else None
+        said = motif_notes(workspace, dataset_name, parameters) if "motif" in selection else {}
+        names = {motif: note.name for motif, note in said.items()}
+        return stage_request(dataset, graph, selection, names)
+    except WorkspaceError:
+        return None
+
+
 def register(app: Dash, workspace: Workspace) -> None:
     """The selection plays, whichever page it was made on."""
 
@@ -133,18 +155,10 @@ def register(app: Dash, workspace: Workspace) -> None:
         Output("stage-request", "data"),
         Input("selection", "data"),
         Input("graph-key", "data"),
+        State("view", "data"),
         State("dataset", "data"),
         State("parameters", "data"),
         prevent_initial_call=True,
     )
-    def play(selection, _key, dataset_name, parameters):
-        if not selection or not dataset_name:
-            return no_update
-        try:
-            dataset = workspace.open(dataset_name)
-            graph = motif_graph(workspace, dataset_name, parameters) if "clip" not in selection else None
-            said = motif_notes(workspace, dataset_name, parameters) if "motif" in selection else {}
-            names = {motif: note.name for motif, note in said.items()}
-            return stage_request(dataset, graph, selection, names) or no_update
-        except WorkspaceError:
-            return no_update
+    def play(selection, _key, view, dataset_name, parameters):
+        return selected_request(workspace, dataset_name, parameters, selection, view) or no_update

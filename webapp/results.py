@@ -67,6 +67,11 @@ def motif_notes(workspace: Workspace, dataset: str, parameters: Mapping[str, Any
     return workspace.notes.of(workspace.info(dataset).id, key, {motif.id: motif.segments for motif in graph.motifs})
 
 
+def comparing(view: Mapping[str, str] | None) -> bool:
+    """Whether the Motifs page compares the result with another: a motif then plays beside its partners there."""
+    return (view or {}).get("view") == "compare" and bool((view or {}).get("other"))
+
+
 def latest_job(workspace: Workspace, dataset: str, parameters: Mapping[str, Any] | None) -> Job | None:
     """The newest job for this very request, or None."""
     try:

@@ -17,7 +17,7 @@ from dash.development.base_component import Component
 from core.workspace import Workspace
 from webapp.components.downloads import table_download
 from webapp.components.icons import icon
-from webapp.pages.motifs import notes_side, timeline_view
+from webapp.pages.motifs import compare_view, notes_side, report_view, timeline_view
 
 
 class Part(NamedTuple):
@@ -58,6 +58,8 @@ PARTS: dict[str, tuple[Part, ...]] = {
     "view": (
         Part("table", "All motifs", _table, _nothing),
         Part("timeline", "Timeline", timeline_view.layout, timeline_view.register),
+        Part("report", "Coverage report", report_view.layout, report_view.register),
+        Part("compare", "Compare", compare_view.layout, compare_view.register),
     ),
     "side": (
         Part("motions", "Motions", _motions, _nothing),
