@@ -16,7 +16,7 @@ from flask import Response
 from playwright.sync_api import Browser, Page, sync_playwright
 
 from core.mocap.posture_drawing import drawn_body
-from tests.browser.conftest import CHROMIUM, FLAGS, running
+from tests.browser.start import running, start_chromium
 from tests.webapp.generated import walkers
 from webapp.api.motion import motion_blueprint
 from webapp.components import stage
@@ -142,7 +142,7 @@ def main() -> str:
     rows = []
     with running(app.server) as address, sync_playwright() as playwright:
         median, worst, size = fetch_milliseconds(address)
-        browser = playwright.chromium.launch(executable_path=str(CHROMIUM) if CHROMIUM.exists() else None, args=FLAGS)
+        browser = start_chromium(playwright)
         for n in COUNTS:
             side, overlaid = stage_rate(browser, address, n, "side"), stage_rate(browser, address, n, "overlay")
             rows.append((n, side, overlaid, plotly_rate(browser, address, n)))

@@ -1,6 +1,6 @@
 """Take the pictures of the documentation: the app on the demo, in a headless browser.
 
-usage: make_screenshots.py [FOLDER]      (default: docs)
+usage: python -m scripts.make_screenshots [FOLDER]      (default: docs)
 
 Serves a fresh workspace with the demo, waits for its motif graph, selects a motif, and writes motifs.png.
 """
@@ -9,14 +9,13 @@ from __future__ import annotations
 
 import sys
 import tempfile
-import threading
 from pathlib import Path
 
 from playwright.sync_api import Page, sync_playwright
-from werkzeug.serving import make_server
 
 from core.analyses import DEMO, Request, run
 from core.workspace import Workspace
+from tests.browser.start import running, start_chromium
 from webapp.app import create_app
 
 SIZE = {"width": 1440, "height": 900}
@@ -28,12 +27,6 @@ def prepared(folder: Path) -> Workspace:
     run(workspace, Request(DEMO, "demo"))
     run(workspace, Request(DEMO, "motifs"))
     return workspace
-
-
-def browser_path() -> str | None:
-    """Debian's Chromium where it is, else None: Playwright's own."""
-    debian = Path("/usr/bin/chromium")
-    return str(debian) if debian.exists() else None
 
 
 def motifs(page: Page, address: str) -> bytes:
@@ -49,16 +42,13 @@ def motifs(page: Page, address: str) -> bytes:
 
 def main(folder: Path) -> None:
     """Write the pictures into ``folder``."""
+    folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as temporary, sync_playwright() as playwright:
-        workspace = prepared(Path(temporary))
-        server = make_server("127.0.0.1", 0, create_app(workspace.path).server, threaded=True)
-        threading.Thread(target=server.serve_forever, daemon=True).start()
-        browser = playwright.chromium.launch(executable_path=browser_path(), args=["--no-sandbox"])
-        page = browser.new_page(viewport=SIZE)
-        folder.mkdir(parents=True, exist_ok=True)
-        (folder / "motifs.png").write_bytes(motifs(page, f"http://127.0.0.1:{server.port}"))
-        browser.close()
-        server.shutdown()
+        application = create_app(prepared(Path(temporary)).path).server
+        with running(application) as address:
+            browser = start_chromium(playwright)
+            (folder / "motifs.png").write_bytes(motifs(browser.new_page(viewport=SIZE), address))
+            browser.close()
 
 
 if __name__ == "__main__":

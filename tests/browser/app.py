@@ -12,7 +12,7 @@ from playwright.sync_api import Locator, Page, expect
 from core import analyses
 from core.demo import make_demo
 from core.workspace import Workspace
-from tests.browser.conftest import running
+from tests.browser.start import running
 from webapp.app import create_app
 
 PATIENCE = 90_000  # milliseconds for a job on a busy machine

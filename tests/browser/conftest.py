@@ -2,55 +2,29 @@
 
 from __future__ import annotations
 
-import threading
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
-from playwright.sync_api import Browser, Error, Page, sync_playwright
-from werkzeug.serving import WSGIRequestHandler, make_server
+from playwright.sync_api import Browser, Error, Page, expect, sync_playwright
 
-CHROMIUM = Path("/usr/bin/chromium")
-FLAGS = [
-    *("--headless", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-sync"),
-    *("--disable-background-networking", "--disable-component-update"),
-]
+from tests.browser.start import running, start_chromium
+
+__all__ = ["running"]
+WAIT = 30_000  # milliseconds that a page may take for anything: a busy machine is slow, and what is there does not wait
+expect.set_options(timeout=WAIT)
 
 
 @pytest.fixture(scope="session")
 def chromium() -> Iterator[Browser]:
-    """Debian's chromium where it is installed, else Playwright's own."""
+    """The browser of all tests."""
     with sync_playwright() as playwright:
         try:
-            path = str(CHROMIUM) if CHROMIUM.exists() else None
-            browser = playwright.chromium.launch(executable_path=path, args=FLAGS)
+            browser = start_chromium(playwright)
         except Error as error:
             pytest.skip(f"no browser: install chromium or run `playwright install chromium` ({error.message[:200]})")
         yield browser
         browser.close()
-
-
-class Quiet(WSGIRequestHandler):
-    """Does not log every request."""
-
-    def log_request(self, code="-", size="-") -> None:
-        """Nothing to say."""
-
-
-@contextmanager
-def running(application) -> Iterator[str]:
-    """Serve a WSGI application on a free port of this machine; gives its address."""
-    server = make_server("127.0.0.1", 0, application, threaded=True, request_handler=Quiet)
-    thread = threading.Thread(target=server.serve_forever, daemon=True)
-    thread.start()
-    try:
-        yield f"http://127.0.0.1:{server.server_port}"
-    finally:
-        server.shutdown()
-        thread.join(10)
-        server.server_close()
 
 
 class Watch:

@@ -10,7 +10,7 @@ from dash import Dash, html
 from playwright.sync_api import Page
 
 from core.mocap.dataset import Dataset
-from tests.browser.conftest import running
+from tests.browser.start import running
 from tests.webapp.generated import walkers
 from webapp.api.motion import motion_blueprint
 from webapp.components import stage

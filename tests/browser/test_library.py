@@ -20,7 +20,7 @@ from tests.browser.app import (
     wait_until_moved,
     workspace,
 )
-from tests.browser.conftest import running
+from tests.browser.start import running
 from tests.webapp.generated import walk
 from webapp.app import create_app
 
