@@ -41,20 +41,27 @@
   // Which tab and which files of the report one looks at stand in the store "view", and so in the link.
   const clientside = (window.dash_clientside = window.dash_clientside || {});
   const noted = { tab: "clips", files: "all" }; // these are where one starts, and need no words in the link
+  let set = {}; // what was last shown because the store says so: nobody has chosen that here
   clientside.library = {
     look(tab, files, view) {
       const change = {};
       for (const [key, value] of Object.entries({ tab, files })) {
         const wanted = value === noted[key] ? "" : value || "";
-        if (value && ((view || {})[key] || "") !== wanted) change[key] = wanted;
+        if (value && value !== set[key] && ((view || {})[key] || "") !== wanted) change[key] = wanted;
       }
+      set = {};
       if (Object.keys(change).length) clientside.set_props("view-change", { data: change });
       return clientside.no_update;
     },
     show(view, choices) {
       const wanted = { ...noted, ...view };
       const known = (choices || []).some((choice) => choice.value === wanted.files);
-      return [wanted.tab === "report" ? "report" : "clips", known ? wanted.files : "all"];
+      set = { tab: wanted.tab === "report" ? "report" : "clips", files: known ? wanted.files : "all" };
+      return [set.tab, set.files];
+    },
+    filter(shown, rows) {
+      if (!shown || shown === "all") return rows || [];
+      return (rows || []).filter((row) => shown === "added" ? row.added : row.verdict === shown);
     },
   };
 })();

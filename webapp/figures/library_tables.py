@@ -71,19 +71,16 @@ def clip_rows(dataset: Dataset) -> list[Row]:
     return rows
 
 
-def report_rows(files: Iterable[FileReport], shown: str = "all") -> list[Row]:
-    """One row a file of the import report, worst first. ``shown``: all, a verdict, or "added", the newest addition."""
-    files = list(enumerate(files))
-    if shown == "added":
-        newest = max((file.addition for _, file in files), default=0)
-        files = [(i, file) for i, file in files if file.addition == newest]
-    elif shown != "all":
-        files = [(i, file) for i, file in files if file.verdict == shown]
-    worst_first = sorted(files, key=lambda pair: ("error", "warning", "ok").index(pair[1].verdict))
+def report_rows(files: Iterable[FileReport]) -> list[Row]:
+    """One row a file of the import report, worst first; ``added``: it came with the newest addition."""
+    files = list(files)
+    newest = max((file.addition for file in files), default=0)
+    worst_first = sorted(enumerate(files), key=lambda pair: ("error", "warning", "ok").index(pair[1].verdict))
     return [
         {
             "key": f"{i}",
             "verdict": file.verdict,
+            "added": bool(newest) and file.addition == newest,
             "name": PurePath(file.path).name,
             "path": file.path,
             "messages": messages(file),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping
 
-from dash import ALL, Dash, Input, Output, State, ctx, no_update, set_props
+from dash import ALL, Dash, Input, Output, State, ctx, dcc, no_update, set_props
 from dash.dependencies import ClientsideFunction
 
 from core import analyses
@@ -45,25 +45,19 @@ def _show(app: Dash, workspace: Workspace) -> None:
         except WorkspaceError as error:
             return empty_state("warning", "This dataset cannot be shown", str(error))
         tab, files = _looked_at(view)
-        rows = tables.report_rows(dataset.report.files, files)
         shown = {
             "clips": grid("clips-table", tables.CLIP_COLUMNS, tables.clip_rows(dataset), "Clips", **tables.CHOICE),
-            "report": grid("report-table", tables.REPORT_COLUMNS, rows, "Import report"),
+            "report": grid("report-table", tables.REPORT_COLUMNS, [], "Import report"),
+            "rows": dcc.Store(id="report-rows", data=tables.report_rows(dataset.report.files)),
         }
         return layout.detail(name, shown, dataset.report, tab, files)
 
-    @app.callback(
+    app.clientside_callback(
+        ClientsideFunction("library", "filter"),
         Output("report-table", "rowData"),
         Input("report-filter", "value"),
-        State("dataset", "data"),
-        prevent_initial_call=True,
+        Input("report-rows", "data"),
     )
-    def filter_report(shown, name):
-        try:
-            return tables.report_rows(workspace.report(name).files, shown or "all")
-        except WorkspaceError:
-            return []
-
     app.clientside_callback(
         ClientsideFunction("library", "look"),
         Input("dataset-tabs", "value"),

@@ -73,18 +73,17 @@ def dataset_cards(datasets: Sequence[DatasetInfo], chosen: str | None) -> Compon
 
 
 def _card(info: DatasetInfo, chosen: bool) -> Component:
-    facts = [f"{info.clips:,} clip{'s' if info.clips != 1 else ''}", duration(info.seconds)]
-    if info.labels:
-        facts.append(f"{info.labels:,} labels")
-    doubts = []
+    facts = f"{info.clips:,} clip{'s' if info.clips != 1 else ''} · {duration(info.seconds)}"
+    pills = []
     if info.errors:
-        doubts.append(html.Span(f"{info.errors} not read", className="verdict verdict-error"))
+        pills.append(html.Span(f"{info.errors:,} not read", className="verdict verdict-error"))
     if info.warnings:
-        doubts.append(
-            html.Span(
-                f"{info.warnings} warnings" if info.warnings > 1 else "1 warning", className="verdict verdict-warning"
-            )
-        )
+        words = f"{info.warnings:,} warnings" if info.warnings > 1 else "1 warning"
+        pills.append(html.Span(words, className="verdict verdict-warning"))
+    pills = pills or [html.Span("All files read", className="verdict verdict-ok")]
+    if info.labels:
+        words = f"{info.labels:,} labels" if info.labels > 1 else "1 label"
+        pills.append(html.Span(words, className="verdict verdict-plain"))
     return html.Div(
         className="card dataset-card" + (" chosen" if chosen else ""),
         role="listitem",
@@ -95,13 +94,8 @@ def _card(info: DatasetInfo, chosen: bool) -> Component:
                 title=info.name,
                 children=[
                     html.Span(info.name, className="dataset-name ellipsis"),
-                    html.Span(
-                        " · ".join(fact.replace(" ", "\N{NO-BREAK SPACE}") for fact in facts), className="muted number"
-                    ),
-                    html.Span(
-                        doubts or html.Span("All files read", className="verdict verdict-ok"),
-                        className="dataset-doubts",
-                    ),
+                    html.Span(facts, className="muted number"),
+                    html.Span(pills, className="dataset-doubts"),
                 ],
                 **sends("dataset-choice", {"dataset": info.name}, every_time=True),
                 **{"aria-current": "true" if chosen else "false"},
@@ -181,6 +175,7 @@ def detail(name: str, tables: dict[str, Component], report: ImportReport, tab: s
                     dmc.SegmentedControl(id="report-filter", data=chips, value=chosen, size="xs", mb="xs"),
                     *(dmc.Text(message, size="sm", c="dimmed", mb="xs") for message in report.messages),
                     tables["report"],
+                    tables["rows"],
                 ],
                 value="report",
                 pt="sm",
@@ -195,7 +190,7 @@ def report_chips(report: ImportReport) -> list[dict[str, str]]:
     counts["all"] = len(report.files)
     newest = report.last_addition
     counts["added"] = sum(file.addition == newest for file in report.files) if newest else 0
-    kept = [(key, label) for key, label in REPORTS if counts[key] or key not in ("added",)]
+    kept = [(key, label) for key, label in REPORTS if counts[key] or key == "all"]
     return [{"value": key, "label": f"{label} {counts[key]:,}"} for key, label in kept]
 
 
