@@ -66,8 +66,6 @@ def _stores() -> list[Component]:
         dcc.Store(id="graph-key"),  # of the motif graph shown, where it has been computed
         dcc.Store(id="find-again"),
         dcc.Store(id="graph-tool"),
-        dcc.Store(id="clip-edits"),  # edits whose end will be announced, whatever page is shown then
-        dcc.Store(id="clip-undo"),
         dcc.Store(id="job-started"),
         dcc.Store(id="job-ended"),
         dcc.Store(id="theme", data="light"),
