@@ -29,7 +29,7 @@ def stores() -> list[Component]:
     return [
         dcc.Store(id="change-asked"),  # {"job": id} of a change that was asked for here
         dcc.Store(id="changes", data=[], storage_type="session"),  # ids of those whose end has not been told
-        dcc.Store(id="undo"),  # {"revert": token of a version} or {"restore": token of a dataset in the trash}
+        dcc.Store(id="undo"),  # {"revert": token of a version} {"restore": token of a dataset in the trash} or {"trash": name}
     ]
 
 
@@ -76,6 +76,9 @@ def register(app: Dash, workspace: Workspace) -> None:
 
 def undone(workspace: Workspace, request: Mapping[str, object]) -> dict:
     """Undoes what the store "undo" asks for; the notice about it. Raises WorkspaceError."""
+    if request.get("trash"):
+        workspace.trash(str(request["trash"]))
+        return notice("Undone", f"{request['trash']} is in the trash.")
     if request.get("restore"):
         info = workspace.restore(str(request["restore"]))
         set_props("awaited", {"data": info.name})
@@ -87,6 +90,8 @@ def undone(workspace: Workspace, request: Mapping[str, object]) -> dict:
 def told(workspace: Workspace, job: Job) -> dict:
     """The notice that a change has been made, with its Undo."""
     name, method = str(job.request["dataset"]), job.request["method"]
+    into = job.request["parameters"].get("into", "") if method == "edit" else ""
+    name = into or name
     try:
         report, undo = workspace.report(name), workspace.last_version(name)
     except WorkspaceError:  # renamed or deleted since
@@ -95,10 +100,14 @@ def told(workspace: Workspace, job: Job) -> dict:
         title, words = "Removed", f"{_count(len(json.loads(job.request['parameters']['clips'])), 'clip')} from {name}."
     elif method == "add":
         title, words = "Added", what_came(name, report)
+    elif method == "edit":
+        clips = [file.clip for file in report.files if file.clip and file.addition == report.last_addition]
+        title, words = _count(len(clips), "new clip"), f"{clips[0]}{' and more' if len(clips) > 1 else ''} in {name}."
     else:
         title, words = "Done", f"{job.title}."
-    buttons = [_see_report(name)] if method == "add" else []
-    return undo_notice(title, words, {"revert": undo}, *buttons) if undo else notice(title, words)
+    buttons = [_see_report(name)] if method == "add" else [_see_clip(name, clips[0])] if method == "edit" else []
+    back = {"trash": into} if into else {"revert": undo} if undo else None
+    return undo_notice(title, words, back, *buttons) if back else notice(title, words)
 
 
 def what_came(name: str, report: ImportReport) -> str:
@@ -123,6 +132,10 @@ def undo_notice(title: str, words: str, undo: Mapping[str, str], *buttons: Compo
 def _see_report(name: str) -> Component:
     query = urlencode({"dataset": name, "tab": "report", "files": "added"})
     return dcc.Link("See the report", href=f"/library?{query}", className="text-link notice-link")
+
+
+def _see_clip(name: str, clip: str) -> Component:
+    return dcc.Link("Show it", href=f"/clip?{urlencode({'dataset': name, 'clip': clip})}", className="text-link notice-link")
 
 
 def _count(number: int, what: str) -> str:
