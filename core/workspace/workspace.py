@@ -162,11 +162,13 @@ class Workspace:
             raise WorkspaceError("There are no clips to add.")
         if taken := sorted(set(more.names).intersection(before.names)):
             raise WorkspaceError(f"There is a clip {taken[0][:80]!r} in {name!r} already.")
+        number = before.report.last_addition + 1
+        files = (replace(file, addition=number) for file in more.report.files)
         both = replace(
             before,
             clips=(*before.clips, *more.clips),
             labels=(*before.labels, *more.labels),
-            report=replace(before.report, files=(*before.report.files, *more.report.files)),
+            report=replace(before.report, files=(*before.report.files, *files)),
             digests=(*before.digests, *more.digests),
         )
         return self._change(info, lambda folder, _: _importing().store_dataset(folder, both, report))
