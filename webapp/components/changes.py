@@ -29,7 +29,7 @@ def stores() -> list[Component]:
     return [
         dcc.Store(id="change-asked"),  # {"job": id} of a change that was asked for here
         dcc.Store(id="changes", data=[], storage_type="session"),  # ids of those whose end has not been told
-        dcc.Store(id="undo"),  # {"revert": token of a version} {"restore": token of a dataset in the trash} or {"trash": name}
+        dcc.Store(id="undo"),  # {"revert": token of a version}, {"restore": token of what is in the trash} or {"trash": name}
     ]
 
 
@@ -135,7 +135,8 @@ def _see_report(name: str) -> Component:
 
 
 def _see_clip(name: str, clip: str) -> Component:
-    return dcc.Link("Show it", href=f"/clip?{urlencode({'dataset': name, 'clip': clip})}", className="text-link notice-link")
+    query = urlencode({"dataset": name, "clip": clip})
+    return dcc.Link("Show it", href=f"/clip?{query}", className="text-link notice-link")
 
 
 def _count(number: int, what: str) -> str:
