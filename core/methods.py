@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
@@ -70,6 +70,12 @@ def _method(
     )
 
 
+def _compress(dataset: Dataset, values: Any, report: Report, graph: Any) -> Any:
+    from core.motifs.compressed_dataset import compress_dataset
+
+    return compress_dataset(dataset, graph, report=report)
+
+
 def _walk(dataset: Dataset, values: Any, report: Report, graph: Any) -> Any:
     from core.synthesis import NoWay, make_walk
 
@@ -92,6 +98,15 @@ METHODS: dict[str, Method] = {
         "feature_table",
         pack=lambda table, dataset: import_module("core.export").pack_features(table),
         unpack=lambda document, arrays: import_module("core.export").unpack_features(document, arrays),
+    ),
+    "compression": Method(
+        "Compression",
+        1,
+        lambda: import_module("core.motifs.parameters").MotifParameters,
+        _compress,
+        lambda result, dataset: (result.to_json(), {}),
+        lambda document, arrays: import_module("core.motifs.compressed_dataset").from_json(document),
+        needs=lambda values: ("motifs", asdict(values)),
     ),
     "walk": Method(
         "Walk",
