@@ -182,14 +182,17 @@
       return clientside.no_update;
     },
     // What was chosen above the chart, into the view; what a clip offers of itself is no choice.
-    control(chart, kind, joints, channels, view) {
+    control(chart, kind, joints, channels, view, choice) {
       const now = view || {};
+      const same = (a, b) => JSON.stringify(a || []) === JSON.stringify(b || []);
       const trigger = (clientside.callback_context.triggered[0] || {}).prop_id || "";
       const change = {};
       if (trigger.startsWith("clip-chart")) Object.assign(change, { chart: chart === "angles" ? "" : chart, joints: "" });
       if (trigger.startsWith("clip-kind")) change.angles = kind === "body" ? "" : kind;
       if (trigger.startsWith("clip-joints")) change[kind === "file" && chart === "angles" ? "rig" : "joints"] = (joints || []).join(",");
       if (trigger.startsWith("clip-channels")) change.channels = (channels || []).join(",");
+      if (trigger.startsWith("clip-joints") && same(joints, choice && choice.joints)) return clientside.no_update;
+      if (trigger.startsWith("clip-channels") && same(channels, choice && choice.channels)) return clientside.no_update;
       if (trigger.startsWith("clip-chart") && (now.chart || "angles") === chart) return clientside.no_update;
       if (trigger.startsWith("clip-kind") && (now.angles || "body") === kind) return clientside.no_update;
       set("view-change", change);

@@ -46,6 +46,7 @@ def test_every_edit_adds_clips_and_can_be_undone(workspace, action, options, nam
     assert {label.clip for label in after.labels} >= set(names)
     files = {file.clip: file for file in after.report.files}
     assert all("gait" in files[name].messages[0] for name in names)
+    assert {files[name].addition for name in names} == {1}
     assert Workspace(workspace.path).open("walks").clip(names[0]).n_frames == after.clip(names[0]).n_frames
     workspace.revert(token)
     assert workspace.open("walks").fingerprint == before.fingerprint

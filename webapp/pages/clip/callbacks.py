@@ -123,13 +123,14 @@ def _controls(app: Dash, workspace: Workspace) -> None:
         Output("clip-channels", "children"),
         Output("clip-channels", "value"),
         Output("clip-channels-box", "className"),
+        Output("clip-choice", "data"),
         Input("clip-shown", "data"),
         Input("view", "data"),
     )
     def show_controls(shown, view):
         curves = curves_of(workspace, shown)
         if curves is None:
-            return (no_update,) * 9
+            return (no_update,) * 10
         chosen = clips.choice(view, curves)
         angles, body = chosen.chart == "angles", chosen.kind == "body"
         options = layout.joint_options(curves, chosen)
@@ -139,6 +140,7 @@ def _controls(app: Dash, workspace: Workspace) -> None:
             *(options, list(chosen.joints) if options else []),
             "clip-joints-box" + ("" if options else " hidden"),
             *(chips, list(chosen.channels), "clip-channels-box" + ("" if chips else " hidden")),
+            {"joints": list(chosen.joints), "channels": list(chosen.channels)},
         )
 
     app.clientside_callback(
@@ -148,6 +150,7 @@ def _controls(app: Dash, workspace: Workspace) -> None:
         Input("clip-joints", "value"),
         Input("clip-channels", "value"),
         State("view", "data"),
+        State("clip-choice", "data"),
         prevent_initial_call=True,
     )
 

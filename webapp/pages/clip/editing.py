@@ -1,4 +1,4 @@
-"""Edits of the clip that is shown: asked for in a dialog, done as a job, announced with a way back."""
+"""Edits of the clip that is shown: asked for in a dialog, done as a job, told like all changes of a dataset."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from typing import Any
 
 import dash_mantine_components as dmc
-from dash import Dash, Input, Output, State, ctx, dcc, html, no_update, set_props
+from dash import Dash, Input, Output, State, dcc, html, no_update, set_props
 from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
@@ -16,7 +16,8 @@ from core.editing.mirror import partners
 from core.mocap.dataset import Dataset
 from core.parameters import ParameterError
 from core.workspace import Workspace, WorkspaceError, check_name
-from webapp import jobs, results
+from webapp import results
+from webapp.components import changes
 from webapp.components.actions import sends
 from webapp.components.errors import notice
 from webapp.components.icons import icon
@@ -117,10 +118,9 @@ def effect(workspace: Workspace, name: str, where: str) -> str:
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """Dialog, job, announcement, undo."""
+    """The dialog, and the job it starts; webapp/components/changes.py tells its end and undoes it."""
     _open(app, workspace)
     _do(app, workspace)
-    _announce(app, workspace)
 
 
 def _open(app: Dash, workspace: Workspace) -> None:
@@ -151,7 +151,8 @@ def _open(app: Dash, workspace: Workspace) -> None:
         if action == "trim":
             start, end = selected(shown, selection)
             if start is None:
-                _say(notice("No range is selected", "Drag over the chart to select one.", "orange"))
+                hint = notice("No range is selected", "Drag over the chart to select one.", "orange")
+                set_props("notices", {"sendNotifications": [hint]})
                 return (no_update,) * 9
             says = f"A new clip of frames {start} to {end}, {(end - start) / shown['fps']:.2f} s."
         elif action == "rate":
@@ -184,7 +185,6 @@ def _do(app: Dash, workspace: Workspace) -> None:
     @app.callback(
         Output("clip-edit-problem", "children", allow_duplicate=True),
         Output("clip-edit-dialog", "opened", allow_duplicate=True),
-        Output("clip-edits", "data", allow_duplicate=True),
         Input("clip-edit-do", "n_clicks"),
         State("clip-edit-asked", "data"),
         State("clip-shown", "data"),
@@ -193,34 +193,23 @@ def _do(app: Dash, workspace: Workspace) -> None:
         State("clip-edit-frame", "value"),
         State("clip-edit-where", "value"),
         State("clip-edit-name", "value"),
-        State("clip-edits", "data"),
         prevent_initial_call=True,
     )
-    def do(_clicks, asked, shown, selection, fps, frame, where, name, pending):
+    def do(_clicks, asked, shown, selection, fps, frame, where, name):
         action = (asked or {}).get("action")
         if action not in ACTIONS or not shown:
-            return no_update, False, no_update
+            return no_update, False
         options = _options(action, shown, selection, fps, frame)
         try:
-            entry = start(workspace, shown, action, options, (name or "") if where == NEW else None)
+            dataset = workspace.open(shown["dataset"])
+            if wrong := problem(dataset, shown["clip"], action, options):
+                return wrong, no_update
+            if where == NEW:
+                options["into"] = workspace.check_free(check_name(name or ""))
+            changes.ask(workspace, analyses.edit_request(dataset.name, shown["clip"], action, **options))
         except (WorkspaceError, ParameterError) as error:
-            return str(error), no_update, no_update
-        set_props("job-started", {"data": entry["job"]})
-        return None, False, [*(pending or []), entry]
-
-
-def start(
-    workspace: Workspace, shown: Mapping[str, Any], action: str, options: dict[str, Any], into: str | None
-) -> dict[str, Any]:
-    """Enters the job; what must be known to announce and undo it. Raises WorkspaceError where it cannot be done."""
-    dataset = workspace.open(shown["dataset"])
-    if wrong := problem(dataset, shown["clip"], action, options):
-        raise WorkspaceError(wrong)
-    if into is not None:
-        options = options | {"into": workspace.check_free(check_name(into))}
-    before = {"had": len(dataset.clips), "token": workspace.version(dataset.name)}
-    job = jobs.start(workspace, analyses.edit_request(dataset.name, shown["clip"], action, **options))
-    return {"job": job.id, "dataset": dataset.name, "clip": shown["clip"], "into": options.get("into", ""), **before}
+            return str(error), no_update
+        return None, False
 
 
 def selected(shown: Mapping[str, Any], selection: Mapping[str, Any] | None) -> tuple[int | None, int | None]:
@@ -239,87 +228,3 @@ def _options(action: str, shown, selection, fps: Any, frame: Any) -> dict[str, A
     if action == "rate":
         return {"fps": float(fps) if isinstance(fps, int | float) else 0.0}
     return {"frame": int(frame) if isinstance(frame, int | float) else 0} if action == "split" else {}
-
-
-def _announce(app: Dash, workspace: Workspace) -> None:
-    @app.callback(
-        Output("clip-edits", "data"),
-        Input("jobs-finished", "data"),
-        Input("clip-edits", "data"),
-        prevent_initial_call=True,
-    )
-    def announce(_finished, pending):
-        left = []
-        for entry in pending or []:
-            job = workspace.jobs.get(entry["job"])
-            if job is not None and job.alive:
-                left.append(entry)
-            elif job is not None and job.state == "done":
-                try:
-                    _say(done_notice(workspace, entry))
-                except WorkspaceError:  # gone again already
-                    continue
-        return no_update if left == (pending or []) else left
-
-    @app.callback(
-        Input("clip-undo", "data"), State("selection", "data"), State("dataset", "data"), prevent_initial_call=True
-    )
-    def undo(entry, selection, dataset):
-        if not entry or ctx.triggered_id != "clip-undo":
-            return
-        try:
-            said = take_back(workspace, entry)
-        except (WorkspaceError, ParameterError) as error:
-            _say(notice("That did not work", str(error), "red"))
-            return
-        if (selection or {}).get("clip") in entry["names"] and dataset == entry["dataset"]:
-            set_props("selection", {"data": {"clip": entry["clip"]}})
-        set_props("job-poke", {"data": entry["job"]})
-        _say(notice("Undone", said))
-
-
-def done_notice(workspace: Workspace, entry: Mapping[str, Any]) -> dict:
-    """That new clips are there, with buttons that show and that remove them; raises WorkspaceError."""
-    target = entry["into"] or entry["dataset"]
-    names = workspace.open(target).names[0 if entry["into"] else entry["had"] :]
-    if not names:
-        raise WorkspaceError("There is nothing new.")
-    said = names[0] if len(names) == 1 else f"{len(names)} clips, from {names[0]} to {names[-1]},"
-    undone = sends("clip-undo", {**entry, "names": list(names)}, every_time=True)
-    if entry["into"]:
-        show = sends("dataset-choice", {"dataset": target}, every_time=True)
-    else:
-        show = sends("selection", {"clip": names[0]})
-    buttons = dmc.Group(
-        [
-            dmc.Button("Open it" if entry["into"] else "Show it", size="compact-sm", variant="light", **show),
-            dmc.Button("Undo", size="compact-sm", variant="default", **undone),
-        ],
-        gap="xs",
-        mt=6,
-    )
-    verb = "is" if len(names) == 1 else "are"
-    body = dmc.Stack([dmc.Text(f"{said} {verb} now in {target}.", size="sm"), buttons], gap=2, align="flex-start")
-    return notice("New clip" if len(names) == 1 else "New clips", body, autoClose=15000)
-
-
-def take_back(workspace: Workspace, entry: Mapping[str, Any]) -> str:
-    """Undoes an edit, and says what was done. Raises WorkspaceError."""
-    if entry["into"]:
-        workspace.trash(entry["into"])
-        return f"{entry['into']} is in the trash."
-    try:
-        if workspace.open(entry["dataset"]).names[entry["had"] :] != tuple(entry["names"]):
-            raise WorkspaceError("There have been other changes since.")
-        workspace.revert(entry["token"])
-    except WorkspaceError:  # something came after it: then only these clips go
-        gone = [name for name in entry["names"] if name in workspace.open(entry["dataset"]).names]
-        if not gone:
-            raise
-        jobs.start(workspace, analyses.remove_request(entry["dataset"], gone))
-        return f"{', '.join(gone[:3])} {'is' if len(gone) == 1 else 'are'} being removed."
-    return f"{entry['dataset']} is as it was before."
-
-
-def _say(message: dict) -> None:
-    set_props("notices", {"sendNotifications": [message]})

@@ -45,6 +45,7 @@ def page() -> Component:
                 ],
             ),
             dcc.Store(id="clip-shown"),  # {"dataset", "version", "clip", "fps", "frames"}
+            dcc.Store(id="clip-choice"),  # the joints and channels that the chart shows
             dcc.Store(id="clip-drawn"),  # the three below only give clientside callbacks an output
             dcc.Store(id="clip-marked"),
             dcc.Store(id="clip-sought"),
@@ -239,7 +240,7 @@ def _unit(unit: str) -> str:
     return {"deg": "°"}.get(unit, f" {unit}")
 
 
-def range_bar(clip: str, fps: float, frames: int, start: int | None, end: int | None) -> list[Component]:
+def range_bar(clip: str, fps: float, start: int | None, end: int | None) -> list[Component]:
     """What is selected of the clip, and what can be done with it."""
     if start is None or end is None:
         return [html.Span("No range selected: drag over the chart, and it plays on the Stage.", className="muted")]
