@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import json
 import re
+from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.app import address, demo_workspace, show, wait_for_graph, wait_for_stage, workspace
+from tests.browser.app import PATIENCE, address, demo_workspace, show, wait_for_graph, wait_for_stage, workspace
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
 pytestmark = pytest.mark.browser
@@ -72,3 +73,22 @@ def test_a_motif_is_named_found_and_shown_along_the_clips(show, address):
     page.reload()
     wait_for_graph(page)
     wait_for_label(page, 1, "the <b>")
+
+
+def test_the_coverage_report_is_made_and_its_postures_play(show):
+    page = show("/motifs?dataset=demo&view=report")
+    wait_for_graph(page)
+    page.get_by_role("button", name="Make the report").click()
+    expect(page.locator("#report-chart .js-plotly-plot")).to_be_visible(timeout=PATIENCE)
+    expect(page.locator(".report-sentence")).to_contain_text("of what is distinct")
+    assert page.locator("#report-clips .ag-center-cols-container .ag-row").count() >= 2
+    page.locator(".copy-chip").first.click()
+    wait_for_stage(page, "motion")
+    page.locator(".rare-posture").first.click()
+    clip = page.locator(".rare-posture .ellipsis").first.text_content().split(",")[0]
+    wait_for_stage(page, clip)
+    with page.expect_download() as download:
+        page.get_by_role("button", name="Save the chart: keep-list").click()
+        page.get_by_role("menuitem", name="Numbers (CSV)").click()
+    lines = Path(download.value.path()).read_text().splitlines()
+    assert lines[0].startswith("series,") and len(lines) > 3

@@ -1,4 +1,4 @@
-"""How every chart looks: colours of the theme, quiet grid, no chrome; saving is a menu of ours (components/downloads)."""
+"""How every chart looks: colours of the theme, quiet grid, no chrome (components/downloads.py saves them)."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import plotly.graph_objects as go
 from webapp import theme
 
 SERIES = ("#3b6abf", "#d2762b", "#3a9b7a", "#a45fc0", "#c2486a", "#7f8a2e", "#2f95b0", "#8c6d53")
+FONT = "system-ui, -apple-system, Segoe UI, Roboto, Noto Sans, sans-serif"
 CONFIG = {"displayModeBar": False, "responsive": True}
 HEAT = {"light": "Blues", "dark": "Viridis"}
 
@@ -16,7 +17,13 @@ HEAT = {"light": "Blues", "dark": "Viridis"}
 def themed(figure: go.Figure, scheme: str | None, *, height: int = 320, **layout: Any) -> go.Figure:
     """The figure in the colours of ``scheme`` ("light" or "dark"); ``layout`` goes to its layout."""
     c = theme.CANVAS[scheme if scheme in theme.CANVAS else "light"]
-    axis = {"gridcolor": c["soft"], "zerolinecolor": c["line"], "linecolor": c["line"], "automargin": True}
+    axis = {
+        "gridcolor": c["soft"],
+        "zerolinecolor": c["line"],
+        "linecolor": c["line"],
+        "automargin": True,
+        "title": {"font": {"size": 12.5}},
+    }
     figure.update_layout(
         template="none",
         height=height,
