@@ -22,6 +22,8 @@
     return cy.collection();
   }
 
+  const selectionOf = (element) => (element.isNode() ? { motif: element.data("motif") } : { edge: element.data("edge") });
+
   const watched = new WeakSet();
   function watch(cy) {
     if (watched.has(cy)) return;
@@ -49,8 +51,24 @@
       cy.resize();
       if (!touched) cy.fit(undefined, 26);
     }).observe(box);
-    cy.on("mouseover", "node, edge", () => { box.style.cursor = "pointer"; });
-    cy.on("mouseout", "node, edge", () => { box.style.cursor = ""; });
+    cy.on("mouseover", "node, edge", (event) => {
+      box.style.cursor = "pointer";
+      window.motionscapeAhead.prepare(selectionOf(event.target), true);
+    });
+    cy.on("mouseout", "node, edge", () => {
+      box.style.cursor = "";
+      window.motionscapeAhead.leave();
+    });
+    // the end of a tap comes before the tap, and that before all that Dash does with it
+    let pressed = null;
+    cy.on("tapstart", "node, edge", (event) => {
+      pressed = event;
+      window.motionscapeAhead.prepare(selectionOf(event.target));
+    });
+    cy.on("tapend", "node, edge", (event) => {
+      const [a, b] = [pressed?.renderedPosition, event.renderedPosition];
+      if (pressed?.target === event.target && Math.hypot(a.x - b.x, a.y - b.y) < 6) window.motionscapeAhead.play(selectionOf(event.target));
+    });
     cy.autoungrabify(true);
     cy.fit(undefined, 26);
   }

@@ -4,6 +4,7 @@
 
   let stage = null;
   let mounted = null;
+  let asked = 0;
   let early = null; // a request or state that came before the page held a stage
 
   /** Take hold of the page's stage; again when the page was rebuilt. */
@@ -24,6 +25,7 @@
   window.motionscapeStage = {
     /** Show a request from its start (`replace: true` in it: as replace does); one that is shown already goes on. */
     show(request) {
+      asked += 1;
       mount();
       if (!stage) early = { ...early, request };
       else if (!shown(request)) return request?.replace ? stage.requests.replace(request) : stage.requests.show(request);
@@ -33,6 +35,8 @@
     replace: (request) => (stage ? stage.requests.replace(request) : window.motionscapeStage.show(request)),
     /** Fetch a request's motions, so that showing them later is immediate. */
     prefetch: (request) => stage?.requests.prefetch(request).then(() => undefined),
+    /** How often something was to be shown. */
+    get asked() { return asked; },
     restore(state) {
       if (!state) return;
       if (stage) stage.restore(state);

@@ -18,6 +18,7 @@ from webapp.api.exports import export_blueprint
 from webapp.api.filmstrip import filmstrip_blueprint
 from webapp.api.motion import motion_blueprint
 from webapp.api.recordings import recordings_blueprint
+from webapp.api.stage import stage_blueprint
 from webapp.api.uploads import Limits, upload_blueprint
 from webapp.components import changes, errors, job_bar, shell
 from webapp.components import stage as stage_component
@@ -50,6 +51,7 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> dash.
         upload_blueprint(workspace, limits),
         motion_blueprint(open_motion),
         clip_blueprint(open_motion),
+        stage_blueprint(workspace),
         filmstrip_blueprint(open_motion),
         export_blueprint(workspace),
         recordings_blueprint(workspace, open_motion),
