@@ -183,6 +183,19 @@ def _motifs_arguments(parser: argparse.ArgumentParser) -> None:
     _common(parser)
 
 
+def _sweep_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.description = (
+        "Motif graphs over ranges of parameters: every option of motifs takes several values, separated by commas. "
+        "Without any, kappa 50 to 2000 and rho .2 to 5 as in the 2008 paper."
+    )
+    parser.add_argument("source", metavar="SOURCE", help=SOURCE_HELP)
+    _method_arguments(parser, "motifs", many=True)
+    parser.add_argument("--seeds", type=_whole, default=1, metavar="N", help="seeds at every point (default 1)")
+    parser.add_argument("--out", type=Path, required=True, metavar="sweep.csv", help="file to write, a row a point")
+    parser.add_argument("--plot", type=Path, metavar="DIR", help="write charts (SVG) into this folder as well")
+    _common(parser)
+
+
 def _export_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("source", metavar="SOURCE", help=SOURCE_HELP)
     parser.add_argument(
@@ -200,16 +213,19 @@ def _interval(text: str) -> tuple[int, int]:
     return int(start), int(end)
 
 
-def _method_arguments(parser: argparse.ArgumentParser, method: str) -> None:
-    """The parameters of a method as options; the seed is among the common ones."""
+def _method_arguments(parser: argparse.ArgumentParser, method: str, many: bool = False) -> None:
+    """The parameters of a method as options, ``many``: with several values; the seed is among the common ones."""
     from core.analyses import parameters
+    from core.motifs.axes import read_values
     from core.parameters import Parameter, ParameterError
 
     def reader(parameter: Parameter) -> Callable[[str], object]:
         def read(text: str) -> object:
             try:
-                return parameter.parse(text)
-            except ParameterError:
+                return read_values(parameter.name, text) if many else parameter.parse(text)
+            except ParameterError as error:
+                if many:
+                    raise argparse.ArgumentTypeError(str(error)) from None
                 raise argparse.ArgumentTypeError(f"{text[:60]!r}: expected {parameter.expected}") from None
 
         return read
@@ -221,8 +237,8 @@ def _method_arguments(parser: argparse.ArgumentParser, method: str) -> None:
         parser.add_argument(
             f"--{parameter.name.replace('_', '-')}",
             type=reader(parameter),
-            default=parameter.default,
-            metavar="|".join(filter(None, [words, "N" if parameter.kinds else ""])),
+            default=(parameter.default,) if many else parameter.default,
+            metavar="|".join(filter(None, [words, ("N,N" if many else "N") if parameter.kinds else ""])),
             help=f"{parameter.help} (default {parameter.default})".replace("%", "%%"),
         )
 
@@ -259,6 +275,11 @@ COMMANDS = {
         "Find the motions that recur and how they follow one another.",
         _motifs_arguments,
         _later("webapp.commands", "motifs"),
+    ),
+    "sweep": Command(
+        "Find motifs over ranges of parameters, at about the price of a few.",
+        _sweep_arguments,
+        _later("webapp.sweep_commands", "sweep"),
     ),
 }
 

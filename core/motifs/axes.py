@@ -57,8 +57,8 @@ def write_axis(name: str, values: Sequence[Any]) -> str:
 
 
 def write_value(value: Any) -> str:
-    """A value as people write it."""
-    return f"{value:g}" if isinstance(value, float) else str(value)
+    """A value as people write it, without losing a digit."""
+    return repr(value).removesuffix(".0") if isinstance(value, float) else str(value)
 
 
 def points_of(base: MotifParameters, axes: Axes, seeds: int = 1) -> tuple[MotifParameters, ...]:
@@ -97,7 +97,7 @@ class SweepParameters:
     base: str = "{}"
 
     def __post_init__(self) -> None:
-        axes, base = self._axes(), self._base()
+        axes, base = self.values_of_axes(), self._base()
         defaults = asdict(MotifParameters())
         kept = {name: value for name, value in sorted(asdict(base).items()) if value != defaults[name]}
         object.__setattr__(self, "axes", ";".join(write_axis(*axis) for axis in axes.items()))
@@ -106,9 +106,10 @@ class SweepParameters:
 
     def points(self) -> tuple[MotifParameters, ...]:
         """All points of the sweep, see :func:`points_of`."""
-        return points_of(self._base(), self._axes(), self.seeds)
+        return points_of(self._base(), self.values_of_axes(), self.seeds)
 
-    def _axes(self) -> dict[str, tuple[Any, ...]]:
+    def values_of_axes(self) -> dict[str, tuple[Any, ...]]:
+        """Name of each axis -> its values, in order."""
         axes = [read_axis(text) for text in self.axes.split(";") if text.strip()]
         if len(dict(axes)) < len(axes):
             raise ParameterError("axes: the two axes of a sweep must be different parameters")

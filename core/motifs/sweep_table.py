@@ -52,6 +52,14 @@ class SweepTable:
             warnings.simplefilter("ignore", RuntimeWarning)  # an empty cell is no fault
             return np.nanmedian(self.of(measure), axis=-1)
 
+    def along(self, measure: str, name: str, at: Mapping[str, Any]) -> np.ndarray:
+        """A figure along the axis ``name``, the other axes at the values ``at``: ``(n_values, n_seeds)``.
+
+        Raises KeyError or ValueError where an axis or a value is not there.
+        """
+        places = [slice(None) if axis == name else list(values).index(at[axis]) for axis, values in self.axes.items()]
+        return self.of(measure)[tuple(places)]
+
     def has(self, measure: str) -> bool:
         """Whether any point has this figure."""
         return bool(np.isfinite(self.of(measure)).any())

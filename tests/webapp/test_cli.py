@@ -18,7 +18,7 @@ from core.workspace import Workspace
 from tests.toy_method import REPOSITORY, make_dataset
 from webapp import cli
 
-KINDS = ("serve", "import", "labels", "inspect", "demo", "motifs")
+KINDS = ("serve", "import", "labels", "inspect", "demo", "export", "motifs", "sweep")
 
 
 class Outcome(NamedTuple):

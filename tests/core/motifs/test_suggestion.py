@@ -40,6 +40,8 @@ def test_a_table_has_a_place_for_every_point():
     assert whole.shape == (2, 3, 2) and whole.n_ready == 11
     assert np.array_equal(whole.of("coverage")[0], [[0, 0.1], [0.2, np.nan], [0.4, 0.5]], equal_nan=True)
     assert whole.middle("coverage")[0] == pytest.approx([0.05, 0.2, 0.45])
+    assert np.array_equal(whole.along("coverage", "kappa", {"rho": 1.0}), [[0.2, np.nan], [0.8, 0.9]], equal_nan=True)
+    assert whole.along("coverage", "rho", {"kappa": 100}).tolist() == [[0.6, 0.7], [0.8, 0.9], [1.0, 1.1]]
     assert whole.has("coverage") and not whole.has("purity") and np.isnan(whole.middle("purity")).all()
     with pytest.raises(ValueError, match="do not fill"):
         SweepTable(axes, 2, numbers[:-1])

@@ -1,0 +1,89 @@
+"""What the charts of a sweep show: the figures' names, units and words, and which two share a chart."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+from core.motifs.axes import write_value
+from core.motifs.sweep_table import SweepTable
+
+
+class Measure(NamedTuple):
+    """name: on axes and in lists; factor: what the figure is multiplied by to be shown, in unit; form: its format."""
+
+    name: str
+    help: str
+    factor: float = 1.0
+    unit: str = ""
+    form: str = ".3g"
+
+    def text(self, value: float) -> str:
+        """The figure with its unit, as people read it."""
+        return f"{value * self.factor:{self.form}}{f' {self.unit}' if self.unit else ''}"
+
+    @property
+    def title(self) -> str:
+        """For an axis."""
+        return f"{self.name} ({self.unit})" if self.unit else self.name
+
+
+MEASURES = {
+    "explained": Measure(
+        "Motion explained",
+        "Coverage times one minus the error ratio: a frame in no motif counts nothing, one in a motif counts less the "
+        "further its motions lie apart. The trade-off between coverage and error as one figure.",
+        100, "%", ".0f",
+    ),
+    "coverage": Measure("Coverage", "Share of all frames that belong to some motif.", 100, "%", ".0f"),
+    "average_frame_error": Measure(
+        "Average frame error", "Mean distance of a frame to the same moment of its motif's average motion."
+    ),
+    "error_ratio": Measure(
+        "Error ratio", "Average frame error over the mean distance of a pose to the average pose.", 1, "", ".3f"
+    ),
+    "n_motifs": Measure("Motifs", "How many movements recur.", 1, "", ".4g"),
+    "mean_motions": Measure("Motions per motif", "Mean number of motions of a motif.", 1, "", ".3g"),
+    "mean_frames": Measure("Frames per motion", "Mean length of a motion.", 1, "", ".3g"),
+    "purity": Measure(
+        "Purity", "Share of the labelled frames in motifs that carry their motif's commonest label.", 100, "%", ".1f"
+    ),
+    "f1_majority": Measure(
+        "F1", "How well motifs, each standing for its commonest label, tell the labelled actions; mean over actions.",
+        100, "%", ".1f",
+    ),
+    "seconds": Measure("Seconds", "Time of all stages behind the result, shared ones included.", 1, "s", ".2f"),
+}  # fmt: skip
+
+_AXES = {"kappa": "Distinct poses (kappa)", "rho": "Long or frequent (rho)"}
+
+PAIRS = {  # chart -> figure on the left scale, on the right scale
+    "error-coverage": ("average_frame_error", "coverage"),
+    "motifs": ("n_motifs", "mean_motions"),
+    "labels": ("purity", "f1_majority"),
+}
+
+
+def pairs_of(table: SweepTable) -> dict[str, tuple[str, str]]:
+    """The charts that this sweep has figures for."""
+    return {name: pair for name, pair in PAIRS.items() if name != "labels" or table.has(pair[0])}
+
+
+def axis_name(parameter: str) -> str:
+    """A parameter as an axis title."""
+    return _AXES.get(parameter, parameter.replace("_", " ").capitalize())
+
+
+def is_even(values: Sequence[Any]) -> bool:
+    """Whether values are shown as words side by side, and not as numbers on a scale."""
+    return any(isinstance(value, str) for value in values)
+
+
+def is_log(values: Sequence[Any]) -> bool:
+    """Whether numbers are shown on a logarithmic scale: those that reach over more than one order or so."""
+    return not is_even(values) and min(values) > 0 and max(values) / min(values) >= 8
+
+
+def place(at: Mapping[str, Any]) -> str:
+    """Values of parameters in words: ``rho 1, gamma 1.5``."""
+    return ", ".join(f"{name.replace('_', ' ')} {write_value(value)}" for name, value in at.items())
