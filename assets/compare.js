@@ -109,6 +109,10 @@
       draw();
       return clientside.no_update;
     },
+    play(request) {
+      if (request) put("stage-request", request);
+      return clientside.no_update;
+    },
     mark(selection, view) {
       if (shown) Object.assign(shown, { selection, gained: (view || {}).gained });
       mark();

@@ -82,12 +82,12 @@ def test_the_picture_of_nothing_and_of_very_much_stays_in_its_frame():
 
 def test_a_motif_plays_beside_its_partners(dataset):
     request = figure.pair_request(dataset, HERE, THERE, FOUND, {"motif": 0})
-    assert request["layout"] == "side" and request["title"] == "Motif 0 and 0, 1 of the other result"
+    assert request["layout"] == "side" and request["title"] == "Motif 0 and motifs 0, 1 of the other result"
     assert [(i["label"], i["start"], i["end"]) for i in request["items"]] == [
         ("here 0", 0, 8), ("other 0", 0, 4), ("other 1", 4, 8),
     ]  # fmt: skip
     assert {i["colour"] for i in request["items"]} == {figure.HERE, figure.THERE}
-    assert figure.pair_request(dataset, HERE, THERE, FOUND, {"motif": "4"})["title"] == "Motif 4 only here"
+    assert figure.pair_request(dataset, HERE, THERE, FOUND, {"motif": "4"})["title"] == "Motif 4, only here"
     alone = figure.pair_request(dataset, HERE, THERE, FOUND, {}, "4")
     assert alone["title"] == "Motif 4, only in the other result" and len(alone["items"]) == 1
     assert figure.pair_request(dataset, HERE, THERE, FOUND, {"motif": 99}) is None

@@ -22,19 +22,19 @@ _LEAST_SHARE, _THINNEST = 0.05, 0.3  # of either motif, and pixels: thinner ribb
 
 COLUMNS = [
     column("change", "Change", 96, "What became of the motif", cellRenderer="Change", cellClass="strip-cell"),
-    column("here", "This result", 112, "Motif of the result shown above", tooltipField="here"),
-    {"field": "here_strip", **STRIP, "headerName": "", "minWidth": 110},
-    column("there", "The other", 112, "Motifs of the other result that share most of it", tooltipField="there"),
-    {"field": "there_strip", **STRIP, "headerName": "", "minWidth": 110},
+    column("here", "This result", 96, "Motif of the result shown above", tooltipField="here"),
+    {"field": "here_strip", **STRIP, "headerName": "", "minWidth": 94},
+    column("there", "The other", 92, "Motifs of the other result that share most of it", tooltipField="there"),
+    {"field": "there_strip", **STRIP, "headerName": "", "minWidth": 94},
     column(
         "overlap",
         "Overlap",
-        118,
+        112,
         "Share of their motion that both have, of what either has",
         cellRenderer="Share",
         cellClass="strip-cell",
     ),
-    column("seconds", "Seconds", 88, "Motion in it, here", **NUMBER),
+    column("seconds", "Seconds", 80, "Motion in it, here", **NUMBER),
 ]
 
 Names = Callable[[int], str]
@@ -123,10 +123,7 @@ def flow(comparison: Comparison, names: Mapping[int, str] = MappingProxyType({})
     shared = comparison.shared.toarray()
     rank = {change: k for k, change in enumerate(WORDS)}
     order_a = sorted(range(len(comparison.a)), key=lambda i: (rank[comparison.a[i].change], -comparison.a[i].seconds))
-    place = np.full(len(order_a) + 1, len(order_a), float)
-    place[np.array(order_a, int) + 1] = np.arange(len(order_a))
-    middle = (place @ shared) / np.maximum(shared.sum(0), 1e-12)
-    order_b = sorted(range(len(comparison.b)), key=lambda j: middle[j + 1])
+    order_b = _beside(comparison, shared[1:, 1:], order_a)
     n = max(len(order_a), len(order_b)) + 1
     height = float(np.clip(17 * n, *_HEIGHTS))
     gap = min(_GAP, height / (4 * n))
@@ -143,6 +140,20 @@ def flow(comparison: Comparison, names: Mapping[int, str] = MappingProxyType({})
             _rounded(ribbon) for ribbon in _ribbons(comparison, shared, bars_a, bars_b, order_a, order_b, scale)
         ],
     }
+
+
+def _beside(comparison: Comparison, shared: np.ndarray, order_a: list[int]) -> list[int]:
+    """The other's motifs: kept ones where their partners stand, others at the middle of what they share, new ones
+    last."""
+    place = np.empty(len(order_a))
+    place[np.array(order_a, int)] = np.arange(len(order_a))
+    weights = shared.sum(0)
+    middle = np.where(weights > 0, (place @ shared) / np.maximum(weights, 1e-12), np.inf)
+    at_a, at_b = ({fate.motif: k for k, fate in enumerate(fates)} for fates in (comparison.a, comparison.b))
+    for link in comparison.links:
+        if link.kept:
+            middle[at_b[link.b]] = place[at_a[link.a]]
+    return sorted(range(len(comparison.b)), key=lambda j: (comparison.b[j].change == "gained", middle[j], j))
 
 
 def _bars(
@@ -221,8 +232,9 @@ def pair_request(
     each = MOST_EACH if len(there) < 3 else 1
     items = [_item(s, f"here {m.id}", HERE) for m in here for s in _typical(m, each)]
     items += [_item(s, f"other {m.id}", THERE) for m in there for s in _typical(m, each)]
-    beside = "and " + ", ".join(str(m.id) for m in there) + " of the other result" if there else "only here"
-    title = f"Motif {here[0].id} {beside}" if here else f"Motif {there[0].id}, only in the other result"
+    others = f"motif{'s' if len(there) > 1 else ''} {', '.join(str(m.id) for m in there)} of the other result"
+    title = f"Motif {here[0].id} and {others}" if here and there else f"Motif {(here + there)[0].id}, only "
+    title += "" if here and there else "here" if here else "in the other result"
     return {
         "dataset": dataset.name,
         "version": dataset.fingerprint,

@@ -55,6 +55,7 @@ def layout() -> Component:
             dcc.Store(id="compare-status-of"),
             dcc.Store(id="compare-keys"),  # of both results, where both are there
             dcc.Store(id="compare-flow-data"),
+            dcc.Store(id="compare-request"),  # what the Stage is to play
             dcc.Store(id="compare-ask"),  # the button that has the other result computed
             dcc.Store(id="compare-asked"),
             *(dcc.Store(id=f"compare-{name}") for name in ("drawn", "marked", "row-marked")),
@@ -227,13 +228,12 @@ def _show(app: Dash, workspace: Workspace) -> None:
 
 def _play(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("stage-request", "data", allow_duplicate=True),
+        Output("compare-request", "data"),
         Input("selection", "data"),
         Input("view", "data"),
         Input("compare-keys", "data"),
         State("dataset", "data"),
         State("parameters", "data"),
-        prevent_initial_call=True,
     )
     def play(selection, view, keys, name, parameters):
         selection = selection or {}
@@ -249,6 +249,8 @@ def _play(app: Dash, workspace: Workspace) -> None:
             return figure.pair_request(dataset, *found, selection, view.get("gained", "")) or no_update
         except WorkspaceError:
             return no_update
+
+    app.clientside_callback(ClientsideFunction("compare", "play"), Input("compare-request", "data"))
 
 
 def _shown(view: Mapping[str, str] | None) -> bool:
