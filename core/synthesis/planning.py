@@ -81,7 +81,8 @@ def lay_out(dataset: Dataset, motifs: Mapping[int, Motif], path: Sequence[int], 
         if into and out and into.enter != out.leave:
             pass_over(_inside(dataset, motif, into, out), motif.segments[out.leave].clip)
         last = motif.segments[into.enter] if into else first
-        visits.append((begins, (len(pieces), out.exit.frame if out and out.kind == SEEN else _NEVER)))
+        end = last.end if out is None else out.exit.frame if out.kind == SEEN else _NEVER
+        visits.append((begins, (len(pieces), end)))
         if out and out.kind != SEEN:
             pass_over(_fade(dataset, out), out.entry.clip)
     pieces.append(Segment(clip, start, last.end))

@@ -31,13 +31,15 @@ from core.synthesis.timeline import Timeline, crossfade, schedule
 
 
 class Speeds(NamedTuple):
-    """Metres a second of the fastest joint: in the blends (0 where there are none), and in the recordings used.
-
-    A motion jumps where the first is greater than the second.
-    """
+    """Metres a second of the fastest joint: in the blends (0 where there are none), and in the recordings used."""
 
     seams: float
     sources: float
+
+    @property
+    def jump(self) -> bool:
+        """Whether a blend is faster than anything in the recordings, but for rounding."""
+        return self.seams > 1.01 * self.sources
 
 
 FADE = 0.4  # seconds of a cross-fade where nothing else is said
