@@ -47,7 +47,7 @@
 
     resized() {
       if (this.scene.resize()) this.fit();
-      this.warpStrip.paint(this.scene.theme);
+      this.warpStrip.paint();
       this.draw();
     }
 
@@ -105,16 +105,16 @@
       this.timeline = parts.makeTimeline(this.figures, this.sync, this.layout);
       this.clock.duration = this.timeline.duration;
       this.clock.seek(this.clock.time);
-      this.place(keepView);
+      this.showStrips();
+      this.place(keepView); // in the room that the strips leave
       this.controls.listFigures();
       this.colour();
-      this.showStrips();
     }
 
     /** The strips above the time bar: how fast each motion is, and its coloured spans. */
     showStrips() {
       this.warpStrip.show(this.figures, this.timeline);
-      this.warpStrip.paint(this.scene.theme);
+      this.warpStrip.paint();
       this.bands.show(this.figures, this.timeline.duration);
     }
 
@@ -143,7 +143,7 @@
         figure.shades = parts.shades(theme, figure.colours, this.chosen >= 0 && this.chosen !== k ? 0.72 : 0);
       });
       this.controls.colourChips();
-      this.warpStrip.paint(theme);
+      this.warpStrip.paint();
       this.draw();
     }
 
@@ -274,6 +274,7 @@
         this.clock.jumped = false;
       }
       this.scene.paint(this.camera, this.figures, this.traces, this.clock, this.layout === "overlay");
+      this.warpStrip.refresh(this.scene.theme);
       this.controls.tick(this.figures.length ? this.readout() : "");
       this.tellFrame();
     }

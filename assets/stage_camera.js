@@ -4,6 +4,7 @@
 
   const FIELD_OF_VIEW = (30 * Math.PI) / 180;
   const NEAR = 0.1;
+  const [NEAREST, FURTHEST] = [2.2, 200]; // metres from which all figures are shown
   const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
   class Camera {
@@ -52,14 +53,17 @@
       if (this.moved) return;
       const vertical = Math.tan(FIELD_OF_VIEW / 2);
       this.prepare(1, 1);
-      let distance = 2.2;
-      let span = this.span(cloud, distance);
-      while (distance < 200 && (span.high - span.low > 1.56 * vertical || span.wide > 0.86 * vertical * aspect)) {
-        distance *= 1.04;
-        span = this.span(cloud, distance);
+      const tooNear = ({ low, high, wide }) => high - low > 1.56 * vertical || wide > 0.86 * vertical * aspect;
+      let [near, far] = [NEAREST, FURTHEST];
+      if (!tooNear(this.span(cloud, near))) far = near;
+      while (far / near > 1.02) {
+        const middle = Math.sqrt(near * far);
+        if (tooNear(this.span(cloud, middle))) near = middle;
+        else far = middle;
       }
-      this.distance = distance;
-      this.pan = [0, (distance * (span.high + span.low)) / 2 / this.up[1], 0];
+      const span = this.span(cloud, far);
+      this.distance = far;
+      this.pan = [0, (far * (span.high + span.low)) / 2 / this.up[1], 0];
     }
 
     /** Tangents of the angles at which a cloud around the origin is seen from this far: lowest, highest, widest. */

@@ -139,6 +139,8 @@ def test_coloured_spans_band_the_time_and_the_path(page):
         for (let k = 0; k < data.length; k += 4) n += data[k] === r && data[k + 1] === g && data[k + 2] === b;
         return n;
     }"""
+    page.evaluate("motionscapeStage.seek({ clip: 'walk 0/a', frame: 80 })")
+    settle(page)
     assert page.evaluate(count, [208, 32, 32]) > 50 and page.evaluate(count, [32, 64, 208]) > 50
     page.mouse.click(blue["x"] + blue["width"] / 2, blue["y"] + 4)
     settle(page)
