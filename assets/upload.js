@@ -149,7 +149,7 @@
     const parts = [];
     if (mine.items.length) parts.push(`${mine.sent} of ${mine.items.length - bad} files received, ${words(sent)}`);
     if (bad) parts.push(`${bad} left out`);
-    if (mine.ignored) parts.push(`${mine.ignored} other files ignored`);
+    if (mine.ignored) parts.push(`${mine.ignored} other file${mine.ignored > 1 ? "s" : ""} ignored`);
     node.textContent = parts.join("; ");
     const bar = $("upload-bar");
     if (bar) bar.style.width = (mine.bytes ? Math.min(100, (100 * sent) / mine.bytes) : 0) + "%";

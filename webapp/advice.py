@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from core.mocap.recordings import NO_SKELETON
+from core.mocap.recordings import NEEDS_SKELETON
 
 
 def on_the_command_line(message: str) -> str:
     """The message, with the option that helps where there is one."""
-    return f"{message}: --skeleton FILE.asf" if NO_SKELETON in message else message
+    return message.replace(NEEDS_SKELETON, "one of them, or --skeleton FILE.asf")
 
 
 def in_the_browser(message: str) -> str:
     """The message, with what to do on the Library page where there is something."""
-    if NO_SKELETON not in message:
-        return message
-    return f"{message.partition('; expected')[0]}. Add the recording again together with its .asf file"
+    return message.replace(f"expected {NEEDS_SKELETON}", "add the recording again, together with its .asf file")

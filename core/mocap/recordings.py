@@ -14,7 +14,7 @@ from core.mocap.files import files_below
 from core.mocap.text import recording_format
 
 FORMATS = (".bvh", ".amc")
-NO_SKELETON = "no skeleton"  # how a message about an AMC without ASF begins: whoever shows it says how to give one
+NEEDS_SKELETON = "one of them, or one skeleton given for all"  # whoever shows the message says how to give one
 Source = str | os.PathLike | Sequence[str | os.PathLike]
 
 
@@ -109,8 +109,8 @@ def find_skeleton(path: Path, skeleton: str | Path | None = None) -> Path:
         return next(iter(beside.values()))
     if skeleton is not None:
         return Path(skeleton)
-    found = f"{NO_SKELETON}: neither {parts[0]}.asf nor a single .asf file stands beside it"
-    raise RecordingError(path, found, "one of them, or one skeleton given for all")
+    found = f"no skeleton: neither {parts[0]}.asf nor a single .asf file stands beside it"
+    raise RecordingError(path, found, NEEDS_SKELETON)
 
 
 def _skeletons_in(folder: Path) -> list[Path]:

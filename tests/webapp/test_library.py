@@ -51,7 +51,7 @@ def test_the_report_shows_the_worst_first_and_can_be_filtered():
     later = (*REPORTS, FileReport("x/d.amc", None, "error", (NO_SKELETON,), 1), FileReport("d.bvh", "d", "ok", (), 1))
     rows = [row for row in library_tables.report_rows(later) if row["added"]]
     assert [(row["name"], row["path"]) for row in rows] == [("d.amc", "x/d.amc"), ("d.bvh", "d.bvh")]
-    assert rows[0]["messages"].endswith("beside it. Add the recording again together with its .asf file.")
+    assert rows[0]["messages"].endswith("beside it; add the recording again, together with its .asf file.")
     assert "skeleton given" not in rows[0]["messages"] and "--" not in rows[0]["messages"]
 
 

@@ -18,6 +18,7 @@ from dash.development.base_component import Component
 
 from core.workspace import DatasetInfo, Job, Workspace, WorkspaceError
 from webapp import jobs as webapp_jobs
+from webapp.advice import in_the_browser
 from webapp.components.errors import notice
 
 FAST, SLOW = 600, 4000  # milliseconds between two looks
@@ -106,7 +107,11 @@ def _alive(job: Job) -> dict:
 
 
 def _failed(job: Job) -> dict:
-    return {"id": job.id, "title": job.title, "error": job.error or "It failed for a reason we do not know."}
+    return {
+        "id": job.id,
+        "title": job.title,
+        "error": in_the_browser(job.error or "It failed for a reason we do not know."),
+    }
 
 
 def register(app: Dash, workspace: Workspace) -> None:
