@@ -18,6 +18,7 @@ _VERBS = {
     "make_demo": "core.demo",
     "find_motifs": "core.motifs.build",
     "MotifParameters": "core.motifs.build",
+    "sweep": "core.motifs.sweep",
     "Workspace": "core.workspace",
 }
 __all__ = sorted(_VERBS)

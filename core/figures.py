@@ -45,7 +45,7 @@ def figures_of(graph: MotifGraph, labels: Iterable[Label] = ()) -> Figures:
 
 def keep_figures(workspace: Workspace, key: str, graph: MotifGraph, dataset: Dataset) -> Figures:
     """The figures of the motif graph stored under ``key``, from now on quick to read. Raises WorkspaceError."""
-    figures, place = figures_of(graph, dataset.labels), _place(key, dataset)
+    figures, place = figures_of(graph, dataset.labels), _place(key, _label_mark(dataset))
     workspace.results.put(place, figures)
     _remember(workspace.path, place, figures)
     return figures
@@ -53,16 +53,16 @@ def keep_figures(workspace: Workspace, key: str, graph: MotifGraph, dataset: Dat
 
 def read_figures(workspace: Workspace, dataset: Dataset, keys: Sequence[str]) -> list[Figures | None]:
     """The figures of the motif graphs of ``dataset`` stored under ``keys``; None where there is no graph (yet)."""
-    return [_read(workspace, dataset, key) for key in keys]
+    mark = _label_mark(dataset)
+    return [_read(workspace, dataset, key, _place(key, mark)) for key in keys]
 
 
-def _read(workspace: Workspace, dataset: Dataset, key: str) -> Figures | None:
-    if not workspace.results.has(key):
-        return None
-    place = _place(key, dataset)
+def _read(workspace: Workspace, dataset: Dataset, key: str, place: str) -> Figures | None:
     with _lock:
         if (workspace.path, place) in _known:
             return _known[workspace.path, place]
+    if not workspace.results.has(key):
+        return None
     with suppress(ResultDamaged):  # it has been set aside: count again
         found = workspace.results.get(place)
         if found is not None:
@@ -75,9 +75,9 @@ def _read(workspace: Workspace, dataset: Dataset, key: str) -> Figures | None:
         return None
 
 
-def _place(key: str, dataset: Dataset) -> str:
+def _place(key: str, mark: str) -> str:
     """Where the summary of the graph under ``key`` lies: it depends on the labels too, which the key does not know."""
-    return hashlib.blake2b(json.dumps([_VERSION, key, _label_mark(dataset)]).encode(), digest_size=16).hexdigest()
+    return hashlib.blake2b(json.dumps([_VERSION, key, mark]).encode(), digest_size=16).hexdigest()
 
 
 def _label_mark(dataset: Dataset) -> str:

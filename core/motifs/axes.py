@@ -17,6 +17,24 @@ Axes = Mapping[str, Sequence[Any]]
 PAPER = {"kappa": (50, 100, 200, 500, 1000, 2000), "rho": (0.2, 0.5, 1.0, 2.0, 5.0)}
 """The ranges of the paper's Figures 5 and 6, and what lies between."""
 
+USUAL = PAPER | {
+    "gamma": (1.2, 1.35, 1.5, 1.75, 2.0),
+    "min_letters": (3, 5, 7, 10),
+    "max_letters": (15, 30, 60),
+    "adjacency": ("radius", "spheres"),
+    "pose": ("angles", "positions"),
+    "analysis_fps": (15.0, 30.0, 60.0),
+    "reach": (0.03, 0.05, 0.07, 0.1, 0.15),
+    "strictness": (0.45, 0.5, 0.545, 0.6, 0.7),
+    "join": (0.0, 0.6, 0.8, 1.0),
+    "tightness": (0.0, 0.3, 0.6, 0.9),
+    "min_seconds": (0.0, 0.35, 0.7, 1.0),
+    "hold": (0.0, 0.25, 0.5),
+    "slack": (0.0, 0.5, 1.0, 2.0),
+    "seeding": ("largest", "random"),
+}
+"""Values to begin with, for every parameter that can be an axis."""
+
 MOST_POINTS = 3000
 MOST_VALUES = 60
 _SWEPT = {p.name: p for p in parameters_of(MotifParameters) if p.name != "seed"}

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from core.motifs.axes import MOST_POINTS, PAPER, points_of, read_axis, read_values, sweepable, write_axis
+from core.motifs.axes import MOST_POINTS, PAPER, USUAL, points_of, read_axis, read_values, sweepable, write_axis
 from core.motifs.parameters import MotifParameters
 from core.parameters import ParameterError
 
@@ -54,6 +54,14 @@ def test_an_axis_survives_being_written(parameter, numbers):
     text = " ".join(f"{word:g}" if isinstance(word, float) else str(word) for word in words)
     values = read_values(parameter.name, text)
     assert read_axis(write_axis(parameter.name, values)) == (parameter.name, values)
+
+
+def test_every_parameter_has_values_to_begin_with():
+    assert set(USUAL) == {parameter.name for parameter in sweepable()}
+    for parameter in sweepable():
+        values = USUAL[parameter.name]
+        assert read_axis(write_axis(parameter.name, values)) == (parameter.name, values)
+        assert parameter.default in (*values, "auto")
 
 
 def test_points_are_all_combinations_the_seed_fastest():
