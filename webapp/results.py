@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from core import analyses
 from core.mocap.dataset import Dataset
@@ -14,7 +14,11 @@ from core.workspace import Job, MotifNote, Workspace, WorkspaceError
 from webapp.components.filmstrip import icon_data_uri
 from webapp.figures import graph as graph_figure
 
+if TYPE_CHECKING:
+    from core.motifs.stability import Stability
+
 MOTIFS = "motifs"
+STABILITY = "stability"
 
 
 def motif_request(dataset: str, parameters: Mapping[str, Any] | None) -> analyses.Request:
@@ -70,6 +74,44 @@ def motif_notes(workspace: Workspace, dataset: str, parameters: Mapping[str, Any
 def comparing(view: Mapping[str, str] | None) -> bool:
     """Whether the Motifs page compares the result with another: a motif then plays beside its partners there."""
     return (view or {}).get("view") == "compare" and bool((view or {}).get("other"))
+
+
+def mixing(view: Mapping[str, str] | None) -> bool:
+    """Whether the Motifs page mixes motions: a motif then plays as its mixture (assets/blend.js)."""
+    return (view or {}).get("side") == "blend"
+
+
+def stability_request(dataset: str, parameters: Mapping[str, Any] | None, text: str | None) -> analyses.Request:
+    """The request for the stability of the motifs of these parameters; text: repetitions and degrees of noise, as in
+    a link (``2,1.5``), left at their defaults where they make no sense."""
+    known = {parameter.name: parameter for parameter in analyses.parameters(STABILITY)}
+    values = dict(motif_request(dataset, parameters).parameters)
+    for name, word in zip(("repetitions", "noise_degrees"), (text or "").split(","), strict=False):
+        try:
+            values[name] = known[name].parse(word)
+        except ParameterError:
+            continue
+    return analyses.Request(dataset, STABILITY, values)
+
+
+def stability(
+    workspace: Workspace, dataset: str, parameters: Mapping[str, Any] | None, text: str | None
+) -> Stability | None:
+    """How stable the motifs are, where it has been measured."""
+    try:
+        return analyses.stored(workspace, stability_request(dataset, parameters, text))
+    except (ParameterError, WorkspaceError):
+        return None
+
+
+def stability_job(
+    workspace: Workspace, dataset: str, parameters: Mapping[str, Any] | None, text: str | None
+) -> Job | None:
+    """The newest job that measures it, or None."""
+    try:
+        return workspace.jobs.latest(analyses.key(workspace, stability_request(dataset, parameters, text)))
+    except (ParameterError, WorkspaceError):
+        return None
 
 
 def latest_job(workspace: Workspace, dataset: str, parameters: Mapping[str, Any] | None) -> Job | None:

@@ -44,6 +44,9 @@ COMPONENTS = ("#4a7cd8", "#d2762b", "#3a9b7a", "#a45fc0", "#c2486a", "#7f8a2e", 
 
 ALONE = "#8793a3"
 
+# rings of unstable and of stable motifs: apart for the colour-blind, and readable on both themes
+STABILITY = ("#e08a2e", "#1f9c86")
+
 # ag-grid's own theme, made to follow the page through CSS variables
 GRID_THEME = {
     "function": "themeQuartz.withParams({"

@@ -1,4 +1,4 @@
-"""Downloads of results: ``GET /api/motifs.json``, ``.csv`` and ``.svg``, ``?dataset=...&kappa=...``."""
+"""Downloads of results: ``GET /api/motifs.json``, ``.csv`` and ``.svg``, ``/api/stability.json``; ``?dataset=...&kappa=...``"""
 
 from __future__ import annotations
 
@@ -44,6 +44,14 @@ def export_blueprint(workspace: Workspace) -> Blueprint:
         notes = results.motif_notes(workspace, dataset.name, _parameters())
         return _attachment(motions_csv(dataset, graph, notes), "text/csv", f"{dataset.name}-motifs.csv")
 
+    @routes.get("/stability.json")
+    def stability_json() -> Response:
+        dataset, _, _ = _asked(workspace)
+        found = results.stability(workspace, dataset.name, _parameters(), request.args.get("stability"))
+        if found is None:
+            raise Refusal("The stability of these motifs has not been measured yet.", 404)
+        return _attachment(json.dumps(found.to_json()), "application/json", f"{dataset.name}-stability.json")
+
     @routes.get("/motifs.svg")
     def motifs_svg() -> Response:
         dataset, graph, key = _asked(workspace)
@@ -76,7 +84,7 @@ def _asked(workspace: Workspace) -> tuple[Dataset, MotifGraph, str]:
 
 
 def _parameters() -> dict[str, str]:
-    return {key: value for key, value in request.args.items() if key != "dataset"}
+    return {key: value for key, value in request.args.items() if key not in ("dataset", "stability")}
 
 
 def _attachment(text: str, mimetype: str, name: str) -> Response:

@@ -132,6 +132,16 @@ def stylesheet(name: str) -> list[dict[str, Any]]:
         },
         {"selector": "node.one-way", "style": {"border-style": "dashed"}},
         {
+            "selector": "node.rated",
+            "style": {
+                "label": "data(rated)",
+                "outline-width": 5,
+                "outline-offset": 3,
+                "outline-color": f"mapData(stability, 0, 1, {theme.STABILITY[0]}, {theme.STABILITY[1]})",
+                "text-margin-y": 11,
+            },
+        },
+        {
             "selector": "edge",
             "style": {
                 "width": "data(width)",

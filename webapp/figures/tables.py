@@ -48,6 +48,16 @@ MOTIF_COLUMNS = [
     column("name", "Name", 130, "What people call it", flex=1, minWidth=110, tooltipField="note"),
     column("tags", "Tags", 100, flex=1, minWidth=90, tooltipField="tags"),
     column("note", "Note", 100, hide=True),
+    column(
+        "stability",
+        "Stability",
+        112,
+        "How surely it is found again",
+        hide=True,
+        valueGetter={"function": "stabilityOf(params)"},
+        cellRenderer="Share",
+        cellClass="strip-cell",
+    ),
     column("label", "Mostly", 120, "The label that covers most of its frames", flex=1, minWidth=120),
 ]
 

@@ -14,7 +14,7 @@ from webapp import jobs, recipes, results
 from webapp.components.errors import notice
 from webapp.figures import graph as graph_figure
 from webapp.figures import tables
-from webapp.pages.motifs import form, layout, views
+from webapp.pages.motifs import form, layout, stability_marks, views
 
 
 def register(app: Dash, workspace: Workspace) -> None:
@@ -23,6 +23,7 @@ def register(app: Dash, workspace: Workspace) -> None:
     _show(app, workspace)
     _browse(app, workspace)
     views.register(app, workspace)
+    stability_marks.register(app, workspace)
 
 
 def _ask(app: Dash, workspace: Workspace) -> None:

@@ -21,7 +21,7 @@ from webapp.components.icons import icon
 from webapp.components.running import running
 from webapp.figures import graph as graph_figure
 from webapp.figures.tables import strip_address
-from webapp.pages.motifs import views
+from webapp.pages.motifs import stability_marks, views
 from webapp.pages.motifs.form import summary
 from webapp.playback import find_edge, find_motif, moment, transition_segment
 
@@ -188,6 +188,7 @@ def _graph_card(graph: MotifGraph, elements: list[dict], scheme: str) -> Compone
                         ],
                     ),
                     html.Div(className="spacer"),
+                    stability_marks.control(),
                     html.Div(
                         className="graph-tools",
                         children=[
@@ -211,6 +212,7 @@ def _graph_card(graph: MotifGraph, elements: list[dict], scheme: str) -> Compone
                 responsive=False,
             ),
             html.Div(graph_figure.legend(graph), className="graph-legend muted"),
+            stability_marks.legend(),
         ],
     )
 
