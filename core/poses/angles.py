@@ -149,11 +149,21 @@ def channel_angles(clip: Clip, joint: int) -> tuple[tuple[str, ...], np.ndarray]
     """A joint's turn against its parent as the file's own channels: their names and ``(n_frames, 3)``, degrees.
 
     Intrinsic Euler angles in the order of the source's rotation channels (Z, Y, X where it has fewer than three, as in
-    ASF), about the axes of the rig, without jumps of a full turn: the numbers a BVH file of the clip holds.
+    ASF), about the axes of the rig. Every turn has two such triples; that which is nearer to the frame before goes on,
+    so curves have no jumps, as in a file that was recorded rather than computed.
     """
     turns = tuple(c for c in clip.skeleton.channels[joint] if c.endswith("rotation"))
     if len(turns) != 3:
         turns = ("Zrotation", "Yrotation", "Xrotation")
     order = "".join(channel[0] for channel in turns)
     angles = np.degrees(quat.to_euler(order, clip.rotations[:, joint]))
-    return turns, np.unwrap(angles, period=360, axis=0)
+    middle = -angles[:, 1] if order[0] == order[2] else 180 - angles[:, 1]
+    other = np.column_stack([angles[:, 0] + 180, middle, angles[:, 2] + 180])
+    changes = _apart(angles[1:], other[:-1]) < _apart(angles[1:], angles[:-1])
+    turned = np.r_[False, np.cumsum(changes) % 2 == 1]
+    return turns, np.unwrap(np.where(turned[:, None], other, angles), period=360, axis=0)
+
+
+def _apart(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    """How far triples of angles ``(n, 3)`` lie apart, full turns aside."""
+    return (np.abs((a - b + 180) % 360 - 180) ** 2).sum(1)

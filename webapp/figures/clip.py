@@ -22,7 +22,7 @@ from webapp import theme
 from webapp.clips import Choice, joint_words, side_of
 
 MOST_POINTS = 1800  # of a line: two a pixel of the widest chart
-PANEL, ROW, GAP, TOP, BOTTOM, LEFT, RIGHT = 138, 18, 16, 8, 40, 78, 12  # pixels
+PANEL, ROW, GAP, TOP, BOTTOM, LEFT, RIGHT = 132, 20, 24, 22, 40, 78, 12  # pixels
 DASHES = ("solid", "6px,3px", "1.5px,3px", "9px,3px,2px,3px")
 AXES = {"X": "#d9534f", "Y": "#3a9b5c", "Z": "#4a7cd8"}  # the colours 3D programs give to axes
 SIDE_COLOURS = {  # those of the Stage's figures
@@ -92,7 +92,7 @@ def panels_of(found: Sequence[Curve], chosen: Choice, scheme: str) -> tuple[Pane
         return (Panel("Foot height", "m", tuple(lines)),)
     if chosen.kind == "file":
         return tuple(
-            Panel(part, "deg", tuple(Line(c, c.name, "", AXES[c.name[0]], "solid") for c in group))
+            Panel(part, "deg", tuple(Line(c, f"{part} {c.name}", "", AXES[c.name[0]], "solid") for c in group))
             for part, group in groupby(found, lambda curve: curve.part)
         )
     by_joint: dict[str, list[Curve]] = {}
@@ -166,7 +166,7 @@ def time_chart(
     clip, colours = curves.clip, theme.CANVAS[scheme]
     low, high = chosen.span or (0.0, max((clip.n_frames - 1) / clip.fps, 1 / clip.fps))
     first, last = max(int(low * clip.fps) - 1, 0), min(int(np.ceil(high * clip.fps)) + 2, clip.n_frames)
-    height = TOP + BOTTOM + len(panels) * (PANEL + GAP) + len(bands) * ROW
+    height = TOP + BOTTOM + len(panels) * (PANEL + GAP) + len(bands) * ROW - (0 if bands else GAP)
     inner = height - TOP - BOTTOM
     layout = _layout(colours, height)
     layout["xaxis"] |= {
@@ -192,6 +192,7 @@ def time_chart(
             "tickvals": list(range(len(bands))),
             "ticktext": [band.title for band in bands],
             "showgrid": False,
+            "zeroline": False,
             "fixedrange": True,
         }
         for row, band in enumerate(bands):
@@ -230,12 +231,13 @@ def _band(row: int, band: Band, axis: str, fps: float) -> list[Document]:
                 "base": [round(b.start / fps, 4) for b in band.blocks],
                 "x": [round((b.end - b.start) / fps, 4) for b in band.blocks],
                 "y": [row] * len(band.blocks),
-                "width": 0.76,
+                "width": 0.88,
                 "marker": {"color": [b.colour for b in band.blocks], "line": {"width": 0}},
                 "text": [b.text for b in band.blocks],
                 "textposition": "inside",
                 "insidetextanchor": "start",
                 "textangle": 0,
+                "textfont": {"size": 11},
                 "customdata": hover,
                 "hovertemplate": "%{customdata}<extra></extra>",
                 "meta": {"row": row, "picks": [[b.start, b.end] for b in band.blocks]},
@@ -253,7 +255,7 @@ def _band(row: int, band: Band, axis: str, fps: float) -> list[Document]:
                     "symbol": [m.symbol for m in band.marks],
                     "color": [m.colour for m in band.marks],
                     "size": 9,
-                    "line": {"width": 1.4},
+                    "line": {"width": 1.4, "color": [m.colour for m in band.marks]},
                 },
                 "customdata": [f"{m.text}, frame {m.frame}" for m in band.marks],
                 "hovertemplate": "%{customdata}<extra></extra>",
@@ -271,8 +273,8 @@ def _heading(text: str, at: float, inner: float, colours: dict[str, str]) -> Doc
     return place | {
         "text": text,
         "showarrow": False,
-        "yshift": -16,
-        "xshift": 5,
+        "yshift": 1,
+        "xshift": 0,
         "font": {"size": 12, "color": colours["muted"]},
     }
 
@@ -295,7 +297,7 @@ def _layout(colours: dict[str, str], height: int) -> Document:
         "hovermode": "closest",
         "dragmode": False,
         "barmode": "overlay",
-        "uniformtext": {"mode": "hide", "minsize": 10},
+        "uniformtext": {"mode": "hide", "minsize": 9},
         "hoverlabel": {
             "bgcolor": colours["surface"],
             "bordercolor": colours["line"],

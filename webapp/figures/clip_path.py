@@ -39,7 +39,7 @@ def path_chart(curves: ClipCurves, selection: Mapping[str, Any], scheme: str) ->
         "paper_bgcolor": "rgba(0,0,0,0)",
         "plot_bgcolor": "rgba(0,0,0,0)",
         "font": {"color": colours["text"], "size": 12, "family": "inherit"},
-        "xaxis": axis | {"title": {"text": "X (m)", "standoff": 6}, "range": [left, right], "constrain": "domain"},
+        "xaxis": axis | {"title": {"text": "X (m)", "standoff": 6}, "range": [left, right]},
         "yaxis": axis | {"title": {"text": "Z (m)", "standoff": 6}, "range": [far, near], "scaleanchor": "x"},
         "hovermode": "closest",
         "dragmode": "pan",

@@ -11,6 +11,7 @@ from webapp.components.actions import sends
 
 MOST_EVENTS = 400  # rows of the table
 _DIGITS = {"m": 2, "s": 2, "m/s": 2, "steps/min": 0}
+MINUS = "\N{MINUS SIGN}"
 _NAMES = {"strike": "Heel strike", "off": "Toe-off"}
 
 
@@ -18,11 +19,8 @@ def gait_card(gait: Gait, clip: str, fps: float) -> Component:
     """Measures of every bout, and all events; or why there are none."""
     if not gait.bouts:
         return html.Div(gait.why, className="muted gait-none")
-    parts: list[Component] = []
-    for number, bout in enumerate(gait.bouts):
-        parts.append(_bout_head(bout, number, len(gait.bouts), clip, fps))
-        parts.append(_measures(bout))
-    return html.Div([*parts, _events(gait, clip, fps)])
+    bouts = [_bout(bout, number, len(gait.bouts), clip, fps) for number, bout in enumerate(gait.bouts)]
+    return html.Div([*bouts, _events(gait, clip, fps)])
 
 
 def bout_words(bout: GaitBout) -> str:
@@ -30,9 +28,9 @@ def bout_words(bout: GaitBout) -> str:
     return ("Walking" if bout.kind == "walk" else "Running") + (" backward" if bout.backward else "")
 
 
-def _bout_head(bout: GaitBout, number: int, n: int, clip: str, fps: float) -> Component:
+def _bout(bout: GaitBout, number: int, n: int, clip: str, fps: float) -> Component:
     when = f"{bout.start / fps:.2f} to {bout.end / fps:.2f} s"
-    play = dmc.Button(
+    select = dmc.Button(
         "Select",
         size="compact-xs",
         variant="default",
@@ -40,7 +38,10 @@ def _bout_head(bout: GaitBout, number: int, n: int, clip: str, fps: float) -> Co
         **{"aria-label": f"Select the frames of {bout_words(bout).lower()}, {when}"},
     )
     title = bout_words(bout) + (f" ({number + 1} of {n})" if n > 1 else "")
-    return html.Div([html.H3(title), html.Span(when, className="muted number"), play], className="gait-head")
+    cadence, speed = (next(m for m in bout.measures if m.name == name) for name in ("Cadence", "Speed"))
+    facts = f"{when} · {cadence.mean:.0f} steps/min · {speed.mean:.2f} m/s"
+    head = html.Summary([html.B(title), html.Span(facts, className="muted number"), select], className="gait-head")
+    return html.Details([head, _measures(bout)], className="gait-bout", open=number == 0)
 
 
 def _measures(bout: GaitBout) -> Component:
@@ -50,7 +51,7 @@ def _measures(bout: GaitBout) -> Component:
             html.Span([m.name, html.Span(f" {m.unit}", className="muted")]),
             *(_number(m, value) for value in (m.left, m.right, m.mean)),
             _number(m, m.spread) if m.n > 1 else "",
-            "" if m.asymmetry is None else f"{m.asymmetry:+.0f} %",
+            "" if m.asymmetry is None else _signed(m.asymmetry),
         ]
         for m in bout.measures
     ]
@@ -68,6 +69,11 @@ def _measures(bout: GaitBout) -> Component:
 
 def _number(measure: Measure, value: float | None) -> str:
     return "" if value is None else f"{value:.{_DIGITS.get(measure.unit, 1)}f}"
+
+
+def _signed(percent: float) -> str:
+    whole = round(percent)
+    return f"{'+' if whole > 0 else MINUS if whole < 0 else ''}{abs(whole)} %"
 
 
 def _events(gait: Gait, clip: str, fps: float) -> Component:

@@ -135,6 +135,16 @@ def test_channels_of_the_file_turn_back_into_the_rotations():
         assert np.abs(np.diff(angles, axis=0)).max() < 350
 
 
+def test_channels_do_not_jump_where_the_middle_angle_passes_a_right_angle():
+    clip = standing(200)
+    yaw = np.radians(np.linspace(0, 200, 200))  # about Y, the second of Z, Y, X
+    clip.rotations[:, 0] = quat.from_yaw(yaw)
+    names, angles = channel_angles(clip, 0)
+    assert names == ("Zrotation", "Yrotation", "Xrotation")
+    assert np.abs(np.diff(angles, axis=0)).max() < 10 and np.ptp(angles[:, 1]) > 190
+    assert np.abs(np.abs((quat.from_euler("ZYX", np.radians(angles)) * clip.rotations[:, 0]).sum(1)) - 1).max() < 1e-5
+
+
 def test_two_rigs_of_one_recording_have_the_same_angles(shared_data):
     """CMU 02_01: the actor's own skeleton at 120 Hz, and an avatar with another body and another rest pose at 60 Hz."""
     cmu = shared_data / "cmu"

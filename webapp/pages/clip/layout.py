@@ -100,6 +100,11 @@ def _choosers() -> Component:
             segments("clip-chart", CHARTS, "Chart"),
             html.Div(segments("clip-kind", KINDS, "Kind of angles"), id="clip-kind-box", className="hidden"),
             html.Div(
+                dmc.ChipGroup(id="clip-channels", multiple=True, children=[], value=[]),
+                id="clip-channels-box",
+                className="hidden clip-channels-box",
+            ),
+            html.Div(
                 dmc.MultiSelect(
                     id="clip-joints",
                     data=[],
@@ -113,11 +118,6 @@ def _choosers() -> Component:
                 ),
                 id="clip-joints-box",
                 className="hidden clip-joints-box",
-            ),
-            html.Div(
-                dmc.ChipGroup(id="clip-channels", multiple=True, children=[], value=[]),
-                id="clip-channels-box",
-                className="hidden clip-channels-box",
             ),
         ],
     )
