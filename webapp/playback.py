@@ -6,12 +6,13 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any
 
-from dash import Dash, Input, Output, State, no_update
+from dash import Dash, Input, Output, State, no_update, set_props
 
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.motifs.graph import Edge, Motif, MotifGraph
 from core.workspace import Workspace, WorkspaceError
+from webapp.components.errors import notice
 from webapp.figures.tables import clock
 from webapp.results import comparing, motif_graph, motif_notes
 
@@ -148,6 +149,28 @@ def selected_request(
         return None
 
 
+def missing(
+    workspace: Workspace, dataset_name: str | None, parameters: Mapping[str, Any] | None, selection: Mapping[str, Any]
+) -> str | None:
+    """What a selection names that is not there, in plain words; None where it is, or where nobody can tell yet."""
+    if not selection or not dataset_name:
+        return None
+    try:
+        if "clip" in selection:
+            known = selection["clip"] in workspace.open(dataset_name).names
+            return None if known else f"“{dataset_name}” has no clip called “{selection['clip']}”."
+        graph = motif_graph(workspace, dataset_name, parameters)
+    except WorkspaceError:
+        return None
+    if graph is None:
+        return None
+    if "motif" in selection and find_motif(graph, selection["motif"]) is None:
+        return f"The result shown has no motif {selection['motif']}; it has {len(graph.motifs)} motifs."
+    if "edge" in selection and find_edge(graph, selection["edge"]) is None:
+        return f"In the result shown, no motion leads from motif {str(selection['edge']).replace('-', ' to ')}."
+    return None
+
+
 def register(app: Dash, workspace: Workspace) -> None:
     """The selection plays, whichever page it was made on."""
 
@@ -161,4 +184,8 @@ def register(app: Dash, workspace: Workspace) -> None:
         prevent_initial_call=True,
     )
     def play(selection, _key, view, dataset_name, parameters):
+        gone = missing(workspace, dataset_name, parameters, selection)
+        if gone:
+            set_props("notices", {"sendNotifications": [notice("That is not there", gone, "orange", id="not-there")]})
+            set_props("selection", {"data": {}})
         return selected_request(workspace, dataset_name, parameters, selection, view) or no_update
