@@ -1,4 +1,4 @@
-"""Downloads of results: ``GET /api/motifs.json``, ``.csv`` and ``.svg``, ``/api/stability.json``; ``?dataset=...&kappa=...``"""
+"""Downloads of results: ``GET /api/motifs.json``, ``.csv``, ``.svg``, ``/api/stability.json?dataset=...&rho=...``."""
 
 from __future__ import annotations
 

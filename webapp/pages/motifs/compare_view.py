@@ -239,8 +239,8 @@ def _play(app: Dash, workspace: Workspace) -> None:
         selection = selection or {}
         if not name or not results.comparing(view) or ("motif" not in selection and not (view or {}).get("gained")):
             return no_update
-        if "motion" in selection or "edge" in selection or "clip" in selection:
-            return no_update  # playback.py plays these
+        if results.mixing(view) or "motion" in selection or "edge" in selection or "clip" in selection:
+            return no_update  # the blend side plays its mixture, playback.py the rest
         try:
             dataset, found = workspace.open(name), _compared(workspace, name, parameters, view)
             if found is None:  # the other is not there yet
