@@ -14,7 +14,7 @@ from core.motifs.graph import Edge, Motif, MotifGraph
 from core.workspace import Workspace, WorkspaceError
 from webapp.components.errors import notice
 from webapp.figures.tables import clock
-from webapp.results import comparing, motif_graph, motif_notes
+from webapp.results import comparing, mixing, motif_graph, motif_notes
 
 MOST_FIGURES = 24  # the Stage stays fluid; more bodies would hide one another anyway
 AROUND = 1.0  # seconds of motion before and after a transition
@@ -139,6 +139,8 @@ def selected_request(
         return None
     if comparing(view) and "motif" in selection and "motion" not in selection:
         return None  # the comparison plays both results (pages/motifs/compare_view.py)
+    if mixing(view) and "motif" in selection and "motion" not in selection:
+        return None  # the mixture plays (assets/blend.js)
     try:
         dataset = workspace.open(dataset_name)
         graph = motif_graph(workspace, dataset_name, parameters) if "clip" not in selection else None

@@ -17,7 +17,7 @@ from dash.development.base_component import Component
 from core.workspace import Workspace
 from webapp.components.downloads import table_download
 from webapp.components.icons import icon
-from webapp.pages.motifs import compare_view, notes_side, report_view, timeline_view
+from webapp.pages.motifs import blend_side, compare_view, notes_side, report_view, timeline_view
 
 
 class Part(NamedTuple):
@@ -63,6 +63,7 @@ PARTS: dict[str, tuple[Part, ...]] = {
     ),
     "side": (
         Part("motions", "Motions", _motions, _nothing),
+        Part("blend", "Blend", blend_side.layout, blend_side.register),
         Part("notes", "Notes", notes_side.layout, notes_side.register),
     ),
 }
