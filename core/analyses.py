@@ -150,6 +150,15 @@ def run(workspace: Workspace, request: Request, report: Report = silent) -> Any:
     raise AnalysisError("The worker of this analysis stopped again and again; see the logs of the workspace.")
 
 
+def at_once(workspace: Workspace, request: Request, report: Report = silent) -> Any:
+    """The result of a request that takes about a second: opened, or computed here and kept, without a job.
+
+    Raises ParameterError, WorkspaceError, and ValueError in plain words where it cannot be.
+    """
+    request = normalise(request)
+    return _made(workspace, workspace.open(request.dataset), request.method, request.parameters, report)
+
+
 def execute(workspace: Workspace, job: Job, report: Report = silent) -> Any:
     """Does a claimed job in this process and writes its end into the table; the result (None for a task).
 
@@ -189,23 +198,27 @@ def _perform(workspace: Workspace, job: Job, report: Report) -> Any:
         method = METHODS[asked["method"]]
         report("opening", 0.0)
         dataset = workspace.open_fingerprint(asked["fingerprint"])
-        built = build(method.parameters(), asked["parameters"])
-        given = (_needed(workspace, dataset, *method.needs(built), report),) if method.needs else ()
-        result = method.compute(dataset, built, report, *given)
+        result = _computed(workspace, dataset, method, asked["parameters"], report)
         workspace.results.put(job.key, *method.pack(result, dataset))
         _remember(workspace, job.key, result)
     return result
 
 
-def _needed(workspace: Workspace, dataset: Dataset, method: str, values: dict[str, Any], report: Report) -> Any:
-    """The result that another one builds on: opened, or computed and kept."""
+def _computed(workspace: Workspace, dataset: Dataset, method: Method, values: Mapping[str, Any], report: Report) -> Any:
+    built = build(method.parameters(), values)
+    given = (_made(workspace, dataset, *method.needs(built), report),) if method.needs else ()
+    return method.compute(dataset, built, report, *given)
+
+
+def _made(workspace: Workspace, dataset: Dataset, method: str, values: Mapping[str, Any], report: Report) -> Any:
+    """A result: opened, or computed in this thread and kept."""
     request = normalise(Request(dataset.name, method, values))
-    needed_key = result_key(dataset.fingerprint, request)
-    result = _load(workspace, method, needed_key)
+    made_key = result_key(dataset.fingerprint, request)
+    result = _load(workspace, method, made_key)
     if result is None:
-        result = compute(dataset, method, request.parameters, report)
-        workspace.results.put(needed_key, *METHODS[method].pack(result, dataset))
-        _remember(workspace, needed_key, result)
+        result = _computed(workspace, dataset, METHODS[method], request.parameters, report)
+        workspace.results.put(made_key, *METHODS[method].pack(result, dataset))
+        _remember(workspace, made_key, result)
     return result
 
 

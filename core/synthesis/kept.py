@@ -38,6 +38,7 @@ def walk_json(walk: Walk) -> dict[str, Any]:
                 "start": part.start,
                 "end": part.end,
                 "motif": part.motif,
+                "visit": part.visit,
                 "source": part.source._asdict(),
                 "fading": part.fading and part.fading._asdict(),
             }
@@ -73,4 +74,4 @@ def unpack_walk(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -
 
 def _part(entry: Mapping[str, Any]) -> Part:
     fading = Segment(**entry["fading"]) if entry["fading"] else None
-    return Part(entry["start"], entry["end"], entry["motif"], Segment(**entry["source"]), fading)
+    return Part(entry["start"], entry["end"], entry["motif"], entry["visit"], Segment(**entry["source"]), fading)

@@ -24,7 +24,7 @@ from core.synthesis.links import Link, further_links, seen_links
 from core.synthesis.postures import Moment, moments_apart
 
 MOST_MOTIFS = 1000
-MOST_SECONDS = 3600.0
+MOST_SECONDS = 600.0
 _JUMPS = 5  # a jump from a dead end goes to one of so many motifs that begin most like it ends
 
 

@@ -36,12 +36,14 @@ TRANSITION = -1
 class Part(NamedTuple):
     """Frames [start, end) of a walk: the motif they belong to, or TRANSITION, and the source frames they show.
 
-    fading: in a blend the other source, which counts for less; None elsewhere.
+    visit: where on the path that motif stands, -1 in a transition. fading: in a blend the other source, which counts
+    for less; None elsewhere.
     """
 
     start: int
     end: int
     motif: int
+    visit: int
     source: Segment
     fading: Segment | None = None
 
@@ -198,7 +200,7 @@ def walk_parts(made: Stitched, plan: Plan, path: Sequence[int]) -> tuple[Part, .
         a, b = span[0], span[-1] + 1
         source = _shown(made.pieces[leading[a]].clip, frames[a:b])
         faded = None if leading[a] == fading[a] else _shown(made.pieces[fading[a]].clip, other[a:b])
-        parts.append(Part(a, b, int(motif[a]), source, faded))
+        parts.append(Part(a, b, int(motif[a]), int(visit[a]), source, faded))
     return tuple(parts)
 
 

@@ -19,7 +19,7 @@ def test_paths_in_text() -> None:
     for bad in ("", "3-", "3,7", "random:30", "random:x:1", "fewest:3", "3-7-9; rm", "-3"):
         with pytest.raises(ValueError, match="is no path"):
             parse_path(bad)
-    with pytest.raises(ValueError, match="at most 3600 seconds"):
+    with pytest.raises(ValueError, match="at most 600 seconds"):
         parse_path("random:99999:1")
     with pytest.raises(ValueError, match="at most 1000 motifs"):
         parse_path("-".join(["1"] * 1001))
@@ -78,7 +78,7 @@ def test_random_paths_follow_edges_and_their_seed() -> None:
 def test_random_steps_are_as_likely_as_they_were_seen() -> None:
     dataset, graph = string_graph("abababacab", "bacaba")
     ways = open_ways(dataset, graph)
-    path = random_path(dataset, ways, Random(1500, 5, start=0))[0]
+    path = random_path(dataset, ways, Random(590, 5, start=0))[0]
     after = [b for a, b in pairwise(path) if a == 0]
     share = ways.following[0][1] / sum(ways.following[0].values())
     assert abs(np.mean([b == 1 for b in after]) - share) < 0.08 and path[0] == 0

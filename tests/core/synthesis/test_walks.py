@@ -41,6 +41,9 @@ def test_every_frame_says_where_it_comes_from(further: bool) -> None:
     assert walk.parts[0].start == 0 and walk.parts[-1].end == walk.clip.n_frames
     assert all(a.end == b.start for a, b in pairwise(walk.parts))
     visited = [p.motif for p in walk.parts if p.motif != TRANSITION]
+    assert all(p.motif == (walk.path[p.visit] if p.visit >= 0 else TRANSITION) for p in walk.parts)
+    visits = [p.visit for p in walk.parts if p.visit >= 0]
+    assert visits == sorted(visits) and set(visits) == set(range(len(walk.path)))
     runs = [m for k, m in enumerate(visited) if k == 0 or visited[k - 1] != m]
     assert runs == [m for k, m in enumerate(walk.path) if k == 0 or walk.path[k - 1] != m]
     motions = {motif.id: motif.segments for motif in graph.motifs}
@@ -131,7 +134,7 @@ def test_a_single_motif_is_its_most_typical_motion() -> None:
     dataset, graph = demo()
     motif = graph.motifs[2]
     walk = make_walk(dataset, graph, str(motif.id), keep_feet=False)
-    assert walk.parts == ((0, walk.clip.n_frames, motif.id, motif.segments[motif.medoid], None),)
+    assert walk.parts == ((0, walk.clip.n_frames, motif.id, 0, motif.segments[motif.medoid], None),)
 
 
 def test_a_walk_keeps_to_skeletons_with_the_same_joints() -> None:
