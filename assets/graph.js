@@ -53,10 +53,14 @@
     }).observe(box);
     cy.on("mouseover", "node, edge", (event) => {
       box.style.cursor = "pointer";
+      event.target.addClass("pointed");
+      readable(cy);
       window.motionscapeAhead.prepare(selectionOf(event.target), true);
     });
-    cy.on("mouseout", "node, edge", () => {
+    cy.on("mouseout", "node, edge", (event) => {
       box.style.cursor = "";
+      event.target.removeClass("pointed");
+      readable(cy);
       window.motionscapeAhead.leave();
     });
     // the end of a tap comes before the tap, and that before all that Dash does with it
@@ -69,8 +73,21 @@
       const [a, b] = [pressed?.renderedPosition, event.renderedPosition];
       if (pressed?.target === event.target && Math.hypot(a.x - b.x, a.y - b.y) < 6) window.motionscapeAhead.play(selectionOf(event.target));
     });
+    cy.on("zoom", () => cy.elements(".readable").data("letters", letters(cy)));
+    const looks = new MutationObserver(() => (cy.destroyed() ? looks.disconnect() : rasterise(cy)));
+    looks.observe(document.documentElement, { attributes: true, attributeFilter: ["data-mantine-color-scheme"] });
     cy.autoungrabify(true);
     cy.fit(undefined, 26);
+  }
+
+  // Far away most labels are too small to read; those that matter now keep their size on the screen.
+  const letters = (cy) => Math.max(12, 11 / cy.zoom());
+  function readable(cy) {
+    const wanted = cy.elements(".pointed, .chosen, edge.near");
+    cy.batch(() => {
+      cy.elements(".readable").difference(wanted).removeClass("readable");
+      wanted.data("letters", letters(cy)).addClass("readable");
+    });
   }
 
   // A canvas draws a vector image anew at every repaint, a hundred of them take a quarter of a second: make them pixels
@@ -145,6 +162,7 @@
           near.difference(chosen).addClass("near");
           chosen.addClass("chosen");
         }
+        readable(cy);
       });
       return clientside.no_update;
     },

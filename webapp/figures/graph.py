@@ -126,7 +126,7 @@ def stylesheet(name: str) -> list[dict[str, Any]]:
                 "text-background-color": c["page"],
                 "text-background-opacity": 0.85,
                 "text-background-padding": "1px",
-                "min-zoomed-font-size": 5,
+                "min-zoomed-font-size": 7,
                 "overlay-opacity": 0,
             },
         },
@@ -164,7 +164,7 @@ def stylesheet(name: str) -> list[dict[str, Any]]:
             for k in range(1, 5)
         ),
         {"selector": "edge.rare", "style": {"display": "none"}},
-        {"selector": ".faded", "style": {"opacity": 0.28}},
+        {"selector": ".faded", "style": {"opacity": 0.38}},
         {"selector": ".unmatched", "style": {"opacity": 0.12}},
         {
             "selector": "node.near",
@@ -181,12 +181,12 @@ def stylesheet(name: str) -> list[dict[str, Any]]:
             },
         },
         {
-            "selector": "edge.near",
+            "selector": "edge.near, edge.chosen",
             "style": {
                 "opacity": 1,
                 "label": "data(count)",
                 "font-family": font,
-                "font-size": 11,
+                "font-size": 12,
                 "color": c["text"],
                 "text-background-color": c["page"],
                 "text-background-opacity": 0.9,
@@ -198,11 +198,15 @@ def stylesheet(name: str) -> list[dict[str, Any]]:
             "style": {
                 "line-color": c["accent"],
                 "target-arrow-color": c["accent"],
-                "opacity": 1,
                 "z-index": 9,
-                "label": "data(count)",
             },
         },
+        # what is pointed at or chosen, in letters that assets/graph.js keeps readable from afar
+        {
+            "selector": "node.readable",
+            "style": {"font-size": "data(letters)", "min-zoomed-font-size": 0, "z-index": 10},
+        },
+        {"selector": "edge.readable[count]", "style": {"font-size": "data(letters)", "z-index": 9}},
     ]
 
 
