@@ -1,4 +1,4 @@
-"""What the charts of a sweep show: the figures' names, units and words, and which two share a chart."""
+"""What charts and tables of a sweep show: the figures' names, units and words, and which two share a chart."""
 
 from __future__ import annotations
 
@@ -10,17 +10,23 @@ from core.motifs.sweep_table import SweepTable
 
 
 class Measure(NamedTuple):
-    """name: on axes and in lists; factor: what the figure is multiplied by to be shown, in unit; form: its format."""
+    """name: on axes and in lists; factor: what the figure is multiplied by to be shown, in ``unit``, with so many
+    digits behind the point.
+    """
 
     name: str
     help: str
+    digits: int
     factor: float = 1.0
     unit: str = ""
-    form: str = ".3g"
 
     def text(self, value: float) -> str:
         """The figure with its unit, as people read it."""
-        return f"{value * self.factor:{self.form}}{f' {self.unit}' if self.unit else ''}"
+        return f"{value * self.factor:.{self.digits}f}{f' {self.unit}' if self.unit else ''}"
+
+    def number(self, value: float) -> float | None:
+        """The figure as a table shows it; None for NaN."""
+        return None if value != value else round(float(value) * self.factor, self.digits)
 
     @property
     def title(self) -> str:
@@ -31,28 +37,27 @@ class Measure(NamedTuple):
 MEASURES = {
     "explained": Measure(
         "Motion explained",
-        "Coverage times one minus the error ratio: a frame in no motif counts nothing, one in a motif counts less the "
-        "further its motions lie apart. The trade-off between coverage and error as one figure.",
-        100, "%", ".0f",
+        "The share of all motion that motifs account for: coverage, less the further the motions of a motif lie apart.",
+        1, 100, "%",
     ),
-    "coverage": Measure("Coverage", "Share of all frames that belong to some motif.", 100, "%", ".0f"),
+    "coverage": Measure("Coverage", "Share of all frames that belong to some motif.", 1, 100, "%"),
     "average_frame_error": Measure(
-        "Average frame error", "Mean distance of a frame to the same moment of its motif's average motion."
+        "Average frame error", "Mean distance of a frame to the same moment of its motif's average motion.", 2
     ),
     "error_ratio": Measure(
-        "Error ratio", "Average frame error over the mean distance of a pose to the average pose.", 1, "", ".3f"
+        "Error ratio", "Average frame error over the mean distance of a pose to the average pose.", 3
     ),
-    "n_motifs": Measure("Motifs", "How many movements recur.", 1, "", ".4g"),
-    "mean_motions": Measure("Motions per motif", "Mean number of motions of a motif.", 1, "", ".3g"),
-    "mean_frames": Measure("Frames per motion", "Mean length of a motion.", 1, "", ".3g"),
+    "n_motifs": Measure("Motifs", "How many movements recur.", 0),
+    "mean_motions": Measure("Motions per motif", "Mean number of motions of a motif.", 2),
+    "mean_frames": Measure("Frames per motion", "Mean length of a motion.", 0),
     "purity": Measure(
-        "Purity", "Share of the labelled frames in motifs that carry their motif's commonest label.", 100, "%", ".1f"
+        "Purity", "Share of the labelled frames in motifs that carry their motif's commonest label.", 1, 100, "%"
     ),
     "f1_majority": Measure(
         "F1", "How well motifs, each standing for its commonest label, tell the labelled actions; mean over actions.",
-        100, "%", ".1f",
+        1, 100, "%",
     ),
-    "seconds": Measure("Seconds", "Time of all stages behind the result, shared ones included.", 1, "s", ".2f"),
+    "seconds": Measure("Seconds", "Time of all stages behind the result, shared ones included.", 2, 1, "s"),
 }  # fmt: skip
 
 _AXES = {"kappa": "Distinct poses (kappa)", "rho": "Long or frequent (rho)"}

@@ -17,6 +17,7 @@ from core.parameters import parameters_of
 from webapp.figures.measures import MEASURES, axis_name, is_even, is_log, pairs_of, place
 
 WIDTH, HEIGHT = 680, 420
+PAPER_KAPPA = 200  # of the paper's Figure 6
 LEFT, RIGHT, TOP, BOTTOM = 72, 72, 54, 62
 COLOURS = ("#2f5fb3", "#c2651c")  # left scale, right scale
 _INK, _GRID = "#333a45", "#dfe4ea"
@@ -26,24 +27,33 @@ _FONT = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Noto Sans', sans-serif"
 def charts(table: SweepTable) -> Iterator[tuple[str, str]]:
     """Name and SVG of a chart for every axis with several values and every pair of figures on two scales.
 
-    The other axes stand at the suggested setting, or, where they have it, at the method's default.
+    The other axes stand where :func:`fixed` says.
     """
     chosen = suggest(table)
     for name, values in table.axes.items():
         if len(values) > 1:
-            at = fixed(table, name, chosen)
+            at = fixed(table, name)
             for pair_name, pair in pairs_of(table).items():
                 yield f"{name}-{pair_name}", chart(table, name, at, pair, chosen)
 
 
-def fixed(table: SweepTable, name: str, chosen: Suggestion) -> dict[str, Any]:
-    """Where the other axes stand in a chart along ``name``."""
-    usual = {p.name: p.default for p in parameters_of(MotifParameters)}
-    others = {other: values for other, values in table.axes.items() if other != name}
+def fixed(table: SweepTable, name: str) -> dict[str, Any]:
+    """Where the other axes stand in a chart along ``name``: at the value nearest the default, for kappa at the paper's
+    200.
+    """
+    usual = {p.name: p.default for p in parameters_of(MotifParameters)} | {"kappa": PAPER_KAPPA}
     return {
-        other: usual[other] if usual[other] in values else chosen.at.get(other, values[0])
-        for other, values in others.items()
+        other: min(values, key=lambda value, wanted=usual[other]: _far(value, wanted))
+        for other, values in table.axes.items()
+        if other != name
     }
+
+
+def _far(value: Any, wanted: Any) -> float:
+    """0 for the same, infinite for a word that is another one, else the difference."""
+    if value == wanted:
+        return 0.0
+    return math.inf if isinstance(value, str) or isinstance(wanted, str) else abs(value - wanted)
 
 
 def chart(table: SweepTable, name: str, at: dict[str, Any], pair: Sequence[str], chosen: Suggestion) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Any
 
 import dash_mantine_components as dmc
@@ -27,11 +27,11 @@ LABELS = {
 }
 
 
-def parameter_form(values: Mapping[str, Any]) -> Component:
-    """One control a parameter; the advanced ones folded away."""
-    known = analyses.parameters(MOTIFS)
-    folded = [_control(p, values) for p in known if p.advanced]
-    parts = [html.Div([_control(p, values) for p in known if not p.advanced], className="form-grid")]
+def parameter_form(values: Mapping[str, Any], kind: str = "parameter", without: Collection[str] = ()) -> Component:
+    """One control a parameter, its id of the type ``kind``; the advanced ones folded away."""
+    known = [p for p in analyses.parameters(MOTIFS) if p.name not in without]
+    folded = [_control(p, values, kind) for p in known if p.advanced]
+    parts = [html.Div([_control(p, values, kind) for p in known if not p.advanced], className="form-grid")]
     if folded:
         parts.append(
             dmc.Accordion(
@@ -72,9 +72,9 @@ def summary(parameters: Mapping[str, Any]) -> str:
     return ", ".join(f"{name.replace('_', ' ')} {value}" for name, value in parameters.items())
 
 
-def _control(parameter: Parameter, values: Mapping[str, Any]) -> Component:
+def _control(parameter: Parameter, values: Mapping[str, Any], kind: str) -> Component:
     label = _label(parameter)
-    identity = {"type": "parameter", "name": parameter.name}
+    identity = {"type": kind, "name": parameter.name}
     value = values.get(parameter.name, parameter.default)
     if not parameter.kinds:
         data = [{"value": str(word), "label": str(word).capitalize()} for word in parameter.words]

@@ -1,0 +1,44 @@
+"""The points of a sweep as rows and columns of a table."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from core.motifs.parameters import MotifParameters
+from core.motifs.sweep_table import SweepTable
+from webapp.figures.measures import MEASURES
+from webapp.figures.tables import NUMBER, Row
+
+
+def columns(table: SweepTable) -> list[dict[str, Any]]:
+    """Result (a link), the axes, the seed, and every figure that any point has."""
+    link = {"field": "open", "headerName": "Result", "width": 84, "cellRenderer": "PointLink", "sortable": False}
+    axes = [(name, name.replace("_", " "), "", 98) for name in table.axes]
+    seed = [("seed", "Seed", "Number that starts the random choices", 74)] if table.seeds > 1 else []
+    figures = [(m, words.title, words.help, 116) for m, words in MEASURES.items() if table.has(m)]
+    numbers = [
+        {"field": field, "headerName": name, "headerTooltip": tip, "width": width, "wrapHeaderText": True, **NUMBER}
+        for field, name, tip, width in (*axes, *seed, *figures)
+    ]
+    return [link, *numbers]
+
+
+def rows(table: SweepTable, points: Sequence[MotifParameters], links: np.ndarray) -> list[Row]:
+    """One row a point that is there; links: address of each point's result, as ``table.shape``."""
+    figures = {measure: table.of(measure).ravel() for measure in MEASURES if table.has(measure)}
+    there = [k for k, entry in enumerate(table.figures) if entry is not None]
+    addresses = links.ravel()
+    return [
+        {
+            "key": str(k),
+            "open": "Open",
+            "href": addresses[k],
+            **{name: getattr(points[k], name) for name in table.axes},
+            "seed": points[k].seed,
+            **{measure: MEASURES[measure].number(values[k]) for measure, values in figures.items()},
+        }
+        for k in there
+    ]
