@@ -197,6 +197,20 @@ def _sweep_arguments(parser: argparse.ArgumentParser) -> None:
     _common(parser)
 
 
+def _compare_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("first", type=Path, metavar="A.json", help="a result that motifs wrote")
+    parser.add_argument("second", type=Path, metavar="B.json", help="another of the same recordings")
+    parser.add_argument("--out", type=Path, metavar="comparison.json", help="file to write")
+    parser.add_argument("--quiet", action="store_true", help="print nothing")
+
+
+def _stability_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("source", metavar="SOURCE", help=SOURCE_HELP)
+    _method_arguments(parser, "stability")
+    parser.add_argument("--out", type=Path, required=True, metavar="stability.json", help="file to write")
+    _common(parser)
+
+
 def _walk_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("source", metavar="SOURCE", help=SOURCE_HELP)
     parser.add_argument(
@@ -321,6 +335,16 @@ COMMANDS = {
         "Find motifs over ranges of parameters, at about the price of a few.",
         _sweep_arguments,
         _later("webapp.sweep_commands", "sweep"),
+    ),
+    "compare": Command(
+        "Hold two results of the same recordings against each other.",
+        _compare_arguments,
+        _later("webapp.compare_commands", "compare_files"),
+    ),
+    "stability": Command(
+        "Measure how surely each motif is found again: with noise, other seeds, settings a step away.",
+        _stability_arguments,
+        _later("webapp.compare_commands", "measure_stability"),
     ),
     "walk": Command(
         "Make new motion along a path through a motif graph.", _walk_arguments, _later("webapp.walk_commands", "walk")
