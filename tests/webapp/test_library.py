@@ -40,6 +40,8 @@ def test_clips_say_length_labels_and_verdict():
     a, b = library_tables.clip_rows(dataset)
     assert (a["frames"], a["seconds"], a["fps"], a["labels"], a["verdict"]) == ("120 frames", 2.0, 60.0, "", "ok")
     assert (b["labels"], b["verdict"], b["messages"]) == ("walk, turn", "warning", "foot skate")
+    fields = [[column["field"] for column in library_tables.clip_columns(d)] for d in (dataset, dataset.select(["a"]))]
+    assert "labels" in fields[0] and "labels" not in fields[1]
     assert b["selection"] == {"clip": "b"} and b["href"] == "/clip?dataset=d&clip=b"
 
 

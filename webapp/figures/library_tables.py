@@ -24,7 +24,9 @@ CLIP_COLUMNS = [
 ]
 REPORT_COLUMNS = [
     column("verdict", "Result", 118, cellRenderer="Verdict", cellClass="wrapped-cell"),
-    column("name", "File", 200, flex=2, minWidth=150, tooltipField="path", cellClass="wrapped-cell", **TEXT),
+    column(
+        "name", "File", 200, flex=2, minWidth=150, maxWidth=320, tooltipField="path", cellClass="wrapped-cell", **TEXT
+    ),
     column(
         *("messages", "What was found", 240),
         **{"flex": 3, "wrapText": True, "autoHeight": True, "cellClass": "wrapped-cell wrapped-lines"},
@@ -41,6 +43,11 @@ CHOICE = {  # clips are chosen by their boxes; a click on the row plays the clip
     },
     "selectionColumnDef": {"width": 40, "minWidth": 40, "resizable": False, "cellClass": "choice-cell"},
 }
+
+
+def clip_columns(dataset: Dataset) -> list[dict]:
+    """The columns of the table of clips; labels only where there are any."""
+    return [column for column in CLIP_COLUMNS if column["field"] != "labels" or dataset.labels]
 
 
 def clip_rows(dataset: Dataset) -> list[Row]:

@@ -46,7 +46,9 @@ def _show(app: Dash, workspace: Workspace) -> None:
             return empty_state("warning", "This dataset cannot be shown", str(error))
         tab, files = _looked_at(view)
         shown = {
-            "clips": grid("clips-table", tables.CLIP_COLUMNS, tables.clip_rows(dataset), "Clips", **tables.CHOICE),
+            "clips": grid(
+                "clips-table", tables.clip_columns(dataset), tables.clip_rows(dataset), "Clips", **tables.CHOICE
+            ),
             "report": grid("report-table", tables.REPORT_COLUMNS, [], "Import report"),
             "rows": dcc.Store(id="report-rows", data=tables.report_rows(dataset.report.files)),
         }
