@@ -136,8 +136,10 @@
 
   const put = (value) => window.dash_clientside.set_props("selection", { data: value });
 
+  window.motionscapeGraph = { ready };
   clientside.graph = {
     tapped(node, edge) {
+      if (window.motionscapeWalk?.on) return clientside.no_update; // the click was a step (walk_graph.js)
       const which = clientside.callback_context.triggered.map((item) => item.prop_id).join(" ");
       if (which.includes("tapNodeData") && node) put({ motif: node.motif });
       else if (which.includes("tapEdgeData") && edge) put({ edge: edge.edge });

@@ -30,7 +30,9 @@
     return requests.get(where);
   }
 
-  const usable = (selection) => selection && Object.keys(selection).length > 0 && document.getElementById("stage");
+  const box = (selection) => selection.edge !== undefined || (selection.motif !== undefined && selection.motion === undefined);
+  const usable = (selection) =>
+    selection && Object.keys(selection).length > 0 && document.getElementById("stage") && !(window.motionscapeWalk?.on && box(selection));
 
   window.motionscapeAhead = {
     /** Fetch what a selection plays: at once, or when the pointer has rested (`later`) until `leave`. */

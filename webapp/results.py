@@ -81,6 +81,11 @@ def mixing(view: Mapping[str, str] | None) -> bool:
     return (view or {}).get("side") == "blend"
 
 
+def walking(view: Mapping[str, str] | None) -> bool:
+    """Whether the Motifs page makes walks: clicks on motifs are then steps (assets/walk.js)."""
+    return (view or {}).get("side") == "walk"
+
+
 def stability_request(dataset: str, parameters: Mapping[str, Any] | None, text: str | None) -> analyses.Request:
     """The request for the stability of the motifs of these parameters; text: repetitions and degrees of noise, as in
     a link (``2,1.5``), left at their defaults where they make no sense."""

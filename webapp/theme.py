@@ -43,6 +43,7 @@ CANVAS = {
 COMPONENTS = ("#4a7cd8", "#d2762b", "#3a9b7a", "#a45fc0", "#c2486a", "#7f8a2e", "#2f95b0", "#8c6d53")
 
 ALONE = "#8793a3"
+DEAD_END = "#d04a4a"
 
 # rings of unstable and of stable motifs: apart for the colour-blind, and readable on both themes
 STABILITY = ("#e08a2e", "#1f9c86")

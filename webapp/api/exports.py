@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import json
+import re
 from urllib.parse import quote
 
 from flask import Blueprint, Response, jsonify, request
 
+from core import analyses
 from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
+from core.synthesis import kept
 from core.workspace import Workspace, WorkspaceError
 from webapp import results
 from webapp.figures.drawing import graph_svg
@@ -51,6 +54,13 @@ def export_blueprint(workspace: Workspace) -> Blueprint:
         if found is None:
             raise Refusal("The stability of these motifs has not been measured yet.", 404)
         return _attachment(json.dumps(found.to_json()), "application/json", f"{dataset.name}-stability.json")
+
+    @routes.get("/walk/<key>.json")
+    def walk_json(key: str) -> Response:
+        walk = analyses.kept(workspace, "walk", key) if re.fullmatch(r"[0-9a-f]{8,64}", key) else None
+        if walk is None:
+            raise Refusal("This walk is no longer there; make it again on the Motifs page.", 404)
+        return _attachment(json.dumps(kept.walk_json(walk)), "application/json", "walk.json")
 
     @routes.get("/motifs.svg")
     def motifs_svg() -> Response:

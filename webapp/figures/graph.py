@@ -207,6 +207,43 @@ def stylesheet(name: str) -> list[dict[str, Any]]:
             "style": {"font-size": "data(letters)", "min-zoomed-font-size": 0, "z-index": 10},
         },
         {"selector": "edge.readable[count]", "style": {"font-size": "data(letters)", "z-index": 9}},
+        *walk_styles(c),
+    ]
+
+
+def walk_styles(c: Mapping[str, str]) -> list[dict[str, Any]]:
+    """What a walk marks (assets/walk_graph.js): its way, the motif that plays, dead ends, further links."""
+    return [
+        {
+            "selector": "edge.further",
+            "style": {
+                "line-style": "dashed",
+                "line-dash-pattern": [5, 4],
+                "line-color": c["accent"],
+                "target-arrow-color": c["accent"],
+                "opacity": 0.7,
+            },
+        },
+        {"selector": "node.walked", "style": {"border-color": c["accent"], "border-width": 4}},
+        {
+            "selector": "node.dead-end",
+            "style": {"border-color": theme.DEAD_END, "border-style": "double", "border-width": 6},
+        },
+        {
+            "selector": "edge.walked",
+            "style": {"line-color": c["accent"], "target-arrow-color": c["accent"], "opacity": 1, "z-index": 8},
+        },
+        {
+            "selector": "node.lit",
+            "style": {
+                "border-color": c["accent"],
+                "border-width": 5,
+                "overlay-color": c["accent"],
+                "overlay-opacity": 0.22,
+                "overlay-padding": 6,
+                "opacity": 1,
+            },
+        },
     ]
 
 
