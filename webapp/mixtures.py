@@ -17,7 +17,7 @@ from typing import Any
 from core import analyses
 from core.mocap.dataset import Dataset
 from core.motifs.blend_space import BlendSpace, blend_space, blendable
-from core.motifs.compression import Step, rebuilt_clips
+from core.motifs.compression import Curves, Step, curves, rebuilt_clips
 from core.motifs.graph import Motif, MotifGraph
 from core.motifs.motion_matrices import Motions, motions_of
 from core.workspace import Workspace, WorkspaceError
@@ -77,6 +77,16 @@ def matrices_of(workspace: Workspace, key: str, number: str | int) -> Motions:
     """The motions of a motif's largest body as numbers, kept ready. Raises WorkspaceError."""
     space = space_of(workspace, key, number)
     return _kept((workspace.path, key, space.motif.id, "matrices"), lambda: motions_of(space))
+
+
+def curves_of(workspace: Workspace, key: str, number: str | int) -> Curves | None:
+    """Size against error of a motif's largest body, kept ready; None where no two motions are of one body.
+
+    Raises WorkspaceError."""
+    dataset, motif = motif_of(workspace, key, number)
+    if len(blendable(dataset, motif)[0]) < 2:
+        return None
+    return _kept((workspace.path, key, motif.id, "curves"), lambda: curves(matrices_of(workspace, key, number)))
 
 
 def open_blend(workspace: Workspace, rest: str) -> Dataset:

@@ -39,12 +39,12 @@ FORMAT = "motionscape/compression/1"
 TOLERANCES = (0.1, 0.2, 0.3, 0.5, 0.7, 1.0, 1.5, 2.0, 3.0, 5.0)  # centimetres
 MOTIF, REST, CLIP, ALL = "motif", "rest", "clip", "all"
 WAYS = {
-    "own": "Motifs, own motions",
-    "motif-pca": "Motifs, PCA of each",
-    "own-pca": "Motifs, own motions stored by PCA",
-    "best": "Motifs, each the cheapest way",
-    "clips": "PCA of each clip",
-    "all": "PCA of all clips together",
+    "own": "Motifs: own motions",
+    "motif-pca": "Motifs: PCA of each",
+    "own-pca": "Motifs: own motions + PCA",
+    "best": "Motifs: cheapest way each",
+    "clips": "PCA clip by clip",
+    "all": "PCA of all clips",
 }
 
 

@@ -28,7 +28,7 @@ BYTES = 2  # of a stored number
 OWN, OWN_PCA, MOTION_PCA, POSE_PCA = "own", "own-pca", "motion-pca", "pose-pca"
 METHODS = {
     OWN: "Own motions",
-    OWN_PCA: "Own motions, stored by PCA of postures",
+    OWN_PCA: "Own motions + PCA",
     MOTION_PCA: "PCA of motions",
     POSE_PCA: "PCA of postures",
 }
@@ -183,20 +183,18 @@ def errors(channels: Channels, before: np.ndarray, after: np.ndarray) -> tuple[f
 
 def _curve(motions: Motions, method: str) -> tuple[Point, ...]:
     found = [(step, *rebuild(motions, method, step)) for step in _steps(motions, method)]
-    if method == OWN_PCA:
-        found = _unbeaten(motions, found)
-    return tuple(Point(step, n, *errors(motions.channels, motions.values, values)) for step, values, n in found)
-
-
-def _unbeaten(motions: Motions, found: list[tuple[Step, np.ndarray, int]]) -> list[tuple[Step, np.ndarray, int]]:
-    """Of two ways to grow, only the steps that no smaller one beats."""
-    best, least = [], np.inf
-    for entry in sorted(found, key=lambda entry: entry[2]):
-        left = float(((entry[1] - motions.values) ** 2).sum())
+    if method != OWN_PCA:
+        return tuple(Point(step, n, *errors(motions.channels, motions.values, v)) for step, v, n in found)
+    best: list[Point] = []  # two ways to grow: only the steps that no smaller one beats
+    least = np.inf
+    for step, values, n in sorted(found, key=lambda entry: entry[2]):
+        left = float(((values - motions.values) ** 2).sum())
         if left < 0.98 * least:
-            best.append(entry)
+            point = Point(step, n, *errors(motions.channels, motions.values, values))
             least = left
-    return best
+            if not best or point.cm < best[-1].cm:
+                best.append(point)
+    return tuple(best)
 
 
 def _steps(motions: Motions, method: str) -> Iterator[Step]:

@@ -17,7 +17,15 @@ from dash.development.base_component import Component
 from core.workspace import Workspace
 from webapp.components.downloads import table_download
 from webapp.components.icons import icon
-from webapp.pages.motifs import blend_side, compare_view, notes_side, report_view, timeline_view
+from webapp.pages.motifs import (
+    blend_side,
+    compare_view,
+    compression_view,
+    notes_side,
+    report_view,
+    timeline_view,
+    walk_side,
+)
 
 
 class Part(NamedTuple):
@@ -60,10 +68,12 @@ PARTS: dict[str, tuple[Part, ...]] = {
         Part("timeline", "Timeline", timeline_view.layout, timeline_view.register),
         Part("report", "Coverage report", report_view.layout, report_view.register),
         Part("compare", "Compare", compare_view.layout, compare_view.register),
+        Part("compression", "Compression", compression_view.layout, compression_view.register),
     ),
     "side": (
         Part("motions", "Motions", _motions, _nothing),
         Part("blend", "Blend", blend_side.layout, blend_side.register),
+        Part("walk", "Walk", walk_side.layout, walk_side.register),
         Part("notes", "Notes", notes_side.layout, notes_side.register),
     ),
 }
