@@ -14,7 +14,20 @@ from urllib.parse import parse_qsl, quote, urlencode
 PAGES = ("library", "motifs", "sweeps", "clip")
 VIEW_KEYS = {  # what a page shows beside the selection: kept in the store "view", each page with keys of its own
     "library": ("tab", "files"),
-    "motifs": ("view", "side", "walk", "weights", "other", "gained", "extra", "gaps", "ends", "feet", "stability"),
+    "motifs": (
+        "view",
+        "side",
+        "walk",
+        "weights",
+        "other",
+        "gained",
+        "extra",
+        "gaps",
+        "ends",
+        "feet",
+        "stability",
+        "step",
+    ),
     "sweeps": ("x", "y", "seeds"),
     "clip": ("chart", "angles", "joints", "rig", "channels", "span"),
 }

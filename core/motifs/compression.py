@@ -212,6 +212,13 @@ def _components(channels: Channels, frames: int) -> list[int]:
     return [n for n in _COMPONENTS if n < min(channels.width, frames)]
 
 
+def motion_errors(motions: Motions, method: str, step: Step) -> dict[int, float]:
+    """Mean error of each motion's joints in centimetres, by the motion's index in the motif. Raises as :func:`rebuild`."""
+    values, _ = rebuild(motions, method, step)
+    parts = {name: motions.part(k) for k, name in enumerate(motions.names)}
+    return {name: errors(motions.channels, motions.values[at], values[at])[0] for name, at in parts.items()}
+
+
 def rebuilt_clips(motions: Motions, method: str, step: Step) -> Iterator[tuple[int, Clip, Clip]]:
     """Each motion of the motif with its clip as it was and as it comes back, both laid upon the reference."""
     values, _ = rebuild(motions, method, step)

@@ -26,6 +26,7 @@ from core.motifs.compression import (
     Step,
     curves,
     errors,
+    motion_errors,
     rebuild,
     rebuilt_clips,
 )
@@ -176,12 +177,12 @@ def test_a_motion_that_is_a_blend_of_two_costs_two_numbers():
 
 def test_rebuilt_clips_stand_beside_their_originals():
     motions = punches()
-    pairs = list(rebuilt_clips(motions, OWN, Step(2)))
+    pairs, off = list(rebuilt_clips(motions, OWN, Step(2))), motion_errors(motions, OWN, Step(2))
     assert [name for name, _, _ in pairs] == list(motions.names)
     for name, before, after in pairs:
         assert before.n_frames == after.n_frames and before.fps == 30
         way = np.linalg.norm(joint_positions(before) - joint_positions(after), axis=-1).mean()
-        assert way < 0.3
+        assert way < 0.3 and 100 * way == pytest.approx(off[name], rel=0.6, abs=0.05)
         if name in motions.order[:2]:
             assert way < 1e-3
 

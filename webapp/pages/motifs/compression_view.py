@@ -6,12 +6,11 @@ from collections.abc import Mapping
 from typing import Any
 
 import dash_mantine_components as dmc
-import numpy as np
 from dash import Dash, Input, Output, State, dcc, html, no_update, set_props
 from dash.development.base_component import Component
 
 from core import analyses
-from core.motifs.compression import METHODS, Curves, Step, rebuild
+from core.motifs.compression import METHODS, Curves, Step, motion_errors
 from core.parameters import ParameterError
 from core.workspace import Workspace, WorkspaceError
 from webapp import jobs, mixtures, results
@@ -228,14 +227,6 @@ def read_step(value: str) -> tuple[str, Step]:
     """Method and step of a choice in the menu."""
     method, motions, components = value.split(":")
     return method, Step(int(motions), int(components))
-
-
-def motion_errors(motions: Any, method: str, step: Step) -> dict[int, float]:
-    """Mean error of each motion's joints, centimetres, by its index in the motif."""
-    values, _ = rebuild(motions, method, step)
-    before, after = (motions.channels.positions(v) for v in (motions.values, values))
-    way = 100 * np.linalg.norm(before - after, axis=-1).mean(1)
-    return {name: float(way[motions.part(k)].mean()) for k, name in enumerate(motions.names)}
 
 
 def rebuilt_request(key: str, number: Any, method: str, step: Step, motion: int, scheme: str | None) -> dict[str, Any]:
