@@ -10,8 +10,17 @@
   const byId = (id) => document.getElementById(id);
   const find = (name) => document.querySelector(`#clip-box .clip-${name}`);
 
+  let measured = null; // asking the browser for places sixty times a second would make it lay out the page as often
+  const forget = () => { measured = null; };
+
   /** Where the chart's axes lie within the box, in pixels; null while nothing is drawn. */
   parts.plot = () => {
+    if (measured && measured.graph.isConnected && at.shown && measured.meta.clip === at.shown.clip) return measured;
+    measured = measure();
+    return measured;
+  };
+
+  function measure() {
     const graph = document.querySelector("#clip-graph .js-plotly-plot");
     const full = graph && graph._fullLayout;
     if (!full || !full.xaxis || !full.meta || !at.shown || full.meta.clip !== at.shown.clip) return null;
@@ -19,16 +28,19 @@
     const own = graph.getBoundingClientRect();
     const { xaxis, yaxis, meta } = full;
     const dx = own.left - box.left + xaxis._offset;
+    const dy = own.top - box.top;
     return {
       graph, meta, full,
+      lines: graph.data.filter((trace) => trace.mode === "lines"),
+      chips: document.querySelectorAll("#clip-legend .clip-value"),
       left: dx, width: xaxis._length,
-      top: own.top - box.top + full._size.t, height: full._size.h,
+      top: dy + full._size.t, height: full._size.h,
       x: (value) => dx + xaxis.l2p(value),
-      y: (value) => own.top - box.top + yaxis._offset + yaxis.l2p(value),
+      y: (value) => dy + yaxis._offset + yaxis.l2p(value),
       time: (pixel) => xaxis.p2l(pixel - dx),
       range: xaxis.range.map(Number),
     };
-  };
+  }
 
   /** Index of the entry of a rising list that is nearest to a value. */
   function nearest(list, value) {
@@ -81,13 +93,20 @@
   /** The selected frames, or those being dragged over. */
   parts.range = () => parts.dragged || at.range || null;
 
-  /** Values of all lines at the pointer, else at the cursor. */
+  let toldAt = 0;
+
+  /** Values of all lines at the pointer, else at the cursor; twenty times a second are plenty to read. */
   function tell(plot) {
-    const chips = document.querySelectorAll("#clip-legend .clip-value");
+    const now = performance.now();
+    if (now - toldAt < 48) {
+      clearTimeout(tell.later);
+      tell.later = setTimeout(parts.place, 50);
+      return;
+    }
+    toldAt = now;
     const frame = at.hover ?? at.frame;
-    const lines = plot.graph.data.filter((trace) => trace.mode === "lines");
-    chips.forEach((chip, k) => {
-      const value = frame === null || !lines[k] ? null : valueAt(plot, lines[k], k, frame);
+    plot.chips.forEach((chip, k) => {
+      const value = frame === null || !plot.lines[k] ? null : valueAt(plot, plot.lines[k], k, frame);
       const digits = { "°": 1, " m/s": 2 }[chip.dataset.unit] ?? 3;
       const text = value === null ? "" : value.toFixed(digits).replace("-", "\u2212") + chip.dataset.unit;
       if (chip.textContent !== text) chip.textContent = text;
@@ -156,10 +175,13 @@
       const graph = document.querySelector("#clip-graph .js-plotly-plot");
       if (graph && graph.on && !graph.dataset.clipWatched) {
         graph.dataset.clipWatched = "yes";
-        graph.on("plotly_afterplot", parts.place);
+        const again = () => { forget(); parts.place(); };
+        graph.on("plotly_afterplot", again);
+        new ResizeObserver(again).observe(byId("clip-box"));
       }
+      forget();
       if (figure && figure.layout && figure.layout.meta && figure.layout.meta.thinned) fetchValues(view);
-      requestAnimationFrame(() => requestAnimationFrame(parts.place)); // Plotly draws after this
+      requestAnimationFrame(() => requestAnimationFrame(() => { forget(); parts.place(); })); // Plotly draws after this
       return clientside.no_update;
     },
     mark(selection, shown) {

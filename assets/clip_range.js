@@ -115,6 +115,17 @@
 
   // ---- zoom: the span of seconds is part of the link ----
   let settling = 0;
+  let moving = 0;
+  let wanted = null; // however fast the wheel turns, the chart is drawn once a frame
+
+  async function move() {
+    const plot = parts.plot();
+    const range = wanted;
+    if (plot && range) await window.Plotly.relayout(plot.graph, { "xaxis.range": range });
+    moving = 0;
+    if (range !== wanted) moving = requestAnimationFrame(move);
+    else wanted = null;
+  }
 
   function show(low, high) {
     const plot = parts.plot();
@@ -122,7 +133,8 @@
     const seconds = Math.max((plot.meta.frames - 1) / plot.meta.fps, 1 / plot.meta.fps);
     const width = clamp(high - low, Math.min(4 / plot.meta.fps, seconds), seconds);
     const from = clamp((low + high - width) / 2, 0, seconds - width);
-    window.Plotly.relayout(plot.graph, { "xaxis.range": [from, from + width] });
+    wanted = [from, from + width];
+    if (!moving) moving = requestAnimationFrame(move);
     clearTimeout(settling);
     const whole = width >= seconds - 1e-6;
     settling = setTimeout(() => set("view-change", { span: whole ? "" : `${from.toFixed(3)}_${(from + width).toFixed(3)}` }), 160);
@@ -144,14 +156,14 @@
   }
 
   function scale(factor, about) {
-    const [low, high] = parts.plot().range;
+    const [low, high] = wanted || parts.plot().range;
     show(about + (low - about) * factor, about + (high - about) * factor);
   }
 
   document.addEventListener("wheel", (event) => {
     const spot = box(event.target) && locate(event);
     if (!spot || spot.plot.meta.kind !== "time") return;
-    const [low, high] = spot.plot.range;
+    const [low, high] = wanted || spot.plot.range;
     if (event.ctrlKey || event.metaKey) {
       event.preventDefault();
       scale(Math.exp(clamp(event.deltaY, -80, 80) / 200), spot.plot.time(spot.x));

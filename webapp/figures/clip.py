@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from html import escape
 from itertools import groupby
 from typing import Any, NamedTuple
 
@@ -21,7 +22,9 @@ from core.sequences.envelope import envelope
 from webapp import theme
 from webapp.clips import Choice, joint_words, side_of
 
-MOST_POINTS = 1800  # of a line: two a pixel of the widest chart
+MOST_POINTS = 2400  # of a line: more than one a pixel, in what is seen and in what lies beside it
+MOST_MARKS = 150  # of a band
+AROUND = 0.5  # spans drawn on either side of what is seen, so that moving and zooming out show something at once
 PANEL, ROW, GAP, TOP, BOTTOM, LEFT, RIGHT = 132, 20, 24, 22, 40, 78, 12  # pixels
 DASHES = ("solid", "6px,3px", "1.5px,3px", "9px,3px,2px,3px")
 AXES = {"X": "#d9534f", "Y": "#3a9b5c", "Z": "#4a7cd8"}  # the colours 3D programs give to axes
@@ -162,10 +165,14 @@ def lanes(title: str, blocks: Iterable[Block]) -> list[Band]:
 def time_chart(
     curves: ClipCurves, panels: Sequence[Panel], bands: Sequence[Band], chosen: Choice, scheme: str
 ) -> Document:
-    """Panels above bands on one time axis, in seconds; lines thinned to what the span shows."""
+    """Panels above bands on one time axis, in seconds; what is drawn reaches half a span beyond either end."""
     clip, colours = curves.clip, theme.CANVAS[scheme]
     low, high = chosen.span or (0.0, max((clip.n_frames - 1) / clip.fps, 1 / clip.fps))
-    first, last = max(int(low * clip.fps) - 1, 0), min(int(np.ceil(high * clip.fps)) + 2, clip.n_frames)
+    room = (high - low) * AROUND
+    first, last = (
+        max(int((low - room) * clip.fps) - 1, 0),
+        min(int(np.ceil((high + room) * clip.fps)) + 2, clip.n_frames),
+    )
     height = TOP + BOTTOM + len(panels) * (PANEL + GAP) + len(bands) * ROW - (0 if bands else GAP)
     inner = height - TOP - BOTTOM
     layout = _layout(colours, height)
@@ -178,28 +185,26 @@ def time_chart(
     layout["xaxis"] |= {"anchor": "free", "hoverformat": ".2f"}
     data, at = [], 0
     for k, panel in enumerate(panels):
-        axis = "yaxis" + (str(k + 1) if k else "")
+        axis = f"yaxis{k + 1 if k else ''}"
         layout[axis] = _axis(colours) | {"domain": _domain(at, at + PANEL, inner), "nticks": 5, "fixedrange": True}
-        layout["annotations"].append(_heading(f"{panel.title} ({panel.unit})", at, inner, colours))
+        layout["annotations"].append(_heading(f"{escape(panel.title)} ({panel.unit})", at, inner, colours))
         data += [_trace(line, axis, first, last, clip.fps) for line in panel.lines]
         at += PANEL + GAP
+    thinned = any(len(trace["x"]) < last - first for trace in data)
     if bands:
-        number = len(panels) + 1
-        axis = "yaxis" + (str(number) if number > 1 else "")
-        layout[axis] = _axis(colours) | {
-            "domain": _domain(at, at + ROW * len(bands), inner),
-            "range": [len(bands) - 0.5, -0.5],
-            "tickvals": list(range(len(bands))),
-            "ticktext": [band.title for band in bands],
-            "showgrid": False,
-            "zeroline": False,
-            "fixedrange": True,
-        }
-        for row, band in enumerate(bands):
-            data += _band(row, band, axis, clip.fps)
-    thinned = any(len(trace["x"]) < last - first for trace in data if trace.get("mode") == "lines")
+        axis = f"yaxis{len(panels) + 1 if panels else ''}"
+        layout[axis] = _band_axis(bands, _domain(at, at + ROW * len(bands), inner), colours)
+        shown = [_within(band, first, last) for band in bands]
+        data += [trace for row, band in enumerate(shown) for trace in _band(row, band, axis, clip.fps)]
     layout["meta"] = {"kind": "time", "clip": clip.name, "fps": clip.fps, "frames": clip.n_frames, "thinned": thinned}
     return {"data": data, "layout": layout}
+
+
+def _within(band: Band, first: int, last: int) -> Band:
+    """What of a band lies within frames; marks only where there is room to tell them apart."""
+    blocks = tuple(block for block in band.blocks if block.start < last and block.end > first)
+    marks = tuple(mark for mark in band.marks if first <= mark.frame < last)
+    return Band(band.title, blocks, marks if len(marks) <= MOST_MARKS else ())
 
 
 def _trace(line: Line, axis: str, first: int, last: int, fps: float) -> Document:
@@ -219,31 +224,16 @@ def _trace(line: Line, axis: str, first: int, last: int, fps: float) -> Document
 
 
 def _band(row: int, band: Band, axis: str, fps: float) -> list[Document]:
-    traces: list[Document] = []
     common = {"yaxis": axis.replace("axis", ""), "showlegend": False, "hoverlabel": {"namelength": 0}}
+    common |= {"hovertemplate": "%{customdata}<extra></extra>"}
+    traces: list[Document] = []
     if band.blocks:
-        hover = [f"{b.text or band.title}<br>{b.start / fps:.2f} to {b.end / fps:.2f} s" for b in band.blocks]
-        traces.append(
-            common
-            | {
-                "type": "bar",
-                "orientation": "h",
-                "base": [round(b.start / fps, 4) for b in band.blocks],
-                "x": [round((b.end - b.start) / fps, 4) for b in band.blocks],
-                "y": [row] * len(band.blocks),
-                "width": 0.88,
-                "marker": {"color": [b.colour for b in band.blocks], "line": {"width": 0}},
-                "text": [b.text for b in band.blocks],
-                "textposition": "inside",
-                "insidetextanchor": "start",
-                "textangle": 0,
-                "textfont": {"size": 11},
-                "customdata": hover,
-                "hovertemplate": "%{customdata}<extra></extra>",
-                "meta": {"row": row, "picks": [[b.start, b.end] for b in band.blocks]},
-            }
+        look = (
+            _named_blocks(row, band, fps) if any(block.text for block in band.blocks) else _plain_blocks(row, band, fps)
         )
+        traces.append(common | look | {"meta": {"row": row, "picks": [[b.start, b.end] for b in band.blocks]}})
     if band.marks:
+        colours = [mark.colour for mark in band.marks]
         traces.append(
             common
             | {
@@ -253,15 +243,59 @@ def _band(row: int, band: Band, axis: str, fps: float) -> list[Document]:
                 "y": [row] * len(band.marks),
                 "marker": {
                     "symbol": [m.symbol for m in band.marks],
-                    "color": [m.colour for m in band.marks],
+                    "color": colours,
                     "size": 9,
-                    "line": {"width": 1.4, "color": [m.colour for m in band.marks]},
+                    "line": {"width": 1.4, "color": colours},
                 },
                 "customdata": [f"{m.text}, frame {m.frame}" for m in band.marks],
-                "hovertemplate": "%{customdata}<extra></extra>",
             }
         )
     return traces
+
+
+def _plain_blocks(row: int, band: Band, fps: float) -> Document:
+    """Blocks without words as one broken line: thousands of them cost no more than a few."""
+    ends = [[round(b.start / fps, 4), round(b.end / fps, 4), None] for b in band.blocks]
+    return {
+        "type": "scatter",
+        "mode": "lines",
+        "x": [x for stretch in ends for x in stretch],
+        "y": [row, row, None] * len(ends),
+        "line": {"color": band.blocks[0].colour, "width": ROW - 5},
+        "connectgaps": False,
+        "hoverinfo": "skip",
+        "hovertemplate": None,
+    }
+
+
+def _named_blocks(row: int, band: Band, fps: float) -> Document:
+    return {
+        "type": "bar",
+        "orientation": "h",
+        "base": [round(b.start / fps, 4) for b in band.blocks],
+        "x": [round((b.end - b.start) / fps, 4) for b in band.blocks],
+        "y": [row] * len(band.blocks),
+        "width": 0.88,
+        "marker": {"color": [b.colour for b in band.blocks], "line": {"width": 0}},
+        "text": [escape(b.text) for b in band.blocks],
+        "textposition": "inside",
+        "insidetextanchor": "start",
+        "textangle": 0,
+        "textfont": {"size": 11},
+        "customdata": [f"{escape(b.text)}<br>{b.start / fps:.2f} to {b.end / fps:.2f} s" for b in band.blocks],
+    }
+
+
+def _band_axis(bands: Sequence[Band], domain: list[float], colours: dict[str, str]) -> Document:
+    return _axis(colours) | {
+        "domain": domain,
+        "range": [len(bands) - 0.5, -0.5],
+        "tickvals": list(range(len(bands))),
+        "ticktext": [band.title for band in bands],
+        "showgrid": False,
+        "zeroline": False,
+        "fixedrange": True,
+    }
 
 
 def _domain(top: float, bottom: float, inner: float) -> list[float]:

@@ -15,7 +15,7 @@ from core.workspace import Workspace, WorkspaceError
 from webapp import clips, results
 from webapp.figures import clip as figures
 from webapp.figures.clip_path import path_chart, selected_part
-from webapp.figures.gait import gait_card
+from webapp.figures.gait import gait_table
 from webapp.figures.timeline import motif_colour, motif_name
 from webapp.pages.clip import editing, layout, table
 from webapp.playback import find_edge, find_motif
@@ -104,14 +104,14 @@ def _choose(app: Dash, workspace: Workspace) -> None:
 def _controls(app: Dash, workspace: Workspace) -> None:
     @app.callback(
         Output("clip-facts", "children"),
-        Output("clip-gait", "children"),
+        Output("clip-gait-table", "data"),
         Input("clip-shown", "data"),
     )
     def show_facts(shown):
         curves = curves_of(workspace, shown)
         if curves is None:
             return None, None
-        return layout.facts(curves), gait_card(curves.gait, curves.clip.name, curves.clip.fps)
+        return layout.facts(curves), gait_table(curves.gait, curves.clip.name, curves.clip.fps)
 
     @app.callback(
         Output("clip-chart", "value"),
@@ -243,6 +243,9 @@ def _browser(app: Dash) -> None:
         Input("clip-legend", "children"),
         State("clip-shown", "data"),
         State("view", "data"),
+    )
+    app.clientside_callback(
+        ClientsideFunction("gait", "draw"), Output("clip-gait-drawn", "data"), Input("clip-gait-table", "data")
     )
     app.clientside_callback(
         ClientsideFunction("clip", "mark"),

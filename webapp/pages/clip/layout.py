@@ -46,7 +46,9 @@ def page() -> Component:
             ),
             dcc.Store(id="clip-shown"),  # {"dataset", "version", "clip", "fps", "frames"}
             dcc.Store(id="clip-choice"),  # the joints and channels that the chart shows
-            dcc.Store(id="clip-drawn"),  # the three below only give clientside callbacks an output
+            dcc.Store(id="clip-gait-table"),  # drawn by assets/clip_gait.js
+            dcc.Store(id="clip-gait-drawn"),  # these four only give clientside callbacks an output
+            dcc.Store(id="clip-drawn"),
             dcc.Store(id="clip-marked"),
             dcc.Store(id="clip-sought"),
             dcc.Store(id="clip-seek"),  # {"clip", "frame"}: someone chose a moment in a list

@@ -1,0 +1,85 @@
+/* The gait of a clip: its bouts as folding tables, and the list of its events. Drawn here, because a long walk has
+   thousands of cells; those of a folded table are made when it opens. */
+(function () {
+  "use strict";
+  const clientside = (window.dash_clientside = window.dash_clientside || {});
+  const MOST_EVENTS = 600;
+
+  function make(tag, className, text) {
+    const node = document.createElement(tag);
+    if (className) node.className = className;
+    if (text !== undefined) node.textContent = text;
+    return node;
+  }
+
+  function sends(button, store, value) {
+    button.type = "button";
+    button.dataset.store = store;
+    button.dataset.value = JSON.stringify(value);
+    button.dataset.stamp = store === "selection" ? "" : "yes";
+    return button;
+  }
+
+  function table(head, rows) {
+    const made = make("table", "gait-table number");
+    const top = made.createTHead().insertRow();
+    for (const text of head) {
+      const cell = make("th", "", text);
+      cell.scope = "col";
+      top.append(cell);
+    }
+    const body = made.createTBody();
+    for (const [name, unit, ...values] of rows) {
+      const row = body.insertRow();
+      const first = make("th", "", name + " ");
+      first.scope = "row";
+      first.append(make("span", "muted", unit));
+      row.append(first, ...values.map((value) => make("td", "", value)));
+    }
+    return made;
+  }
+
+  /** A part that folds; `fill` gives what is in it, once. */
+  function folding(className, head, open, fill) {
+    const part = make("details", className);
+    part.append(head);
+    part.addEventListener("toggle", () => { if (part.open && part.children.length === 1) part.append(fill()); });
+    part.open = open;
+    return part;
+  }
+
+  function bout(data, one, open) {
+    const head = make("summary", "gait-head");
+    const select = sends(make("button", "gait-select", "Select"), "selection", { clip: data.clip, start: one.start, end: one.end });
+    select.setAttribute("aria-label", `Select the frames of ${one.title}`);
+    head.append(make("b", "", one.title), make("span", "muted number", one.facts), select);
+    return folding("gait-bout", head, open, () => table(data.head, one.rows));
+  }
+
+  function events(data) {
+    const list = make("div", "gait-events");
+    for (const [frame, seconds, side, name] of data.events.slice(0, MOST_EVENTS)) {
+      const row = sends(make("button", "gait-event"), "clip-seek", { clip: data.clip, frame });
+      row.append(make("span", "number", seconds), make("span", "muted number", `frame ${frame}`),
+        make("span", `side-${side}`, side[0].toUpperCase() + side.slice(1)), make("span", "", name));
+      list.append(row);
+    }
+    const more = data.events.length - MOST_EVENTS;
+    if (more > 0) list.append(make("div", "muted", `and ${more} more: a table of the clip has them all`));
+    return list;
+  }
+
+  clientside.gait = {
+    draw(data) {
+      const place = document.getElementById("clip-gait");
+      if (!place) return clientside.no_update;
+      if (!data) place.replaceChildren();
+      else if (data.why) place.replaceChildren(make("div", "muted", data.why));
+      else {
+        const all = folding("gait-details", make("summary", "", `${data.events.length} heel strikes and toe-offs`), false, () => events(data));
+        place.replaceChildren(...data.bouts.map((one, k) => bout(data, one, k === 0)), all);
+      }
+      return clientside.no_update;
+    },
+  };
+})();
