@@ -19,6 +19,8 @@ _VERBS = {
     "find_motifs": "core.motifs.build",
     "MotifParameters": "core.motifs.build",
     "sweep": "core.motifs.sweep",
+    "build_motion_map": "core.motion_map.build",
+    "MapParameters": "core.motion_map.build",
     "Workspace": "core.workspace",
 }
 __all__ = sorted(_VERBS)

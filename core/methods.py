@@ -90,6 +90,15 @@ METHODS: dict[str, Method] = {
     # the next two look at the motifs of the first: a new version of that makes a new version of these
     "stability": _method("Stability", 1, "core.motifs.stability", "StabilityParameters", "stability"),
     "redundancy": _method("Coverage report", 1, "core.motifs.redundancy", "RedundancyParameters", "redundancy"),
+    "map": _method(
+        "Motion map",
+        1,
+        "core.motion_map.build",
+        "MapParameters",
+        "build_motion_map",
+        pack=lambda result, dataset: result.pack(),
+        unpack=lambda document, arrays: import_module("core.motion_map.motion_map").unpack(document, arrays),
+    ),
     "features": _method(
         "Features",
         1,

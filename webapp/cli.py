@@ -251,6 +251,13 @@ def _ids(text: str) -> list[int]:
     return [int(number) for number in re.split("[,-]", text)]
 
 
+def _map_arguments(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument("source", metavar="SOURCE", help=SOURCE_HELP)
+    _method_arguments(parser, "map")
+    parser.add_argument("--out", type=Path, required=True, metavar="map.json", help="file to write")
+    _common(parser)
+
+
 def _export_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("source", metavar="SOURCE", help=SOURCE_HELP)
     parser.add_argument(
@@ -320,6 +327,9 @@ COMMANDS = {
     ),
     "demo": Command(
         "Write the demo data set: labelled motion as BVH files.", _demo_arguments, _later("webapp.commands", "demo")
+    ),
+    "map": Command(
+        "Lay the postures of all recordings out on a map.", _map_arguments, _later("webapp.map_commands", "map_")
     ),
     "export": Command(
         "Write features (npz, Parquet) or clips (BVH) for other tools.",

@@ -1,0 +1,1 @@
+"""Motion maps: postures on a self-organising map (Sakamoto, Kuriyama, Kaneko 2004)."""

@@ -1,0 +1,129 @@
+"""From recordings to a motion map, stage by stage (MAP section 3)."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+import numpy as np
+
+from core.mocap.dataset import Dataset
+from core.motion_map.bones import bone_lengths
+from core.motion_map.keypose_search import runs_of
+from core.motion_map.motion_map import MotionMap
+from core.motion_map.regions import find_regions, region_icons
+from core.motion_map.samples import reduce_samples, threshold_for
+from core.motion_map.som import PASSES, batch_som, best_nodes, errors, online_som
+from core.poses.postures import postures_of
+from core.progress import Report, silent
+
+
+def _parameter(default: Any, help: str, low=None, high=None, step=None, choices: tuple = (), advanced: bool = False):
+    metadata = {"help": help, "min": low, "max": high, "step": step, "choices": choices, "advanced": advanced}
+    return field(default=default, metadata=metadata)
+
+
+@dataclass(frozen=True)
+class MapParameters:
+    """How a motion map is made. Each field's metadata: ``help``, ``min``, ``max``, ``step``, ``choices``, ``advanced``.
+
+    Raises ValueError, in plain words, for a value out of range.
+    """
+
+    grid: str = _parameter("21x21", "Nodes across and down: more show finer differences between postures.")
+    analysis_fps: float = _parameter(30.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0)
+    samples: int = _parameter(
+        2000, "About how many different postures the map learns from; near-equal ones count once.", 50, 100_000, 50
+    )
+    sigma: float = _parameter(
+        0.7,
+        "How smooth the map ends up: higher keeps neighbours more alike, lower follows single postures.",
+        0.2, 5.0, 0.1,
+    )  # fmt: skip
+    epochs: int = _parameter(24, "How many times the map is adapted.", 1, 1000, 1, advanced=True)
+    training: str = _parameter(
+        "batch",
+        "batch = fast, all postures at once; online = the 2004 paper's own schedule, one posture at a time (slow).",
+        choices=("batch", "online"), advanced=True,
+    )  # fmt: skip
+    passes: int = _parameter(PASSES, "With online: passes over all samples.", 1, 10_000, 1, advanced=True)
+    seed: int = _parameter(0, "Number that starts the random choices; the same number gives the same map.", 0, None, 1)
+
+    def __post_init__(self) -> None:
+        parse_grid(self.grid)
+        if not (50 <= self.samples <= 100_000 and 0.2 <= self.sigma <= 5.0 and 1 <= self.epochs <= 1000):
+            raise ValueError("samples must be 50 to 100000, sigma 0.2 to 5, epochs 1 to 1000")
+        if self.training not in ("batch", "online") or not 1 <= self.passes <= 10_000:
+            raise ValueError("training must be batch or online, with 1 to 10000 passes")
+
+
+def parse_grid(text: str) -> tuple[int, int]:
+    """``21x21`` as numbers; raises ValueError unless both are whole numbers from 2 to 100."""
+    parts = str(text).lower().replace("×", "x").split("x")
+    if len(parts) != 2 or not all(part.strip().isdecimal() and 2 <= int(part) <= 100 for part in parts):
+        raise ValueError(f"grid must look like 21x21, with 2 to 100 nodes either way, not {str(text)[:40]!r}")
+    return int(parts[0]), int(parts[1])
+
+
+def build_motion_map(dataset: Dataset, parameters: MapParameters | None = None, report: Report = silent) -> MotionMap:
+    """The motion map of a data set. Deterministic: the same clips and seed give the same map.
+
+    Raises ValueError where there are no clips or no common joints; ``report`` may raise to stop the work.
+    """
+    parameters = parameters or MapParameters()
+    seconds: dict[str, float] = {}
+    with _timed("postures", seconds):
+        postures = postures_of(dataset, analysis_fps=parameters.analysis_fps, report=report)
+    with _timed("samples", seconds):
+        threshold = threshold_for(postures.vectors, parameters.samples, seed=parameters.seed)
+        kept = reduce_samples(postures.vectors, threshold, report)
+        samples = postures.vectors[kept]
+    with _timed("map", seconds):
+        grid = parse_grid(parameters.grid)
+        if parameters.training == "online":
+            weights = online_som(samples, grid, passes=parameters.passes, seed=parameters.seed, report=report)
+        else:
+            sigma = (max((grid[0] + grid[1]) / 4, parameters.sigma), parameters.sigma)
+            weights = batch_som(
+                samples, grid, epochs=parameters.epochs, sigma=sigma, seed=parameters.seed, report=report
+            )
+    with _timed("regions", seconds):
+        regions = find_regions(weights)
+    with _timed("runs", seconds):
+        nodes, distances = best_nodes(postures.vectors, weights)
+        runs = runs_of(nodes, distances, postures.clip_starts)
+        quantisation, topographic = errors(samples, weights)
+    return MotionMap(
+        weights=weights,
+        regions=regions,
+        icons=region_icons(regions),
+        runs=runs,
+        joints=postures.joints,
+        parents=postures.parents,
+        lengths=bone_lengths(postures.values[kept], postures.parents),
+        clips=postures.clips,
+        clip_fps=postures.clip_fps,
+        clip_frames=postures.clip_frames,
+        fps=postures.fps,
+        metrics={
+            "quantisation_error": quantisation,
+            "topographic_error": topographic,
+            "samples": float(len(samples)),
+            "threshold": threshold,
+            "n_regions": float(regions.max() + 1),
+            "usual_distance": float(np.median(distances)),
+        },
+        parameters=asdict(parameters),
+        seconds=seconds,
+        dataset={"name": dataset.name, "fingerprint": dataset.fingerprint},
+    )
+
+
+@contextmanager
+def _timed(stage: str, seconds: dict[str, float]) -> Iterator[None]:
+    started = time.perf_counter()
+    yield
+    seconds[stage] = time.perf_counter() - started

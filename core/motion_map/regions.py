@@ -1,0 +1,78 @@
+"""Regions of a map: ridges of the U-matrix divide it, and each part is shown by one posture (MAP section 3.2)."""
+
+from __future__ import annotations
+
+import heapq
+
+import numpy as np
+from scipy.ndimage import label
+
+from core.motion_map.som import u_matrix
+
+_LINES = ((1, 0), (0, 1), (1, 1), (1, -1))  # vertical, horizontal and the diagonals
+_BESIDE = ((-1, 0), (1, 0), (0, -1), (0, 1))
+
+
+def borders(heights: np.ndarray) -> np.ndarray:
+    """Which nodes ``(nx, ny)`` bool are higher than both neighbours along a row, a column or a diagonal.
+
+    heights: the U-matrix ``(nx, ny)``. A node at the rim has both neighbours only along the rim.
+    """
+    nx, ny = heights.shape
+    padded = np.pad(heights, 1, constant_values=np.inf)  # nothing is higher than what lies outside
+    found = np.zeros((nx, ny), bool)
+    for a, b in _LINES:
+        before = padded[1 - a : nx + 1 - a, 1 - b : ny + 1 - b]
+        after = padded[1 + a : nx + 1 + a, 1 + b : ny + 1 + b]
+        found |= (heights > before) & (heights > after)
+    return found
+
+
+def find_regions(weights: np.ndarray) -> np.ndarray:
+    """Region ``(nx, ny)`` int of every node, from 0, in the order of the regions' first nodes.
+
+    Nodes that are no border make regions where they touch along rows and columns (with diagonals the ridges would
+    leak); then border nodes join, nearest model vector first, the region of a neighbour, until all have one. A map of
+    borders only is one region. weights: model vectors ``(nx, ny, d)``.
+    """
+    found, n = label(~borders(u_matrix(weights)))
+    if n == 0:
+        return np.zeros(weights.shape[:2], int)
+    regions = found - 1
+    _join_borders(regions, weights)
+    order: dict[int, int] = {}
+    for region in regions.ravel():
+        order.setdefault(int(region), len(order))
+    return np.vectorize(order.__getitem__, otypes=[int])(regions)
+
+
+def _join_borders(regions: np.ndarray, weights: np.ndarray) -> None:
+    """Gives every node of region -1 that of the neighbour it is nearest to, nearest pairs first, in place."""
+    nx, ny = regions.shape
+    waiting: list[tuple[float, int, int, int, int]] = []
+
+    def offer(x: int, y: int) -> None:
+        """Neighbours without a region may join that of (x, y)."""
+        for a, b in _BESIDE:
+            u, v = x + a, y + b
+            if 0 <= u < nx and 0 <= v < ny and regions[u, v] < 0:
+                apart = float(np.linalg.norm(weights[x, y] - weights[u, v]))
+                heapq.heappush(waiting, (apart, u, v, x, y))
+
+    for x, y in zip(*np.nonzero(regions >= 0), strict=True):
+        offer(int(x), int(y))
+    while waiting:
+        _, u, v, x, y = heapq.heappop(waiting)
+        if regions[u, v] < 0:
+            regions[u, v] = regions[x, y]
+            offer(u, v)
+
+
+def region_icons(regions: np.ndarray) -> np.ndarray:
+    """The node ``(n_regions, 2)`` of each region that is nearest to the region's centre: its posture is the icon."""
+    icons = []
+    for region in range(int(regions.max()) + 1):
+        nodes = np.argwhere(regions == region)
+        apart = np.linalg.norm(nodes - nodes.mean(axis=0), axis=1)
+        icons.append(nodes[np.argmin(np.round(apart, 9))])
+    return np.array(icons, int)
