@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
+import zipfile
 from pathlib import Path
 
 import pytest
 from playwright.sync_api import Page, expect
 
+from core import analyses
 from core.mocap.bvh import write_bvh
 from core.workspace import Workspace
 from tests.browser.app import (
@@ -85,21 +87,103 @@ def test_good_files_are_kept_and_bad_ones_explained(show, recordings, workspace)
     assert not list((workspace.path / "uploads").iterdir())
 
 
-def test_what_is_dropped_is_uploaded(show, recordings):
-    page = show("/library")
-    text = (recordings[3] if recordings[3].suffix == ".bvh" else recordings[0]).read_text()
+def drop(page: Page, target: str, name: str, content: str) -> None:
+    """Drops a file on the first element that ``target`` selects."""
     page.evaluate(
-        """(text) => {
+        """([selector, name, text]) => {
             const transfer = new DataTransfer();
-            transfer.items.add(new File([text], 'dropped.bvh'));
-            const target = document.getElementById('page');
+            transfer.items.add(new File([text], name));
+            const target = document.querySelector(selector);
             for (const kind of ['dragenter', 'dragover', 'drop'])
                 target.dispatchEvent(new DragEvent(kind, { dataTransfer: transfer, bubbles: true, cancelable: true }));
         }""",
-        text,
+        [target, name, content],
     )
+
+
+def test_what_is_dropped_is_uploaded(show, recordings):
+    page = show("/library")
+    drop(page, "#page", "dropped.bvh", next(path for path in recordings if path.stem == "rush").read_text())
     expect(page.locator("#upload-list .upload-ok")).to_contain_text("dropped.bvh")
     expect(page.locator("#upload-name")).to_have_value("dropped")
+    expect(page.locator("#upload-target")).to_have_value("A new dataset")
+    drop(page, "#drop-zone", "more.csv", "clip,action\ndropped,rush\n")
+    expect(page.locator("#upload-list .upload-ok")).to_have_count(2)
+    expect(page.locator("#upload-import")).to_be_enabled()
+
+
+def test_recordings_and_labels_come_to_a_dataset_and_go_again(show, recordings, workspace):
+    before, graph = workspace.info("demo"), analyses.stored(workspace, analyses.Request("demo", "motifs"))
+    archive = recordings[0].parent / "more.zip"
+    with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as packed:
+        for path in recordings:
+            packed.write(path, f"in/{path.name}")
+        packed.writestr("in/index.csv", "clip,content,take\nrush,hurry,1\nnobody,wait,1\n")
+    page = show("/library")
+    page.get_by_role("button", name="More for demo").click()
+    page.get_by_role("menuitem", name="Add recordings or labels").click()
+    expect(page.locator("#upload-target")).to_have_value("demo")
+    with page.expect_file_chooser() as chooser:
+        page.get_by_role("button", name="Choose files").click()
+    chooser.value.set_files([archive])
+    expect(page.locator("#upload-import")).to_have_text("Add")
+    page.click("#upload-import")
+    page.get_by_role("link", name="See the report").click(timeout=PATIENCE)
+    rows = page.locator("#report-table .ag-center-cols-container .ag-row")
+    expect(rows).to_have_count(6)  # the archive, four recordings, the index; not those that were there
+    expect(page.locator("#report-table")).to_contain_text("nobody (line 3)")
+    expect(page.locator(".dataset-card.chosen")).to_contain_text("2 not read")
+    assert "files=added" in page.url
+    assert {"rush", "stroll"} < set(workspace.open("demo").names) and workspace.info("demo").labels == before.labels + 1
+    page.get_by_role("button", name="Undo").click()
+    expect(page.locator(".dataset-card.chosen")).to_contain_text("All files read")
+    assert workspace.info("demo").fingerprint == before.fingerprint
+    drop(
+        page,
+        ".dataset-card",
+        "mine.csv",
+        f"clip,start_frame,end_frame,action\n{workspace.open('demo').names[0]},0,9,x\n",
+    )
+    expect(page.locator("#upload-target")).to_have_value("demo")
+    expect(page.locator("#upload-list .upload-ok")).to_have_count(1)
+    page.locator("#upload-labels").get_by_text("Replace").click()
+    page.click("#upload-import")
+    expect(page.locator(".dataset-card.chosen")).to_contain_text("1 label", timeout=PATIENCE)
+    assert [label.action for label in workspace.open("demo").labels] == ["x"]
+    assert analyses.stored(workspace, analyses.Request("demo", "motifs")) is graph  # labels are not motion
+
+
+def test_clips_are_removed_and_opened_by_mouse_and_by_keyboard(show, workspace):
+    before = workspace.info("demo")
+    first, second = workspace.open("demo").names
+    page = show("/library")
+    boxes = page.locator("#clips-table .ag-row .choice-cell input")
+    boxes.first.click()
+    expect(page.locator("#clips-chosen")).to_contain_text("1 clip chosen")
+    assert page.evaluate("motionscapeStage.status") == "empty"  # a box chooses, it does not play
+    page.keyboard.press("ArrowDown")
+    page.keyboard.press("Space")
+    expect(page.locator("#clips-chosen")).to_contain_text("2 clips chosen")
+    page.get_by_role("button", name="Remove").click()
+    expect(page.get_by_text("These are all its clips")).to_be_visible()
+    boxes.nth(1).click()
+    page.get_by_role("button", name="Remove").click()
+    expect(page.locator("#clips-table .ag-center-cols-container .ag-row")).to_have_count(1, timeout=PATIENCE)
+    assert workspace.open("demo").names == (second,)
+    page.get_by_role("button", name="Undo").click()
+    expect(page.locator("#clips-table .ag-center-cols-container .ag-row")).to_have_count(2)
+    assert workspace.info("demo").fingerprint == before.fingerprint
+    page.click("#trash-open")
+    expect(page.locator("#trash-list")).to_contain_text("before its last change")
+    page.keyboard.press("Escape")
+    expect(page.locator("#trash-list")).not_to_be_visible()
+    page.locator("#clips-table .ag-cell[col-id=clip]").nth(1).focus()
+    page.keyboard.press("Enter")
+    page.wait_for_url(f"**/clip?dataset=demo&clip={second}*")
+    wait_for_stage(page, second)
+    page.go_back()
+    page.locator(f"#clips-table a.clip-link[data-clip='{first}']").click()
+    page.wait_for_url(f"**/clip?dataset=demo&clip={first}*")
 
 
 def test_only_bad_files_end_in_a_clear_message(show, tmp_path):
