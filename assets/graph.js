@@ -71,7 +71,8 @@
     });
     cy.on("tapend", "node, edge", (event) => {
       const [a, b] = [pressed?.renderedPosition, event.renderedPosition];
-      if (pressed?.target === event.target && Math.hypot(a.x - b.x, a.y - b.y) < 6) window.motionscapeAhead.play(selectionOf(event.target));
+      const tapped = pressed?.target === event.target && Math.hypot(a.x - b.x, a.y - b.y) < 6;
+      if (tapped && !stepping()) window.motionscapeAhead.play(selectionOf(event.target));
     });
     cy.on("zoom", () => cy.elements(".readable").data("letters", letters(cy)));
     const looks = new MutationObserver(() => (cy.destroyed() ? looks.disconnect() : rasterise(cy)));
@@ -134,13 +135,18 @@
     setTimeout(() => URL.revokeObjectURL(link.href), 10000);
   }
 
+  let taps = 0;
+  const stepping = () => Boolean(window.motionscapeWalk?.on); // a click is a step of a walk (walk_graph.js)
   const put = (value) => window.dash_clientside.set_props("selection", { data: value });
 
   window.motionscapeGraph = { ready };
   clientside.graph = {
-    tapped(node, edge) {
-      if (window.motionscapeWalk?.on) return clientside.no_update; // the click was a step (walk_graph.js)
+    async tapped(node, edge) {
+      if (stepping()) return clientside.no_update;
       const which = clientside.callback_context.triggered.map((item) => item.prop_id).join(" ");
+      const mine = ++taps;
+      await window.motionscapeAhead.settled(); // first the Stage, then all else that follows from a selection
+      if (mine !== taps) return clientside.no_update;
       if (which.includes("tapNodeData") && node) put({ motif: node.motif });
       else if (which.includes("tapEdgeData") && edge) put({ edge: edge.edge });
       return clientside.no_update;

@@ -4,9 +4,11 @@
   "use strict";
 
   const REST = 90; // milliseconds the pointer stays before anything is fetched
+  const PATIENCE = 400; // milliseconds
   const KEPT = 15000; // milliseconds: a name that is given meanwhile is soon seen
   const OTHER = ["motif", "motion", "edge", "transition", "clip", "start", "end", "time", "speed", "layout", "camera"];
   const requests = new Map(); // address -> promise of a request, null where there is nothing to play
+  let current = Promise.resolve();
   let timer = 0;
   let turn = 0;
 
@@ -44,15 +46,22 @@
       else fetchIt();
     },
     leave: () => clearTimeout(timer),
-    /** Play a selection, unless something else was to be shown meanwhile. */
-    async play(selection) {
-      if (!usable(selection)) return;
-      const mine = ++turn;
-      const before = window.motionscapeStage.asked;
-      const request = await ask(selection);
-      if (request && mine === turn && before === window.motionscapeStage.asked) window.motionscapeStage.show(request);
+    play(selection) {
+      if (usable(selection)) current = play(selection);
     },
+    /** Until what was played last is on the Stage, but not for long: work that can wait leaves the browser free. */
+    settled: () => Promise.race([current, new Promise((done) => setTimeout(done, PATIENCE))]),
   };
+
+  /** Play a selection, unless something else was to be shown meanwhile. */
+  async function play(selection) {
+    const mine = ++turn;
+    const before = window.motionscapeStage.asked;
+    const request = await ask(selection);
+    if (!request || mine !== turn || before !== window.motionscapeStage.asked) return;
+    await window.motionscapeStage.show(request);
+    for (let frame = 0; frame < 2; frame++) await new Promise(requestAnimationFrame);
+  }
 
   const target = (event) => event.target.closest?.('[data-store="selection"]');
   document.addEventListener("pointerover", (event) => {

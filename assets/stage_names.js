@@ -19,7 +19,8 @@
 
   /**
    * Give each figure a `name` for where there is little room: its label without what all labels begin with; where
-   * several have the same, with the second at which the motion starts in its clip.
+   * several have the same, with the second at which the motion starts in its clip. And a `brief` one for hardly any room:
+   * that second, or the last part of the name.
    */
   function nameFigures(figures) {
     if (!figures.length) return;
@@ -31,7 +32,9 @@
       const { label, header, ownFps } = figure;
       const rest = alike ? "" : label.length > from ? label.slice(from) : label;
       const again = labels.filter((other) => other === label).length > 1;
-      figure.name = again ? `${rest} ${(header.start / ownFps).toFixed(1)} s`.trim() : rest;
+      const second = `${(header.start / ownFps).toFixed(1)} s`;
+      figure.name = again ? `${rest} ${second}`.trim() : rest;
+      figure.brief = again ? second : rest.split(/[\s_\-/.:]+/).filter(Boolean).pop() ?? rest;
     }
   }
 

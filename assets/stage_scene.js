@@ -2,7 +2,7 @@
 (function (parts) {
   "use strict";
 
-  const [LEAST_LETTERS, MOST_LETTERS] = [8, 26]; // fewer tell nothing; the pointer does
+  const [LEAST_LETTERS, MOST_LETTERS] = [11, 26]; // with fewer the brief name tells more
   const LABELS_OVERLAID = 3; // more would cover one another
 
   class Scene {
@@ -92,7 +92,8 @@
         const room = this.canvas.width - sprite.width;
         if (figure.x[top] < 0 || figure.x[top] > this.canvas.width) continue;
         const x = Math.round(Math.min(Math.max(figure.x[top] - sprite.width / 2, 0), Math.max(room, 0))); // whole, not cut
-        let y = Math.round(figure.y[top] - (0.24 * figure.size * figure.scale[top] + sprite.height));
+        const highest = figure.room === Infinity ? figure.y[top] : Math.min(...figure.y) + 0.12 * figure.size * figure.scale[top];
+        let y = Math.round(highest - (0.24 * figure.size * figure.scale[top] + sprite.height));
         const hits = (box) => Math.abs(box[0] - x) < (box[2] + sprite.width) / 2 && Math.abs(box[1] - y) < sprite.height;
         for (let tries = 0; tries < 4 && shown.length <= 4 && taken.some(hits); tries++) y -= sprite.height + 2;
         if (taken.some(hits)) continue;
@@ -104,9 +105,10 @@
     /** A label drawn once: text on a soft plate with the figure's colour, no wider than `room` pixels; or none. */
     label(figure, room) {
       const size = 11.5 * this.ratio;
-      const letters = Math.min(Math.floor(room / (0.6 * size)) - 3, MOST_LETTERS);
-      if (letters < Math.min(LEAST_LETTERS, figure.name.length)) return null;
-      const text = parts.shorten(figure.name, letters);
+      const letters = Math.min(Math.floor((0.96 * room - 2.1 * size) / (0.56 * size)), MOST_LETTERS);
+      const whole = letters >= Math.min(LEAST_LETTERS, figure.name.length);
+      if (!whole && figure.brief.length > letters + 1) return null;
+      const text = whole ? parts.shorten(figure.name, letters) : figure.brief;
       const key = `${text}|${figure.shades.fill[2][0]}`;
       if (this.labels.has(key)) return this.labels.get(key);
       const sprite = document.createElement("canvas");

@@ -1,4 +1,4 @@
-"""The Stage in a real browser: several data sets at once, stills, swapping in place, frames out and in, coloured spans."""
+"""The Stage in a real browser: several data sets at once, stills, swapping in place, frames, coloured spans, names."""
 
 from __future__ import annotations
 
@@ -134,7 +134,8 @@ def test_coloured_spans_band_the_time_and_the_path(page):
     assert blue["width"] == pytest.approx(whole["width"] * 60 / 179, abs=2)
     assert get(page, "state()")["trails"] == "root"
     count = """([r, g, b]) => {
-        const c = document.getElementById('stage-canvas'), data = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
+        const c = document.getElementById('stage-canvas');
+        const data = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
         let n = 0;
         for (let k = 0; k < data.length; k += 4) n += data[k] === r && data[k + 1] === g && data[k + 2] === b;
         return n;
