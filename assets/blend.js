@@ -8,6 +8,7 @@
   const SOURCE = { light: "#9aa5b4", dark: "#7c8797" };
 
   let now = null; // {data, body, chosen: motions, values: weights 0 to 1, sources, written: text in the link}
+  let seen; // what was shown last: the link's weights are those of the motif that is shown first
   let writing = 0;
 
   const find = (id) => document.getElementById(id);
@@ -185,17 +186,36 @@
     now = null;
   }
 
-  /** The mixture of a motif that has just come; the link's weights count for the first one only. */
-  function begin(data, view, selection, before) {
+  /** The mixture of a motif that has just come; `linked`: the link's weights may be its own. */
+  function begin(data, view, selection, linked) {
     now = { data, body: 0, chosen: [], values: [], sources: false, written: "" };
     start(0);
-    if (before) {
-      if (view.weights) clientside.set_props("view-change", { data: { weights: "" } });
-    } else if (view.weights) read(view.weights);
-    const stills = !before && new URLSearchParams(location.search).get("layout") === "pose"; // so says the link
+    if (linked && view.weights) read(view.weights);
+    else if (view.weights) clientside.set_props("view-change", { data: { weights: "" } });
+    const stills = !seen && new URLSearchParams(location.search).get("layout") === "pose"; // so says the link
     show(stills || (selection && selection.motion !== undefined));
     if (stills) window.motionscapeStage.show(data.middles);
     document.querySelector("[data-blend='sources']").setAttribute("aria-pressed", "false");
+  }
+
+  /** What is there to mix, or why there is nothing. */
+  function take(data, view, selection) {
+    const name = `${data.key} ${data.motif}`;
+    const linked = !seen || seen === name;
+    if (data.motif === undefined || data.motif === null) {
+      now = null;
+      message("Choose a motif to mix its motions.");
+    } else if (!data.bodies || !data.bodies.length) {
+      now = null;
+      message("No two motions of this motif are of one body, so there is nothing to mix.");
+      if (data.together && seen !== name) window.motionscapeStage.show(data.together);
+    } else {
+      message("");
+      if (!now || `${now.data.key} ${now.data.motif}` !== name) begin(data, view, selection, linked);
+      else if (!find("blend-controls").childElementCount) show(true); // the page came anew
+      else if ((view.weights || "") !== now.written && read(view.weights)) show();
+    }
+    seen = name;
   }
 
   clientside.blend = {
@@ -205,18 +225,7 @@
         return clientside.no_update;
       }
       if (!data || !find("blend-panel")) return clientside.no_update;
-      const before = now && now.data;
-      if (data.motif === undefined || data.motif === null) now = null, message("Choose a motif to mix its motions.");
-      else if (!data.bodies || !data.bodies.length) {
-        now = null;
-        message("No two motions of this motif are of one body, so there is nothing to mix.");
-        if (data.together) window.motionscapeStage.show(data.together);
-      } else {
-        message("");
-        if (!before || before.key !== data.key || before.motif !== data.motif) begin(data, view, selection, before);
-        else if (!find("blend-controls").childElementCount) show(true); // the page came anew
-        else if ((view.weights || "") !== now.written && read(view.weights)) show();
-      }
+      take(data, view, selection);
       return clientside.no_update;
     },
   };

@@ -213,7 +213,7 @@ def _components(channels: Channels, frames: int) -> list[int]:
 
 
 def motion_errors(motions: Motions, method: str, step: Step) -> dict[int, float]:
-    """Mean error of each motion's joints in centimetres, by the motion's index in the motif. Raises as :func:`rebuild`."""
+    """Mean error of each motion's joints, centimetres, by its index in the motif. Raises as :func:`rebuild`."""
     values, _ = rebuild(motions, method, step)
     parts = {name: motions.part(k) for k, name in enumerate(motions.names)}
     return {name: errors(motions.channels, motions.values[at], values[at])[0] for name, at in parts.items()}
