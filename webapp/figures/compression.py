@@ -79,7 +79,7 @@ def dataset_sentence(result: Compression, tolerance: float = 1.0) -> str:
     ranked: Sequence[str] = sorted(totals, key=lambda way: totals[way].numbers)
     told = [f"{100 * totals[way].numbers / totals[way].raw:.0f} % ({_lower(WAYS[way])})" for way in ranked]
     return (
-        f"With a mean error of at most {tolerance:g} cm in every part the data set takes {_listed(told)} of its size."
+        f"With a mean error of at most {tolerance:g} cm in every part the dataset takes {_listed(told)} of its size."
     )
 
 

@@ -280,7 +280,7 @@ def _whole(app: Dash, workspace: Workspace) -> None:
         now = [key, scheme, "there" if found else job.state if job else "", job.id if job else 0]
         if now == shown:
             return no_update, no_update
-        head, spacer = html.H3("Whole data set"), html.Div(className="spacer")
+        head, spacer = html.H3("Whole dataset"), html.Div(className="spacer")
         if found is None:
             return [html.Div([head], className="chart-head"), _waiting(job)], now
         return [
