@@ -20,6 +20,7 @@
     if (params.data && params.data.view) put("view-change", params.data.view, false);
     if (params.data && params.data.selection) put("selection", params.data.selection, false);
   };
+  grid.leaveTable = () => false; // the browser goes to what comes after the table
   grid.chooseRowByKey = (params) => {
     if (params.event && params.event.key === "Enter") grid.chooseRow(params);
   };

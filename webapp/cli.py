@@ -145,20 +145,20 @@ def _serve_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("workspace", nargs="?", default="workspace", type=Path, metavar="WORKSPACE")
     parser.add_argument("--host", default="127.0.0.1", help="address to listen on (default 127.0.0.1: this machine)")
     parser.add_argument("--port", default=8050, type=_port, help="default 8050; 0 takes a free one")
-    parser.add_argument("--demo", action="store_true", help="have the demo data set and its motif graph there")
+    parser.add_argument("--demo", action="store_true", help="have the demo dataset and its motif graph there")
     parser.add_argument("--no-browser", action="store_true", help="do not open a browser")
 
 
 def _import_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("workspace", type=Path, metavar="WORKSPACE", help="folder of the workspace, made where missing")
     parser.add_argument("paths", nargs="+", type=Path, metavar="PATH", help="recordings, or folders of them")
-    parser.add_argument("--name", help="name of the data set (default: that of the first PATH)")
-    parser.add_argument("--add", action="store_true", help="add to the data set of that name, which is there already")
+    parser.add_argument("--name", help="name of the dataset (default: that of the first PATH)")
+    parser.add_argument("--add", action="store_true", help="add to the dataset of that name, which is there already")
     _common(parser)
 
 
 def _labels_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("source", metavar="WORKSPACE/NAME", help="the data set")
+    parser.add_argument("source", metavar="WORKSPACE/NAME", help="the dataset")
     parser.add_argument("paths", nargs="+", type=Path, metavar="FILE|DIR", help="labels: CSV files or folders of them")
     parser.add_argument("--replace", action="store_true", help="the labels that are there go")
     parser.add_argument("--quiet", action="store_true", help="no summary")
@@ -318,7 +318,7 @@ COMMANDS = {
     "serve": Command("Show a workspace in the browser.", _serve_arguments, _later("webapp.serving", "serve")),
     "import": Command("Read recordings into a workspace.", _import_arguments, _later("webapp.commands", "import_")),
     "labels": Command(
-        "Bring labels (CSV) to a data set of a workspace.", _labels_arguments, _later("webapp.label_commands", "labels")
+        "Bring labels (CSV) to a dataset of a workspace.", _labels_arguments, _later("webapp.label_commands", "labels")
     ),
     "inspect": Command(
         "Say of every file whether it can be read, and what is odd about it.",
@@ -326,7 +326,7 @@ COMMANDS = {
         _later("webapp.commands", "inspect"),
     ),
     "demo": Command(
-        "Write the demo data set: labelled motion as BVH files.", _demo_arguments, _later("webapp.commands", "demo")
+        "Write the demo dataset: labelled motion as BVH files.", _demo_arguments, _later("webapp.commands", "demo")
     ),
     "map": Command(
         "Lay the postures of all recordings out on a map.", _map_arguments, _later("webapp.map_commands", "map_")

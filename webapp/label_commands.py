@@ -14,7 +14,7 @@ def labels(asked: Namespace) -> int:
     """Adds label files to a data set; rows that do not fit are named on stderr. Raises WorkspaceError."""
     named = named_dataset(asked.source)
     if named is None:
-        raise WorkspaceError(f"{asked.source}: labels belong to a data set of a workspace, as WORKSPACE/NAME.")
+        raise WorkspaceError(f"{asked.source}: labels belong to a dataset of a workspace, as WORKSPACE/NAME.")
     missing = [str(path) for path in asked.paths if not path.expanduser().exists()]
     if missing:
         raise WorkspaceError(f"{missing[0]}: no such file or folder")

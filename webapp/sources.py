@@ -16,7 +16,7 @@ def named_dataset(source: str) -> tuple[Workspace, str] | None:
     if is_workspace(path):
         names = [info.name for info in Workspace(path).datasets()]
         known = f" It has {', '.join(names[:8])}." if names else " It is empty."
-        raise WorkspaceError(f"{source} is a workspace: say which data set of it, as {source.rstrip('/')}/NAME.{known}")
+        raise WorkspaceError(f"{source} is a workspace: say which dataset of it, as {source.rstrip('/')}/NAME.{known}")
     return (Workspace(path.parent), path.name) if is_workspace(path.parent) else None
 
 
@@ -29,7 +29,7 @@ def open_source(asked: Namespace, report: Report) -> Dataset:
     if named is None:
         path = Path(asked.source).expanduser()
         if not path.exists():
-            raise WorkspaceError(f"{asked.source}: no such file or folder, and no data set of a workspace.")
+            raise WorkspaceError(f"{asked.source}: no such file or folder, and no dataset of a workspace.")
         return open_dataset(
             path, skeleton=asked.skeleton, fps=asked.fps, clips=asked.clips, labels=asked.labels, report=report
         )
@@ -46,4 +46,4 @@ def refuse_reading_options(asked: Namespace) -> None:
     """Raises WorkspaceError for options that only make sense while recordings are read."""
     given = [f"--{name}" for name in ("skeleton", "fps", "labels") if getattr(asked, name) is not None]
     if given:
-        raise WorkspaceError(f"{' and '.join(given)}: only for files; this data set has been imported already.")
+        raise WorkspaceError(f"{' and '.join(given)}: only for files; this dataset has been imported already.")

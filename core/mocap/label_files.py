@@ -79,7 +79,7 @@ def take_labels(path: str | Path, frames: Mapping[str, int]) -> tuple[tuple[Labe
 def _taken(labels: Sequence[Label]) -> str:
     clips = len({label.clip for label in labels})
     words = f"{len(labels)} labels" if len(labels) != 1 else "one label"
-    return f"{words} of {clips} clip{'s' if clips != 1 else ''}" if labels else "labels, but none that fits these clips"
+    return f"{words} of {clips} clip{'s' if clips != 1 else ''}" if labels else "no label in it fits these clips"
 
 
 def _doubts(faults: Sequence[str], unknown: Mapping[str, int]) -> list[str]:

@@ -77,23 +77,23 @@ class DatasetStore:
         row = self._one("name = ? AND trashed IS NULL", str(name))
         if row is None:
             names = [info.name for info in self.list()]
-            known = f"The data sets here are: {', '.join(names[:8])}" if names else "The workspace is empty"
+            known = f"The datasets here are: {', '.join(names[:8])}" if names else "The workspace is empty"
             more = f" and {len(names) - 8} more." if len(names) > 8 else "."
-            raise WorkspaceError(f"There is no data set {str(name)[:80]!r}. {known}{more}")
+            raise WorkspaceError(f"There is no dataset {str(name)[:80]!r}. {known}{more}")
         return row
 
     def with_fingerprint(self, fingerprint: str) -> DatasetInfo:
         """A data set with this content, also from the trash; raises WorkspaceError where there is none."""
         row = self._one("fingerprint = ? ORDER BY trashed IS NOT NULL", str(fingerprint))
         if row is None:
-            raise WorkspaceError("The data set was changed or removed since; start the analysis again.")
+            raise WorkspaceError("The dataset was changed or removed since; start the analysis again.")
         return row
 
     def check_free(self, name: str) -> str:
         """``name`` in its final form; raises NameRefused where it cannot be used or another data set has it."""
         name = check_name(name)
         if self._one("name = ? AND trashed IS NULL", name):
-            raise NameRefused(f"There is already a data set {name!r}; choose another name or delete that one first.")
+            raise NameRefused(f"There is already a dataset {name!r}; choose another name or delete that one first.")
         return name
 
     def free_name(self, wanted: str) -> str:
@@ -113,7 +113,7 @@ class DatasetStore:
             dataset = load_dataset(self._path(info.folder))
         except (OSError, ValueError, KeyError, EOFError) as error:
             raise WorkspaceError(
-                f"The stored data set {info.name!r} cannot be opened, its files are damaged; import it again."
+                f"The stored dataset {info.name!r} cannot be opened, its files are damaged; import it again."
             ) from error
         with self._lock:
             self._opened[info.folder] = dataset
@@ -126,7 +126,7 @@ class DatasetStore:
         name = self.check_free(name)
         info = self._store(name, fill)
         try:
-            with self._database.transaction(f"enter the data set {name!r}") as table:
+            with self._database.transaction(f"enter the dataset {name!r}") as table:
                 _insert(table, info)
         except WorkspaceError as error:
             shutil.rmtree(self._path(info.folder), ignore_errors=True)
@@ -144,7 +144,7 @@ class DatasetStore:
         new = replace(self._store(info.name, fill), id=info.id, imported=info.imported)
         old = replace(info, id=version_token(info), trashed=time.time())
         try:
-            with self._database.transaction(f"change the data set {info.name!r}") as table:
+            with self._database.transaction(f"change the dataset {info.name!r}") as table:
                 row = table.execute(
                     "SELECT name FROM datasets WHERE id = ? AND folder = ? AND trashed IS NULL", (info.id, info.folder)
                 ).fetchone()
@@ -178,7 +178,7 @@ class DatasetStore:
             raise WorkspaceError("What it was before is no longer there.")
         back = replace(version, id=now.id, name=now.name, trashed=None)
         gone = replace(now, id=version_token(now), trashed=time.time())
-        with self._database.transaction(f"restore the data set {now.name!r}") as table:
+        with self._database.transaction(f"restore the dataset {now.name!r}") as table:
             table.execute("DELETE FROM datasets WHERE id IN (?, ?)", (version.id, now.id))
             _insert(table, back)
             _insert(table, gone)
@@ -194,7 +194,7 @@ class DatasetStore:
             return info
         new_name = self.check_free(new_name)
         try:
-            with self._database.transaction("rename the data set") as table:
+            with self._database.transaction("rename the dataset") as table:
                 table.execute("UPDATE datasets SET name = ? WHERE id = ?", (new_name, info.id))
         except WorkspaceError as error:
             if isinstance(error.__cause__, sqlite3.IntegrityError):
@@ -217,7 +217,7 @@ class DatasetStore:
         """
         info = self._one("id = ? AND trashed IS NOT NULL", check_token(token, "trash token"))
         if info is None:
-            raise WorkspaceError("This data set is no longer in the trash.")
+            raise WorkspaceError("This dataset is no longer in the trash.")
         fresh = secrets.token_hex(_ID // 2) if is_version(info) else info.id  # from now on a data set of its own
         self._set_trashed(info.id, None, self.free_name(info.name), fresh)
         return self.info_by_id(fresh)
@@ -226,7 +226,7 @@ class DatasetStore:
         """The data set with this id, also from the trash; raises WorkspaceError where there is none."""
         info = self._one("id = ?", str(dataset_id))
         if info is None:
-            raise WorkspaceError("This data set is no longer here.")
+            raise WorkspaceError("This dataset is no longer here.")
         return info
 
     def empty_trash(self) -> int:
@@ -254,7 +254,7 @@ class DatasetStore:
         from core.mocap.storage import load_dataset
 
         token = secrets.token_hex(8)
-        with plain_errors(f"store the data set {name!r}"):
+        with plain_errors(f"store the dataset {name!r}"):
             sweep_abandoned(self.folder)
             with replacing(self._path(token)) as folder:
                 folder.mkdir(parents=True)
@@ -272,7 +272,7 @@ class DatasetStore:
             shutil.rmtree(target, ignore_errors=True)
 
     def _set_trashed(self, dataset_id: str, when: float | None, name: str | None = None, new_id: str = "") -> None:
-        with self._database.transaction("move the data set to or from the trash") as table:
+        with self._database.transaction("move the dataset to or from the trash") as table:
             table.execute(
                 "UPDATE datasets SET trashed = ?, name = coalesce(?, name), id = ? WHERE id = ?",
                 (when, name, new_id or dataset_id, dataset_id),
@@ -295,11 +295,11 @@ class DatasetStore:
         return self._path(info.folder)
 
     def _path(self, folder: str) -> Path:
-        return inside(self.folder, check_token(folder, "data set folder"))
+        return inside(self.folder, check_token(folder, "dataset folder"))
 
     def _adopt(self) -> None:
         """Finds the data sets again after the table was lost."""
-        with self._database.transaction("find the data sets") as table:
+        with self._database.transaction("find the datasets") as table:
             for card in sorted(self.folder.glob(f"*/{_CARD}")):
                 with suppress(OSError, ValueError, TypeError, sqlite3.IntegrityError):
                     info = DatasetInfo(**json.loads(card.read_text(encoding="utf-8")))

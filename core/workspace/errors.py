@@ -38,7 +38,7 @@ _TABLE = {
 }
 _DAMAGED = (
     "workspace.sqlite is damaged. Stop Motionscape, rename that file and start again: "
-    "data sets and results are found again, only the list of past jobs is lost"
+    "datasets and results are found again, only the list of past jobs is lost"
 )
 
 

@@ -175,11 +175,16 @@ def store_dataset(folder: Path, dataset: Dataset, report: Report) -> None:
 
 def _why_empty(bad: Sequence[FileReport], what: str) -> str:
     """Why nothing could be taken from these files, in words."""
-    reasons = "; ".join(" ".join(file.messages) or file.path for file in bad[:3])
+    reasons = "; ".join(_reason(file) for file in bad[:3])
     more = f"; and {len(bad) - 3} more" if len(bad) > 3 else ""
     if len(bad) == 1:
         return f"The file cannot {what}: {reasons}"
     return f"None of the {len(bad)} files can {what}: {reasons}{more}"
+
+
+def _reason(file: FileReport) -> str:
+    name, text = Path(file.path).name, "; ".join(file.messages)
+    return text if text.startswith(name) else f"{name}: {text}"
 
 
 def _inspect(folder: Path, report: Report) -> None:

@@ -16,7 +16,7 @@ _UNSEEN = {"Cc", "Cf", "Cs", "Co", "Cn", "Zl", "Zp"}
 _TOKEN = re.compile(r"[0-9a-f]{8,64}")
 
 
-def check_name(name: str, what: str = "data set") -> str:
+def check_name(name: str, what: str = "dataset") -> str:
     """``name`` trimmed and in Unicode's composed form (NFC); raises NameRefused, which says why."""
     if not isinstance(name, str):
         raise NameRefused(f"The name of a {what} must be text.")

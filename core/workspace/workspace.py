@@ -146,7 +146,7 @@ class Workspace:
         if unknown := sorted(gone.difference(before.names)):
             raise WorkspaceError(f"There is no clip {unknown[0][:80]!r} in {name!r}.")
         if gone.issuperset(before.names):
-            raise WorkspaceError("These are all its clips; delete the data set instead.")
+            raise WorkspaceError("These are all its clips; delete the dataset instead.")
         left = before.select(clip for clip in before.names if clip not in gone)
         files = tuple(file for file in before.report.files if file.clip not in gone)
         left = replace(left, report=replace(before.report, files=files))

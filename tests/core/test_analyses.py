@@ -79,7 +79,7 @@ def test_bad_parameters_are_refused_in_words(workspace, parameters, words):
 def test_unknown_methods_and_data_sets_are_refused(workspace):
     with pytest.raises(ParameterError, match="no method"):
         analyses.submit(workspace, Request("toy", "magic"))
-    with pytest.raises(WorkspaceError, match="no data set"):
+    with pytest.raises(WorkspaceError, match="no dataset"):
         analyses.run(workspace, Request("../toy", "toy"))
 
 
@@ -251,7 +251,7 @@ def test_what_comes_to_a_data_set_or_leaves_it_is_a_job(workspace):
         with pytest.raises(AnalysisError, match=r"no clip|not clear"):
             analyses.run(workspace, wrong)
     for wrong in (analyses.remove_request("none", ["x"]), analyses.add_request("none", token)):
-        with pytest.raises(WorkspaceError, match="no data set"):
+        with pytest.raises(WorkspaceError, match="no dataset"):
             analyses.submit(workspace, wrong)
     titles = {job.title for job in workspace.jobs.list()}
     assert titles == {"Add to: toy", "Remove clips from: toy"}

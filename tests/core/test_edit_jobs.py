@@ -72,7 +72,7 @@ def test_what_cannot_be_edited_says_why_and_leaves_all_as_it_is(workspace):
         ("trim", {"start": 50, "end": 500}, "gait has frames 0 to 120"),
         ("rate", {"fps": 60}, "60 frames a second already"),
         ("split", {"frame": 0}, "nothing to cut"),
-        ("mirror", {"into": "walks"}, "already a data set"),
+        ("mirror", {"into": "walks"}, "already a dataset"),
     ):
         with pytest.raises(analyses.AnalysisError, match=why):
             analyses.run(workspace, analyses.edit_request("walks", "gait", action, **options))
@@ -80,6 +80,6 @@ def test_what_cannot_be_edited_says_why_and_leaves_all_as_it_is(workspace):
         analyses.run(workspace, analyses.edit_request("walks", "jump", "mirror"))
     with pytest.raises(ParameterError, match="action"):
         analyses.submit(workspace, analyses.edit_request("walks", "gait", "paint"))
-    with pytest.raises(WorkspaceError, match="no data set"):
+    with pytest.raises(WorkspaceError, match="no dataset"):
         analyses.submit(workspace, analyses.edit_request("none", "gait", "mirror"))
     assert workspace.open("walks").fingerprint == before

@@ -176,7 +176,8 @@ def test_labels_alone_change_no_content(workspace, tmp_path, replace):
 def test_labels_that_do_not_fit_change_nothing(workspace, tmp_path):
     (tmp_path / "a.csv").write_text("clip,start_frame,end_frame,action\nother,0,10,walk\n")
     (tmp_path / "b.csv").write_text("x,y\n1,2\n")
-    for name, words in (("a.csv", r"cannot be used: .*other \(line 2\)"), ("b.csv", "columns 'x, y'")):
+    none = r"cannot be used: a\.csv: no label in it fits these clips; one clip .*other \(line 2\)"
+    for name, words in (("a.csv", none), ("b.csv", "cannot be used: b.csv:1: columns 'x, y'")):
         with pytest.raises(WorkspaceError, match=words):
             workspace.add_labels("toy", tmp_path / name)
     assert len(files_of(workspace)) == 1 and len(workspace.open("toy").labels) == 1

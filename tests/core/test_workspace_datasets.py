@@ -127,7 +127,7 @@ def test_renaming_moves_no_data_and_keeps_the_fingerprint(workspace):
     after = workspace.rename("old", "new")
     assert replace(after, name="old") == before
     assert workspace.open("new").clips[0].rotations[3, 1, 0] == opened.clips[0].rotations[3, 1, 0]
-    with pytest.raises(WorkspaceError, match=r"no data set 'old'.*new"):
+    with pytest.raises(WorkspaceError, match=r"no dataset 'old'.*new"):
         workspace.open("old")
 
 
@@ -159,7 +159,7 @@ def test_clips_can_be_added_and_removed(workspace, recordings):
     assert [label.action for label in workspace.open("one").labels] == ["walk"]
     with pytest.raises(WorkspaceError, match="no clip 'x'"):
         workspace.remove_clips("one", ["x"])
-    with pytest.raises(WorkspaceError, match="delete the data set"):
+    with pytest.raises(WorkspaceError, match="delete the dataset"):
         workspace.remove_clips("one", ["walk_0", "walk_1"])
     assert len(list((workspace.path / "datasets").iterdir())) == 2  # and what it was before the last change
 

@@ -32,7 +32,7 @@ BAD += ["x" * 101, "\u202egnp.exe", "zero\u200bwidth", "a|b", "\ud800", "漢" * 
 def test_bad_names_are_refused_with_a_reason(name):
     with pytest.raises(NameRefused) as refusal:
         check_name(name)
-    assert "data set" in str(refusal.value)
+    assert "dataset" in str(refusal.value)
     assert str(refusal.value).isprintable()
 
 

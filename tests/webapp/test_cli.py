@@ -162,7 +162,7 @@ def test_import_names_reports_and_refuses(recordings, tmp_path):
 def test_recordings_and_labels_are_added_later(recordings, tmp_path):
     space, labels = tmp_path / "space", tmp_path / "more.csv"
     run("import", space, recordings / "walk_0.bvh", "--name", "one", "--quiet")
-    assert "already a data set" in run("import", space, recordings, "--name", "one", code=2).stderr
+    assert "already a dataset" in run("import", space, recordings, "--name", "one", code=2).stderr
     assert "2 clips" in run("import", space, recordings, "--name", "one", "--add").stdout
     labels.write_text("clip,start_frame,end_frame,action\nwalk_1,0,5,walk\nwalk_0,2,9,sit\ngone,0,5,sit\n")
     done = run("labels", space / "one", labels)
@@ -170,7 +170,7 @@ def test_recordings_and_labels_are_added_later(recordings, tmp_path):
     assert done.stderr.startswith("warning more.csv: 2 labels of 2 clips; one clip it names is not here: gone (line 4)")
     labels.write_text("clip,action\nwalk_1,run\n")
     assert run("labels", space / "one", labels, "--replace").stdout == "one: 1 labels, 2 before\n"
-    for source, words in ((space / "two", "no data set"), (labels, "WORKSPACE/NAME"), (space, "say which data set")):
+    for source, words in ((space / "two", "no dataset"), (labels, "WORKSPACE/NAME"), (space, "say which dataset")):
         assert words in run("labels", source, labels, code=2).stderr
     labels.write_text("clip,action\nother,run\n")
     assert "other (line 2)" in run("labels", space / "one", labels, code=2).stderr
@@ -219,7 +219,7 @@ def test_motifs_of_a_workspace_are_kept(demo, tmp_path):
     assert "1 clips" in some.stdout
     for arguments, words in [
         ([f"{space}/yours"], "mine"),
-        ([space], "say which data set"),
+        ([space], "say which dataset"),
         ([source, "--fps", "30"], "only for files"),
         ([source, "--clips", "zz"], "no clip 'zz'"),
     ]:

@@ -46,7 +46,7 @@ def recordings_blueprint(workspace: Workspace, open_dataset: Callable[[str], Dat
         except WorkspaceError as error:
             raise BadRequest(str(error), 404) from None
         if table is None:
-            raise BadRequest("The features of this data set have not been computed yet.", 404)
+            raise BadRequest("The features of this dataset have not been computed yet.", 404)
         return _file(f"{dataset}-features{dot}{suffix}", lambda path: write_features(path, table))
 
     return blueprint

@@ -85,6 +85,7 @@ def grid(
             "animateRows": False,
             "tooltipShowDelay": 400,
             "suppressCellFocus": False,
+            "tabToNextCell": {"function": "leaveTable(params)"},  # arrows move within, Tab moves on
             "ensureDomOrder": True,
             "includeHiddenColumnsInQuickFilter": True,
             **options,

@@ -21,6 +21,7 @@ from webapp.components.icons import icon
 
 NEW = "new"
 INTO = "into:"  # and the name of the dataset
+HIDDEN = {"display": "none"}  # not by a class: the dialog's focus trap looks at styles only
 
 
 def dialog(limits: Limits) -> Component:
@@ -51,7 +52,7 @@ def dialog(limits: Limits) -> Component:
                     dmc.TextInput(id="upload-name", label="Name of the dataset", placeholder="Walks in the park"),
                     html.Div(
                         id="upload-labels-box",
-                        className="hidden",
+                        style=HIDDEN,
                         children=[
                             html.Label("Labels there now", className="choice-label", id="upload-labels-label"),
                             dmc.SegmentedControl(
@@ -73,7 +74,7 @@ def dialog(limits: Limits) -> Component:
                             debounce=False,
                         ),
                         id="upload-fps-box",
-                        className="hidden",
+                        style=HIDDEN,
                     ),
                     dmc.Button("Import", id="upload-import", disabled=True),
                 ],
@@ -199,9 +200,9 @@ def _choose(app: Dash, workspace: Workspace) -> None:
     @app.callback(
         Output("upload-import", "disabled"),
         Output("upload-import", "children"),
-        Output("upload-name", "className"),
-        Output("upload-labels-box", "className"),
-        Output("upload-fps-box", "className"),
+        Output("upload-name", "style"),
+        Output("upload-labels-box", "style"),
+        Output("upload-fps-box", "style"),
         Output("upload-problem", "children", allow_duplicate=True),
         Input("upload", "data"),
         Input("upload-target", "value"),
@@ -209,7 +210,7 @@ def _choose(app: Dash, workspace: Workspace) -> None:
     )
     def show_choices(upload, target):
         upload, name = upload or {}, into(target)
-        shown = {True: "", False: "hidden"}
+        shown = {True: {}, False: HIDDEN}
         why = ready(upload, name)
         return (
             bool(why),
