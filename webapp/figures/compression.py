@@ -78,9 +78,7 @@ def dataset_sentence(result: Compression, tolerance: float = 1.0) -> str:
     totals: dict[str, Total] = {way: result.totals(way, (tolerance,))[0] for way in WAYS}
     ranked: Sequence[str] = sorted(totals, key=lambda way: totals[way].numbers)
     told = [f"{100 * totals[way].numbers / totals[way].raw:.0f} % ({_lower(WAYS[way])})" for way in ranked]
-    return (
-        f"With a mean error of at most {tolerance:g} cm in every part the dataset takes {_listed(told)} of its size."
-    )
+    return f"With a mean error of at most {tolerance:g} cm in every part the dataset takes {_listed(told)} of its size."
 
 
 def _listed(parts: Sequence[str]) -> str:
