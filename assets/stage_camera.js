@@ -53,7 +53,7 @@
       if (this.moved) return;
       const vertical = Math.tan(FIELD_OF_VIEW / 2);
       this.prepare(1, 1);
-      const tooNear = ({ low, high, wide }) => high - low > 1.56 * vertical || wide > 0.86 * vertical * aspect;
+      const tooNear = ({ low, high, wide }) => high - low > 1.5 * vertical || wide > 0.86 * vertical * aspect;
       let [near, far] = [NEAREST, FURTHEST];
       if (!tooNear(this.span(cloud, near))) far = near;
       while (far / near > 1.02) {

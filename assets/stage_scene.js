@@ -93,10 +93,10 @@
         if (figure.x[top] < 0 || figure.x[top] > this.canvas.width) continue;
         const x = Math.round(Math.min(Math.max(figure.x[top] - sprite.width / 2, 0), Math.max(room, 0))); // whole, not cut
         const highest = figure.room === Infinity ? figure.y[top] : Math.min(...figure.y) + 0.12 * figure.size * figure.scale[top];
-        let y = Math.round(highest - (0.24 * figure.size * figure.scale[top] + sprite.height));
+        let y = Math.round(highest - (0.17 * figure.size * figure.scale[top] + 1.2 * sprite.height));
         const hits = (box) => Math.abs(box[0] - x) < (box[2] + sprite.width) / 2 && Math.abs(box[1] - y) < sprite.height;
         for (let tries = 0; tries < 4 && shown.length <= 4 && taken.some(hits); tries++) y -= sprite.height + 2;
-        if (taken.some(hits)) continue;
+        if (taken.some(hits) || y < 0) continue;
         taken.push([x, y, sprite.width]);
         this.context.drawImage(sprite, x, y);
       }
