@@ -125,7 +125,9 @@ def _browse(app: Dash, workspace: Workspace) -> None:
             tables.motif_columns(dataset),
             tables.motif_rows(graph, dataset, results.motif_notes(workspace, name, parameters)),
         )
-        return [tables.grid("motif-table", columns, rows, "All motifs"), dcc.Store(id="motifs-marked")]
+        # what is done to the table has its outputs beside it: where there is no table, Dash does not ask for it
+        beside = [dcc.Store(id=name) for name in ("motifs-marked", "motifs-searched", "stability-listed")]
+        return [tables.grid("motif-table", columns, rows, "All motifs"), *beside]
 
     @app.callback(
         Output("motif-selection", "children"),

@@ -142,7 +142,10 @@ def register(app: Dash, workspace: Workspace) -> None:
         Input("motif-graph", "elements"),
     )
     app.clientside_callback(
-        ClientsideFunction("names", "search"), Input("motif-search", "value"), Input("motif-table", "rowData")
+        ClientsideFunction("names", "search"),
+        Output("motifs-searched", "data"),
+        Input("motif-search", "value"),
+        Input("motif-table", "rowData"),
     )
 
 

@@ -97,7 +97,6 @@ def legend() -> Component:
             dcc.Store(id="stability-data"),
             dcc.Store(id="stability-of"),
             dcc.Store(id="stability-drawn"),
-            dcc.Store(id="stability-listed"),
         ],
     )
 
