@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+import json
 import stat
 import zipfile
 from pathlib import Path
@@ -171,6 +172,18 @@ def test_labels_alone_change_no_content(workspace, tmp_path, replace):
     assert workspace.open("toy").clip("walk_1").rotations[5, 0, 0] == 1  # the numbers are still there
     with pytest.raises(WorkspaceError, match="no longer there"):
         workspace.revert(undo)
+
+
+def test_a_data_set_stored_by_an_older_version_is_read_and_changed(workspace, tmp_path):
+    head = workspace.path / "datasets" / workspace.info("toy").folder / "dataset.json"
+    document = json.loads(head.read_text())
+    for file in document["report"]["files"]:
+        del file["addition"]
+    head.write_text(json.dumps(document))
+    (tmp_path / "a.csv").write_text("clip,action\nwalk_1,sit\n")
+    again = Workspace(workspace.path)
+    assert [file.addition for file in again.report("toy").files] == [0, 0]
+    assert again.add_labels("toy", tmp_path / "a.csv").last_addition == 1
 
 
 def test_labels_that_do_not_fit_change_nothing(workspace, tmp_path):
