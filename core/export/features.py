@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 import numpy as np
@@ -91,9 +91,8 @@ def feature_table(
         report("features", (k + 1) / len(clips))
     groups = motion_groups(clips)
     split = split_groups(groups, [clip.n_frames for clip in clips], test_share)
-    actions = tuple(sorted({label.action for label in dataset.labels}))
     rows = np.concatenate(frames).astype(np.int32)
-    return FeatureTable(
+    table = FeatureTable(
         clips=poses.clips,
         subjects=groups,
         splits=tuple(split[group] for group in groups),
@@ -106,9 +105,23 @@ def feature_table(
         angles=np.concatenate(angles),
         contacts=np.concatenate(contacts),
         poses=poses.values,
-        actions=actions,
-        labels=_labels(dataset, poses.clips, poses.clip_starts, rows, actions),
+        actions=(),
+        labels=np.full(len(rows), -1, np.int16),
     )
+    return labelled(table, dataset)
+
+
+def labelled(table: FeatureTable, dataset: Dataset) -> FeatureTable:
+    """The table with the labels that the data set has now: labels may change while the motion stays what it is."""
+    actions = tuple(sorted({label.action for label in dataset.labels}))
+    found = np.full(len(table.frames), -1, np.int16)
+    place, number = {name: k for k, name in enumerate(table.clips)}, {action: k for k, action in enumerate(actions)}
+    for label in dataset.labels:
+        k = place[label.clip]
+        rows = slice(table.clip_starts[k], table.clip_starts[k + 1])
+        own = table.frames[rows]
+        found[rows][(own >= label.start) & (own < label.end)] = number[label.action]
+    return replace(table, actions=actions, labels=found)
 
 
 ANGLE_NAMES = tuple(f"{name} {channel.name}" for name, joint in JOINTS.items() for channel in joint.channels)
@@ -130,16 +143,6 @@ def _angles(clip: Clip, frames) -> np.ndarray:
         for name, joint in JOINTS.items()
     ]
     return np.concatenate(columns, axis=1).astype(np.float32)
-
-
-def _labels(dataset: Dataset, clips, starts: np.ndarray, frames: np.ndarray, actions: tuple[str, ...]) -> np.ndarray:
-    found = np.full(len(frames), -1, np.int16)
-    place, number = {name: k for k, name in enumerate(clips)}, {action: k for k, action in enumerate(actions)}
-    for label in dataset.labels:
-        k = place[label.clip]
-        own = frames[starts[k] : starts[k + 1]]
-        found[starts[k] : starts[k + 1]][(own >= label.start) & (own < label.end)] = number[label.action]
-    return found
 
 
 _TEXT = ("clips", "subjects", "splits", "joints", "angle_names", "actions")
