@@ -52,7 +52,13 @@ def test_features_once_computed_can_be_downloaded(workspace, client):
     answer = client.get("/api/features/walkers.npz")
     with np.load(io.BytesIO(answer.data), allow_pickle=False) as found:
         assert tuple(found["clips"]) == ("a_01", "b_01") and len(found["frames"]) == 120
+        assert set(found["labels"]) == {-1}
     assert client.get("/api/features/walkers.parquet").data[:4] == b"PAR1"
+    labels = workspace.path.parent / "labels.csv"
+    labels.write_text("clip,start_frame,end_frame,action\na_01,0,60,step\n")
+    workspace.add_labels("walkers", [labels])
+    with np.load(io.BytesIO(client.get("/api/features/walkers.npz").data), allow_pickle=False) as found:
+        assert list(found["labels"][:30]) == [0] * 30 and tuple(found["actions"]) == ("step",)
     assert client.get("/api/features/walkers.npz?analysis_fps=no").status_code == 400
 
 

@@ -10,7 +10,7 @@ from urllib.parse import quote
 from flask import Blueprint, Response, request
 
 from core import analyses
-from core.export import write_features
+from core.export import labelled, write_features
 from core.export.files import SUFFIXES
 from core.mocap.bvh import write_bvh
 from core.mocap.dataset import Dataset
@@ -47,6 +47,7 @@ def recordings_blueprint(workspace: Workspace, open_dataset: Callable[[str], Dat
             raise BadRequest(str(error), 404) from None
         if table is None:
             raise BadRequest("The features of this dataset have not been computed yet.", 404)
+        table = labelled(table, workspace.open(dataset))
         return _file(f"{dataset}-features{dot}{suffix}", lambda path: write_features(path, table))
 
     return blueprint
