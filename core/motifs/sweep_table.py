@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -48,9 +47,11 @@ class SweepTable:
 
     def middle(self, measure: str) -> np.ndarray:
         """Median over the seeds that are there: ``shape`` without the last axis, NaN where there is none."""
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", RuntimeWarning)  # an empty cell is no fault
-            return np.nanmedian(self.of(measure), axis=-1)
+        cells = self.of(measure)
+        middle = np.full(cells.shape[:-1], np.nan)
+        there = np.isfinite(cells).any(axis=-1)
+        middle[there] = np.nanmedian(cells[there], axis=-1)
+        return middle
 
     def along(self, measure: str, name: str, at: Mapping[str, Any]) -> np.ndarray:
         """A figure along the axis ``name``, the other axes at the values ``at``: ``(n_values, n_seeds)``.

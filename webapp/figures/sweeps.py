@@ -12,7 +12,6 @@ from core.motifs.axes import write_value
 from core.motifs.parameters import MotifParameters
 from core.motifs.suggestion import CLEAR, Suggestion
 from core.motifs.sweep_table import SweepTable
-from webapp import theme
 from webapp.figures.charts import HEAT, SERIES, themed
 from webapp.figures.measures import MEASURES, axis_name, is_even, is_log
 
@@ -63,8 +62,8 @@ def lines(
         figure.update_layout({"yaxis2" if side else "yaxis": axis | (more if side else {})})
     if chosen.at and all(chosen.at[other] == value for other, value in at.items()):
         words = "suggested" if chosen.verdict == CLEAR else "suggested, not clear"
-        position = across[values.index(chosen.at[name])]
-        _mark(figure, position, words, is_log(values) and not is_even(values))
+        number = values.index(chosen.at[name])  # of a category: its name would be taken for a number
+        _mark(figure, number if is_even(values) else values[number], words, is_log(values))
     return figure
 
 
@@ -78,7 +77,6 @@ def heat(table: SweepTable, links: np.ndarray, measure: str, chosen: Suggestion,
     typical = np.array(
         [[links[i, j, typical_seed(table.of(measure)[i, j])] for i in range(len(x))] for j in range(len(y))]
     )
-    c = theme.CANVAS[scheme if scheme in theme.CANVAS else "light"]
     figure = go.Figure(
         go.Heatmap(
             x=x, y=y, z=(middle * shown.factor).T, customdata=typical, text=text,
@@ -89,21 +87,10 @@ def heat(table: SweepTable, links: np.ndarray, measure: str, chosen: Suggestion,
             hovertemplate=f"{x_name} %{{x}}, {y_name} %{{y}}<br>{shown.name} %{{text}}<extra></extra>",
         )
     )  # fmt: skip
-    if chosen.at:
-        star = "star" if chosen.verdict == CLEAR else "star-open"
-        figure.add_scatter(
-            x=[write_value(chosen.at[x_name])],
-            y=[write_value(chosen.at[y_name])],
-            mode="markers",
-            marker={
-                "symbol": star,
-                "size": 15,
-                "color": _STAR,
-                "line": {"width": 1.5, "color": c["surface"] if star == "star" else _STAR},
-            },
-            hoverinfo="skip",
-            showlegend=False,
-        )
+    if chosen.at:  # above the number, which it would hide
+        star = {"text": "★" if chosen.verdict == CLEAR else "☆", "font": {"size": 19, "color": _STAR}}
+        column, row = chosen.index  # the number of a category; its name would be taken for one
+        figure.add_annotation(**star, x=column, y=row, yshift=15, showarrow=False)
     figure = themed(figure, scheme, height=None, margin={"l": 60, "r": 16, "t": 10, "b": 46})
     figure.update_xaxes(title_text=axis_name(x_name), type="category", showgrid=False)
     return figure.update_yaxes(title_text=axis_name(y_name), type="category", showgrid=False)

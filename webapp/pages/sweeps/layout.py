@@ -221,13 +221,14 @@ def status(dataset: str | None, job: Job | None, ready: int, total: int, problem
         return _strip(job) if ready else _card(running(job, "Sweeping", "sweep"))
     if ready == total:
         return None
-    if job is not None and job.state == "failed":
-        return (
-            _card(empty_state("error", "The sweep failed", job.error)) if not ready else _note(job.error, ready, total)
-        )
-    if ready:
-        return _note("The sweep is not complete.", ready, total)
-    return _card(empty_state("sweep", "Nothing swept yet", HINT))
+    state = job.state if job is not None else ""
+    symbol, words = {"failed": ("error", "The sweep failed"), "cancelled": ("sweep", "The sweep was cancelled")}.get(
+        state, ("sweep", "Nothing swept yet")
+    )
+    if not ready:
+        return _card(empty_state(symbol, words, job.error if state == "failed" else HINT))
+    said = {"failed": f"{words}: {job.error if job else ''}", "cancelled": f"{words}."}.get(state, "")
+    return _note(f"{said} {ready} of {total} points are there; Run sweep computes the others.")
 
 
 def _strip(job: Job) -> Component:
@@ -237,9 +238,8 @@ def _strip(job: Job) -> Component:
     return box
 
 
-def _note(words: str, ready: int, total: int) -> Component:
-    said = f"{words} {ready} of {total} points are there; Run sweep computes the others."
-    return html.Div([icon("info", 16), html.Span(said)], className="card sweep-note section")
+def _note(words: str) -> Component:
+    return html.Div([icon("info", 16), html.Span(words)], className="card sweep-note section", role="status")
 
 
 def _card(child: Component) -> Component:
@@ -261,5 +261,5 @@ def suggestion(found: Suggestion, link: str, complete: bool) -> Component:
 def menu(recipes: Mapping[str, str]) -> list[Component]:
     """Ways to have the same sweep elsewhere."""
     items = [dmc.MenuItem(label, **copies(text)) for label, text in recipes.items()]
-    button = dmc.Button("Again elsewhere", variant="default", rightSection=icon("chevron", 14))
+    button = dmc.Button("Copy", variant="default", rightSection=icon("chevron", 14))
     return [dmc.Menu(shadow="md", position="bottom-end", children=[dmc.MenuTarget(button), dmc.MenuDropdown(items)])]
