@@ -91,14 +91,18 @@ def place(clip: Clip, yaw: float, translation: np.ndarray) -> Clip:
 def blend(a: Clip, b: Clip, weights: np.ndarray) -> Clip:
     """Frame by frame between two clips of one skeleton and length; weights ``(n_frames,)``: 0 is a, 1 is b.
 
-    Rotations along the shortest great arc, root positions in a straight line. Raises ValueError where skeletons or
-    lengths differ.
+    Rotations along great arcs, the shortest but for joints that turn past half a turn from one another on the way: they
+    keep to one side. Root positions in a straight line. Raises ValueError where skeletons or lengths differ.
     """
     if a.skeleton != b.skeleton or a.n_frames != b.n_frames:
         raise ValueError(f"{a.name} and {b.name} differ in skeleton or length and cannot be blended")
     w = np.asarray(weights, np.float64)
     root = a.root_positions * (1 - w[:, None]) + b.root_positions * w[:, None]
-    rotations = quat.slerp(a.rotations.astype(np.float64), b.rotations.astype(np.float64), w[:, None])
+    turns = quat.continuous(quat.multiply(quat.conjugate(a.rotations.astype(np.float64)), b.rotations))
+    turns = np.where(turns[..., 0].sum(0)[:, None] < 0, -turns, turns)
+    sine = np.linalg.norm(turns[..., 1:], axis=-1, keepdims=True)
+    arcs = turns[..., 1:] / np.maximum(sine, 1e-9) * (2 * np.arctan2(sine, turns[..., :1]))
+    rotations = quat.multiply(a.rotations, quat.from_rotvec(arcs * w[:, None, None]))
     return replace(a, root_positions=root.astype(np.float32), rotations=rotations.astype(np.float32), translations={})
 
 

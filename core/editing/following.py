@@ -12,7 +12,8 @@ from typing import NamedTuple
 import numpy as np
 from scipy.ndimage import gaussian_filter1d
 
-from core.editing.blending import ground_fit, turn_about_y
+from core.editing.blending import ground_fit, heading, turn_about_y
+from core.mocap.clip import Clip
 
 _SMOOTH = 0.08  # seconds
 
@@ -52,6 +53,20 @@ def lay_upon(a: np.ndarray, b: np.ndarray, weights: np.ndarray, fps: float) -> P
     if len(yaw) > 1:
         yaw, apart = (gaussian_filter1d(x, _SMOOTH * fps, axis=0, mode="nearest") for x in (yaw, apart))
     return Placements(yaw, roots[0] + apart - turn_about_y(yaw, roots[1]))
+
+
+def lay_once(a: Clip, b: Clip, at_a: np.ndarray, at_b: np.ndarray, weights: np.ndarray) -> Placements:
+    """How all of ``b`` is laid on ``a``, frame beside frame: facing from hips and shoulders, place from the best fit.
+
+    at_a, at_b: their joint positions ``(n, n_joints, 3)``, metres; weights ``(n_joints,)``. For motions so unlike that
+    the best turn of single frames would spin.
+    """
+    turns = heading(a, at_a) - heading(b, at_b)
+    yaw = np.arctan2(np.sin(turns).mean(), np.cos(turns).mean())
+    n = len(at_a)
+    clouds = (np.asarray(x, np.float64).reshape(1, -1, 3) for x in (at_a, at_b))
+    _, shift, _ = ground_fit(*clouds, np.tile(weights, n), np.array([yaw]))
+    return Placements(np.full(n, yaw), np.repeat(shift, n, axis=0))
 
 
 def travel(fits: Placements, start: Placements, pivots: np.ndarray, weights: np.ndarray) -> Placements:

@@ -14,6 +14,7 @@ from core.synthesis.timeline import Timeline
 
 _FAR = 0.03  # body heights: feet that two motions put closer than this need no step
 _STEP = 0.4  # seconds a step takes
+_STANDS = 0.6  # a foot that stands for a smaller share of that time has left the floor anyway
 _RISE, _HIGHEST = 0.25, 0.07  # height of a step as a share of its length, and at most, in body heights
 
 
@@ -53,7 +54,7 @@ def standing_feet(sources: Mapping[str, Clip], pieces: Sequence[Segment], timeli
 
 
 def find_steps(contacts: np.ndarray, seam: tuple[int, int], apart: np.ndarray, body: float, fps: float) -> list[Step]:
-    """Steps that one blend needs: feet that stand through its middle, in places too far apart to be held in one.
+    """Steps that one blend needs: feet that stand in its middle, in places too far apart to be held in one.
 
     contacts: ``(n, 2)`` bool, of the whole motion; seam: its half-open frames of the blend; apart ``(k, 2)``: metres
     between the two motions' ankles on the ground, over the blend; body: height, metres. The foot with the longer way
@@ -62,11 +63,8 @@ def find_steps(contacts: np.ndarray, seam: tuple[int, int], apart: np.ndarray, b
     start, end = seam
     middle, length = (start + end) // 2, min(round(_STEP * fps), end - start)
     way = apart[max(0, middle - start - length // 2) :][:length].mean(0)
-    feet = [
-        f
-        for f in range(2)
-        if way[f] > _FAR * body and contacts[middle - length // 4 : middle + length // 4 + 1, f].all()
-    ]
+    stands = contacts[max(start, middle - length // 2) : middle + length - length // 2].mean(0) >= _STANDS
+    feet = [f for f in range(2) if way[f] > _FAR * body and stands[f]]
     if len(feet) == 2:
         first, second = sorted(feet, key=lambda f: -way[f])
         low = max(start, middle - length)

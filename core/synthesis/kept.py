@@ -52,7 +52,8 @@ def walk_json(walk: Walk) -> dict[str, Any]:
 
 
 def unpack_walk(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Walk:
-    """The walk back from :func:`pack_walk`; arrays as there. Raises ValueError, KeyError or TypeError for others."""
+    """The walk back from :func:`pack_walk`; arrays ``(n, ...)`` as there. Raises ValueError, KeyError,
+    TypeError for others."""
     if document.get("format") != FORMAT:
         raise ValueError(f"not a walk: expected format {FORMAT}, found {document.get('format')}")
     skeleton = Skeleton.from_json(document["skeleton"])

@@ -22,8 +22,7 @@ from core.synthesis.timeline import crossfade, smooth_warp
 SEEN, FURTHER, BRIDGE = "seen", "further", "bridge"
 
 _FADE, _LONGEST_FADE = 0.4, 0.8  # seconds: a cross-fade between alike moments, and between the most unlike
-_LEAST_FADE = 0.08  # seconds, in the shortest motions
-_PACE = 0.4  # metres a second at which the joints may move through a cross-fade
+_PACE = 0.2  # metres a second at which the joints, in the mean, are carried across a cross-fade
 _HALF_ROOM = 0.06  # seconds on either side of a motion's middle that cross-fades leave alone
 _EVERY = 0.1  # seconds between two moments that are looked at for further links
 _MARGIN = 0.3  # seconds on either side of a motion's middle that moments for further links keep from
@@ -36,8 +35,8 @@ class Link(NamedTuple):
     """One way from motif ``source`` to motif ``target``.
 
     leave, enter: which motion of each; exit, entry: the moments that stand beside one another; for a seen link the end
-    of the one motion and the start of the other, of one clip. cost: how unlike these two moments are, metres, and
-    seconds: of the cross-fade between them (both 0 where seen).
+    of the one motion and the start of the other, of one clip. cost: how unlike these two moments are, metres;
+    seconds: of either motion that are cross-faded; lasts: seconds that this takes at least (all 0 where seen).
     """
 
     kind: str
@@ -49,6 +48,7 @@ class Link(NamedTuple):
     entry: Moment
     cost: float = 0.0
     seconds: float = 0.0
+    lasts: float = 0.0
 
 
 def seen_links(graph: MotifGraph, clips: Collection[str] | None = None) -> dict[tuple[int, int], tuple[Link, ...]]:
@@ -203,13 +203,14 @@ def _link(
     a, b = dataset.clip(here.clip), dataset.clip(there.clip)
     room_a = (here.frame - _middle(dataset, source, leave)) / a.fps - _HALF_ROOM
     room_b = (_middle(dataset, target, enter) - there.frame) / b.fps - _HALF_ROOM
-    room = max(min(room_a, room_b), _LEAST_FADE)
-    seconds = min(float(np.clip(cost / _PACE, _FADE, _LONGEST_FADE)), 2 * room)
+    least = min(source.segments[leave].n_frames / a.fps, target.segments[enter].n_frames / b.fps) / 3
+    room = max(room_a, least), max(room_b, least)
+    seconds = min(float(np.clip(cost / _PACE, _FADE, _LONGEST_FADE)), 2 * min(room))
     rows = crossfade(a, here.frame, b, there.frame, seconds)
     # near the end of a recording the cross-fade lies to one side
-    if rows[0, 0] < here.frame - room_a * a.fps or rows[-1, 1] > there.frame + room_b * b.fps:
-        seconds = min(seconds, room)
-    return Link(kind, source.id, target.id, leave, enter, here, there, cost, seconds)
+    if rows[0, 0] < here.frame - room[0] * a.fps or rows[-1, 1] > there.frame + room[1] * b.fps:
+        seconds = min(seconds, *room)
+    return Link(kind, source.id, target.id, leave, enter, here, there, cost, seconds, max(seconds, cost / _PACE))
 
 
 def _middle(dataset: Dataset, motif: Motif, motion: int) -> float:

@@ -16,9 +16,10 @@ from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.motifs.graph import Motif
 from core.synthesis.links import SEEN, Link, even_warp, motion_features
-from core.synthesis.timeline import crossfade
+from core.synthesis.timeline import Overlap, Timeline, crossfade
 
-_ROOM = 0.12  # seconds: the shortest blend inside a motif
+_ROOM = 0.12  # seconds: the shortest blend along a motif
+_HASTY = 0.3  # seconds of a blend where there is no room along the motif
 _NEVER = 2**31  # later than any frame
 _CRAMPED = 1e3  # metres: cost of leaving a motif before the blends in it have room
 
@@ -32,7 +33,7 @@ class Plan:
     """
 
     pieces: tuple[Segment, ...]
-    overlaps: tuple[np.ndarray, ...]
+    overlaps: tuple[Overlap, ...]
     visits: tuple[tuple[tuple[int, int], tuple[int, int]], ...]
 
 
@@ -63,17 +64,17 @@ def smoothest(dataset: Dataset, motifs: Mapping[int, Motif], choices: Sequence[S
 def lay_out(dataset: Dataset, motifs: Mapping[int, Motif], path: Sequence[int], links: Sequence[Link]) -> Plan:
     """The pieces of a walk along ``path`` (motif ids) by ``links``, one between every two.
 
-    The walk begins and ends with a whole motion. Raises ValueError where a motif is too short for the blends in it.
+    The walk begins and ends with a whole motion.
     """
     first = motifs[path[0]].segments[links[0].leave if links else motifs[path[0]].medoid]
     pieces, overlaps, visits = [], [], []
     clip, start = first.clip, first.start  # of the piece that is being laid
 
-    def pass_over(rows: np.ndarray, to: str) -> None:
+    def pass_over(overlap: Overlap, to: str) -> None:
         nonlocal clip, start
-        pieces.append(Segment(clip, start, int(np.ceil(rows[-1, 0])) + 1))
-        overlaps.append(rows)
-        clip, start = to, int(rows[0, 1])
+        pieces.append(Segment(clip, start, int(np.ceil(overlap.rows[-1, 0])) + 1))
+        overlaps.append(overlap)
+        clip, start = to, int(overlap.rows[0, 1])
 
     for motif_id, (into, out) in zip(path, pairwise([None, *links, None]), strict=True):
         motif = motifs[motif_id]
@@ -84,24 +85,42 @@ def lay_out(dataset: Dataset, motifs: Mapping[int, Motif], path: Sequence[int], 
         end = last.end if out is None else out.exit.frame if out.kind == SEEN else _NEVER
         visits.append((begins, (len(pieces), end)))
         if out and out.kind != SEEN:
-            pass_over(_fade(dataset, out), out.entry.clip)
+            pass_over(Overlap(_fade(dataset, out), out.lasts, along=False), out.entry.clip)
     pieces.append(Segment(clip, start, last.end))
     return Plan(tuple(pieces), tuple(overlaps), tuple(visits))
 
 
-def _inside(dataset: Dataset, motif: Motif, into: Link, out: Link) -> np.ndarray:
-    """Registered frames of the motion entered and the motion left, ``(k, 2)``, from where the one link's cross-fade is
-    over to where the other's begins."""
+def visit_ends(plan: Plan, timeline: Timeline) -> np.ndarray:
+    """Output frame at which each motif of the path is over: ``(n_visits,)``, rising."""
+    places = place_along(*timeline.leading)
+    return np.searchsorted(places, [place_along(*end) for _, end in plan.visits])
+
+
+def place_along(piece: np.ndarray | int, frame: np.ndarray | float) -> np.ndarray:
+    """One rising number for places along the pieces, ``(...)``: a piece and a frame of its clip, both ``(...)``."""
+    return np.asarray(piece, np.float64) * 2.0 * _NEVER + frame
+
+
+def _inside(dataset: Dataset, motif: Motif, into: Link, out: Link) -> Overlap:
+    """From the motion entered to the motion left, from where the one link's cross-fade is over to where the other's
+    begins: along their warps, or in a short cross-fade where there is no room for that."""
     low, high = _row_after(dataset, motif, into), _row_before(dataset, motif, out)
     rows = np.arange(np.ceil(low), np.floor(high) + 1).astype(int)
     if len(rows) < 2:
-        raise ValueError(
-            f"Motif {motif.id} is too short for this walk: it would be left before it has been reached. Take a way "
-            "around it, or one without further or bridged steps."
-        )
+        return Overlap(_hasty(dataset, motif, into, out), along=False)
     starts = [motif.segments[motion].start for motion in (into.enter, out.leave)]
     warps = [even_warp(dataset, motif, motion)[rows] for motion in (into.enter, out.leave)]
-    return np.column_stack(warps) + starts
+    return Overlap(np.column_stack(warps) + starts)
+
+
+def _hasty(dataset: Dataset, motif: Motif, into: Link, out: Link) -> np.ndarray:
+    """A short cross-fade from where the one motion may be left to where the other has to be reached, ``(k, 2)``."""
+    a, b = (dataset.clip(motif.segments[motion].clip) for motion in (into.enter, out.leave))
+    begin = into.entry.frame if into.kind == SEEN else _fade(dataset, into)[-1, 1]
+    end = out.exit.frame - 1 if out.kind == SEEN else _fade(dataset, out)[0, 0]
+    seconds = min(_HASTY, (a.n_frames - 1 - begin) / a.fps, end / b.fps)
+    k = max(2, round(seconds * a.fps) + 1)
+    return np.column_stack([np.linspace(begin, begin + seconds * a.fps, k), np.linspace(end - seconds * b.fps, end, k)])
 
 
 def _cramped(dataset: Dataset, motif: Motif, before: Sequence[Link], after: Sequence[Link]) -> np.ndarray:

@@ -16,7 +16,7 @@ import numpy as np
 
 from core.editing.blending import at_frames, blend, joint_weights
 from core.editing.contacts import slide
-from core.editing.following import Placements, lay_upon, travel
+from core.editing.following import Placements, lay_once, lay_upon, travel
 from core.editing.legs import lock_feet
 from core.mocap import quaternions as quat
 from core.mocap.anatomy import find_anatomy
@@ -27,7 +27,7 @@ from core.progress import Report, silent
 from core.synthesis import footing
 from core.synthesis.bodies import commonest_body, fit_to_body, grounded, same_joints
 from core.synthesis.footing import Skate, Step
-from core.synthesis.timeline import Timeline, crossfade, schedule
+from core.synthesis.timeline import Overlap, Timeline, crossfade, schedule
 
 
 class Speeds(NamedTuple):
@@ -67,7 +67,7 @@ class Stitched:
 def stitch(
     dataset: Dataset,
     pieces: Sequence[Segment],
-    overlaps: Sequence[np.ndarray | None] | None = None,
+    overlaps: Sequence[Overlap | None] | None = None,
     *,
     fps: float | None = None,
     keep_feet: bool = True,
@@ -76,9 +76,9 @@ def stitch(
 ) -> Stitched:
     """One motion out of segments of a data set, played one after another.
 
-    overlaps: between neighbours the frames of both clips that are blended (:func:`core.synthesis.timeline.schedule`),
-    or None for a cross-fade around the end of the one and the start of the other (none where the second goes on in the
-    same clip at the same frame). fps: that of the first clip where None. keep_feet: leave it out for plain blending.
+    overlaps: how neighbours pass into one another, or None for a cross-fade around the end of the one and the start of
+    the other (none where the second goes on in the same clip at the same frame). fps: that of the first clip where
+    None. keep_feet: False for plain blending.
     Clips of several bodies with the same joints are fitted to the one that most frames belong to.
     Raises ValueError for no pieces, frames outside their clips, joints that differ, or blends that do not fit; KeyError
     for a clip that is not there.
@@ -97,7 +97,7 @@ def stitch(
     fps = rates[0] if fps is None else float(fps)
     timeline = schedule(pieces, rates, overlaps, fps)
     contacts = footing.standing_feet(sources, pieces, timeline)
-    plain, steps = _assemble(sources, pieces, timeline, contacts, fps, name)
+    plain, steps = _assemble(sources, pieces, overlaps, timeline, contacts, fps, name)
     report("feet", 0.6)
     slid = _rate(plain, contacts)
     clip = plain
@@ -107,24 +107,26 @@ def stitch(
         clip = lock_feet(plain, contacts, 0.0, lifts=lifts)
     skate = Skate(footing.source_skate(sources, pieces), slid, _rate(clip, contacts) if keep_feet else slid)
     speeds = Speeds(seam_speed(clip, timeline.seams), _fastest(sources, pieces))
+    if speeds.jump:
+        warnings += (f"A blend is faster than the recordings: {speeds.seams:.1f} against {speeds.sources:.1f} m/s.",)
     report("feet", 1.0)
     return Stitched(clip, tuple(pieces), timeline, contacts, skate, speeds, warnings)
 
 
-def overlaps_between(dataset: Dataset, pieces: Sequence[Segment], seconds: float = FADE) -> list[np.ndarray | None]:
+def overlaps_between(dataset: Dataset, pieces: Sequence[Segment], seconds: float = FADE) -> list[Overlap | None]:
     """Cross-fades of about ``seconds`` where pieces meet; None where one goes on in the next.
 
     A cross-fade takes in the frames that follow a piece in its clip and those before the next one, and at most half of
     either piece.
     """
-    overlaps: list[np.ndarray | None] = []
+    overlaps: list[Overlap | None] = []
     for a, b in pairwise(pieces):
         if a.clip == b.clip and a.end == b.start:
             overlaps.append(None)
             continue
         first, second = dataset.clip(a.clip), dataset.clip(b.clip)
         most = min(seconds, a.n_frames / first.fps / 2, b.n_frames / second.fps / 2)
-        overlaps.append(crossfade(first, a.end - 1, second, b.start, most))
+        overlaps.append(Overlap(crossfade(first, a.end - 1, second, b.start, most), along=False))
     return overlaps
 
 
@@ -160,7 +162,7 @@ def _sources(dataset: Dataset, pieces: Sequence[Segment]) -> tuple[dict[str, Cli
     return {n: fit_to_body(grounded(clip), body) for n, clip in clips.items()}, (fitted,) if bodies > 1 else ()
 
 
-def _assemble(sources, pieces, timeline: Timeline, contacts, fps: float, name: str) -> tuple[Clip, list[Step]]:
+def _assemble(sources, pieces, overlaps, timeline: Timeline, contacts, fps, name) -> tuple[Clip, list[Step]]:
     """The motion by blending alone, and the steps its feet need besides."""
     body = next(iter(sources.values())).skeleton
     weights, height = joint_weights(body), find_anatomy(body).body_height
@@ -181,7 +183,7 @@ def _assemble(sources, pieces, timeline: Timeline, contacts, fps: float, name: s
         b = at_frames(sources[pieces[entering].clip], timeline.frames[start:end, 1])
         share = timeline.weights[start:end]
         at_a, at_b = joint_positions(a), joint_positions(b)
-        fits = lay_upon(at_a, at_b, weights, fps)
+        fits = lay_upon(at_a, at_b, weights, fps) if overlaps[leaving].along else lay_once(a, b, at_a, at_b, weights)
         way = travel(fits, place, a.root_positions, share)
         b = placed(b, fits)
         steps += footing.find_steps(

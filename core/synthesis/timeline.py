@@ -15,6 +15,20 @@ _SMOOTH = 0.1  # seconds over which the staircase of a time warp is evened out
 _LEAST = 1e-3  # seconds: no step of a registration takes less
 
 
+class Overlap(NamedTuple):
+    """How one piece passes into the next.
+
+    rows: ``(k, 2)``, k >= 2, rising frames of the first clip beside rising frames of the second; blended from the first
+    row to the last. seconds: the blend lasts at least so long, slowing down in its middle, up to three times its
+    natural length. along: the two are one movement, laid upon one another frame by frame; False for a cross-fade
+    between different ones, which are laid upon one another once.
+    """
+
+    rows: np.ndarray
+    seconds: float = 0.0
+    along: bool = True
+
+
 class Timeline(NamedTuple):
     """For every output frame its one or two source frames.
 
@@ -37,14 +51,13 @@ class Timeline(NamedTuple):
 
 
 def schedule(
-    pieces: Sequence[Segment], rates: Sequence[float], overlaps: Sequence[np.ndarray | None], fps: float
+    pieces: Sequence[Segment], rates: Sequence[float], overlaps: Sequence[Overlap | None], fps: float
 ) -> Timeline:
     """Output frames, ``fps`` a second, of pieces that pass into one another.
 
-    rates: frames per second of each piece's clip. overlaps: between neighbours a registration ``(k, 2)``, k >= 2:
-    rising frames of the first clip beside rising frames of the second; None where the second goes on at once.
-    A blend lasts from the first to the last row of its overlap. Whichever motion weighs more plays about at its natural
-    speed; blends last a whole number of frames, so that copies on either side stay exact.
+    rates: frames per second of each piece's clip. overlaps: between neighbours; None where the second goes on at once.
+    In a blend, whichever motion weighs more plays about at its natural speed; blends last a whole number of frames, so
+    that copies on either side stay exact.
     Raises ValueError where overlaps do not fit their pieces.
     """
     if len(overlaps) != len(pieces) - 1:
@@ -53,7 +66,7 @@ def schedule(
     at = float(pieces[0].start)
     for i, piece in enumerate(pieces):
         overlap = overlaps[i] if i < len(overlaps) else None
-        stop = float(piece.end) if overlap is None else float(overlap[0, 0])
+        stop = float(piece.end) if overlap is None else float(overlap.rows[0, 0])
         if stop < at - 1e-6:
             raise ValueError(
                 f"two blends meet in {piece.clip}: one lasts until frame {at:.0f}, the next begins earlier"
@@ -66,7 +79,7 @@ def schedule(
             blocks.append((np.tile([i, i + 1], (len(frames), 1)), frames, weights))
             seams.append((n, n + len(frames)))
             n += len(frames)
-            at = float(overlap[-1, 1])
+            at = float(overlap.rows[-1, 1])
         elif i < len(overlaps):
             at = float(pieces[i + 1].start)
     parts = [np.concatenate(column) for column in zip(*blocks, strict=True)]
@@ -78,13 +91,12 @@ def crossfade(a: Clip, leave: float, b: Clip, enter: float, seconds: float) -> n
 
     Where a recording ends too soon, or begins too late, its part of the overlap moves inwards.
     """
-    columns = []
     seconds = min(seconds, (a.n_frames - 1) / a.fps, (b.n_frames - 1) / b.fps)
-    k = max(2, round(seconds * a.fps) + 1)
+    columns = []
     for clip, frame in ((a, leave), (b, enter)):
-        n = seconds * clip.fps
-        first = np.clip(frame - n / 2, 0, clip.n_frames - 1 - n)
-        columns.append(np.linspace(first, first + n, k))
+        n = max(1, int(seconds * clip.fps))  # whole frames, so that what follows is a copy
+        first = int(np.clip(round(frame - n / 2), 0, clip.n_frames - 1 - n))
+        columns.append(np.linspace(first, first + n, max(2, int(seconds * a.fps) + 1)))
     return np.column_stack(columns)
 
 
@@ -102,13 +114,20 @@ def _alone(start: float, stop: float, step: float) -> np.ndarray:
     return start + np.arange(n) * ((stop - start) / max(n, 1))
 
 
-def _blended(overlap: np.ndarray, rates: tuple[float, float], fps: float) -> tuple[np.ndarray, np.ndarray]:
+def _blended(overlap: Overlap, rates: tuple[float, float], fps: float) -> tuple[np.ndarray, np.ndarray]:
     """Frames ``(n, 2)`` and weights ``(n,)`` of one blend."""
-    rows = np.arange(len(overlap), dtype=np.float64)
-    seconds = np.diff(overlap, axis=0) / rates
+    rows = np.arange(len(overlap.rows), dtype=np.float64)
+    seconds = np.diff(overlap.rows, axis=0) / rates
     weights = smooth_step((rows[:-1] + 0.5) / rows[-1])
     lasts = np.maximum((1 - weights) * seconds[:, 0] + weights * seconds[:, 1], _LEAST)
     times = np.concatenate([[0.0], np.cumsum(lasts)])
-    n = max(2, round(times[-1] * fps))
-    at = np.interp(np.arange(n) * (times[-1] / n), times, rows)
-    return np.column_stack([np.interp(at, rows, column) for column in overlap.T]), smooth_step(at / rows[-1])
+    slower = np.clip(overlap.seconds / times[-1], 1, 3)
+    n = max(2, round(times[-1] * slower * fps))
+    at = np.interp(_slowed(np.arange(n) / n, slower) * times[-1], times, rows)
+    return np.column_stack([np.interp(at, rows, column) for column in overlap.rows.T]), smooth_step(at / rows[-1])
+
+
+def _slowed(u: np.ndarray, times: float) -> np.ndarray:
+    """Shares of the way at shares ``u`` ``(n,)`` of a time that is ``times`` (1 to 3) as long as natural: natural speed
+    at both ends, slowest in the middle."""
+    return ((2 * times - 2) * u + 3 - 3 * times) * u * u + times * u

@@ -26,11 +26,15 @@ from core.synthesis.paths import (
     random_path,
     skeleton_families,
 )
-from core.synthesis.planning import Plan, lay_out, smoothest
+from core.synthesis.planning import Plan, lay_out, place_along, smoothest, visit_ends
 from core.synthesis.stitching import Speeds, Stitched, stitch
+from core.synthesis.timeline import schedule
 
 TRANSITION = -1
 """The motif of a part between two motifs."""
+
+_TRIES = 5  # at a random path of the length asked for
+_FINE = 30.0  # frames a second at which its length is measured
 
 
 class Part(NamedTuple):
@@ -144,33 +148,62 @@ def find_route(
 
 def _route(dataset: Dataset, ways: Ways, wanted, gaps: str, dead_end: str) -> Route:
     """Raises ValueError where these ways do not allow it."""
-    warnings = []
+    ended = ""
     if isinstance(wanted, Random):
-        path, ended = random_path(dataset, ways, wanted, dead_end)
-        warnings += [ended] if ended else []
-        gaps = "bridge"  # nothing but jumps
-    elif isinstance(wanted, Between):
-        found = ways.shortest(wanted)
-        if found is None and gaps != "bridge":
-            raise NoWay(wanted.start, wanted.target, None)
-        path = found or (wanted.start, wanted.target)
+        path, links, ended = _random(dataset, ways, wanted, dead_end)
     else:
-        path = tuple(wanted)
-        if not path:
-            raise ValueError("A walk needs at least one motif.")
-        for motif in path:
-            ways.check(motif)
-    path = fill_gaps(ways, path) if gaps == "detour" else path
-    choices = [_choices(dataset, ways, step, gaps) for step in pairwise(path)]
-    links = smoothest(dataset, ways.motifs, choices)
+        path = _path(ways, wanted, gaps)
+        links = _smoothest(dataset, ways, path, gaps)
+    warnings = [ended] if ended else []
     for kind, words in ((BRIDGE, "bridged by a blend"), (FURTHER, "made at further transition points")):
         steps = [f"{link.source} to {link.target}" for link in links if link.kind == kind]
         if steps:
             shown = ", ".join(steps[:6]) + (f" and {len(steps) - 6} more" if len(steps) > 6 else "")
             warnings.append(f"Not seen in the recordings, but {words}: {shown}.")
-    if path[-1] in ways.dead_ends and not warnings:
+    if path[-1] in ways.dead_ends and not ended:
         warnings.append(f"Motif {path[-1]} is a dead end: no other motif follows it.")
     return Route(path, links, tuple(warnings))
+
+
+def _path(ways: Ways, wanted: Between | Sequence[int], gaps: str) -> tuple[int, ...]:
+    if isinstance(wanted, Between):
+        found = ways.shortest(wanted)
+        if found is None and gaps != "bridge":
+            raise NoWay(wanted.start, wanted.target, None)
+        return found or (wanted.start, wanted.target)
+    if not wanted:
+        raise ValueError("A walk needs at least one motif.")
+    for motif in wanted:
+        ways.check(motif)
+    return fill_gaps(ways, wanted) if gaps == "detour" else tuple(wanted)
+
+
+def _random(
+    dataset: Dataset, ways: Ways, wanted: Random, dead_end: str
+) -> tuple[tuple[int, ...], tuple[Link, ...], str]:
+    """A random path that is cut when its time is up: the mean lengths it is drawn by are not those of its motions.
+
+    Raises ValueError where there is nothing to walk."""
+    seconds = wanted.seconds
+    for _ in range(_TRIES):
+        path, ended = random_path(dataset, ways, wanted._replace(seconds=seconds), dead_end)
+        links = _smoothest(dataset, ways, path, "bridge")  # where it jumps
+        plan = lay_out(dataset, ways.motifs, path, links)
+        rates = [dataset.clip(piece.clip).fps for piece in plan.pieces]
+        reached = np.flatnonzero(
+            visit_ends(plan, schedule(plan.pieces, rates, plan.overlaps, _FINE)) >= wanted.seconds * _FINE
+        )
+        if len(reached):
+            n = int(reached[0]) + 1
+            return path[:n], links[: n - 1], ""
+        if ended:
+            break
+        seconds *= 1.5  # the same seed takes the same way, and goes on
+    return path, links, ended
+
+
+def _smoothest(dataset: Dataset, ways: Ways, path: Sequence[int], gaps: str) -> tuple[Link, ...]:
+    return smoothest(dataset, ways.motifs, [_choices(dataset, ways, step, gaps) for step in pairwise(path)])
 
 
 def _choices(dataset: Dataset, ways: Ways, step: tuple[int, int], gaps: str) -> tuple[Link, ...]:
@@ -187,9 +220,9 @@ def walk_parts(made: Stitched, plan: Plan, path: Sequence[int]) -> tuple[Part, .
     leading, frames = made.timeline.leading
     motif = np.full(len(leading), TRANSITION)
     visit = np.full(len(leading), -1)
-    where = leading.astype(np.float64) * 2.0**32 + frames  # places along the walk, in order
+    where = place_along(leading, frames)
     for k, (begin, end) in enumerate(plan.visits):
-        inside = (where >= begin[0] * 2.0**32 + begin[1]) & (where < end[0] * 2.0**32 + end[1])
+        inside = (where >= place_along(*begin)) & (where < place_along(*end))
         motif[inside], visit[inside] = path[k], k
     fading = np.where(made.timeline.pieces[:, 0] == leading, made.timeline.pieces[:, 1], made.timeline.pieces[:, 0])
     other = np.where(made.timeline.pieces[:, 0] == leading, made.timeline.frames[:, 1], made.timeline.frames[:, 0])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from scipy.optimize import minimize
@@ -18,6 +20,7 @@ from core.editing.blending import (
     turn_about_y,
 )
 from core.editing.legs import place_ankles
+from core.mocap import quaternions as quat
 from core.mocap.kinematics import joint_positions
 from tests.core.editing.figures import action, moved, standing
 
@@ -73,6 +76,16 @@ def test_blend() -> None:
     )
     with pytest.raises(ValueError, match="cannot be blended"):
         blend(a, b.cut(0, 30), np.zeros(40))
+
+
+def test_a_blend_does_not_change_sides_where_two_postures_are_half_a_turn_apart() -> None:
+    a, b = (action("kick", 1).cut(0, 60) for _ in range(2))
+    angles = np.linspace(np.pi - 0.4, np.pi + 0.4, 60)  # past half a turn on the way
+    turned = b.rotations.copy()
+    turned[:, 0] = quat.multiply(a.rotations[:, 0], quat.from_rotvec(angles[:, None] * [1.0, 0, 0]))
+    half = blend(a, replace(b, rotations=turned), np.full(60, 0.5))
+    speed = np.linalg.norm(np.diff(joint_positions(half), axis=0), axis=-1).max() * a.fps
+    assert speed < 3 * np.linalg.norm(np.diff(joint_positions(a), axis=0), axis=-1).max() * a.fps
 
 
 def test_crossfade_weights() -> None:

@@ -53,7 +53,7 @@ def test_inside_a_motif_the_walk_passes_from_the_motion_it_enters_to_the_one_it_
     links = smoothest(dataset, motifs, [seen_links(graph)[pair] for pair in ((0, 1), (1, 2))])
     plan = lay_out(dataset, motifs, (0, 1, 2), links)
     assert [piece.clip for piece in plan.pieces] == ["take_0", "take_1"]
-    rows = plan.overlaps[0]
+    rows = plan.overlaps[0].rows
     assert np.allclose(rows[0], [40, 40]) and np.allclose(rows[-1], [79, 79])  # the whole motif, frame by frame
     assert plan.visits == (((0, 0), (0, 40)), ((0, 40), (1, 80)), ((1, 80), (1, 120)))
 
@@ -67,4 +67,5 @@ def test_bridges_leave_the_middle_of_every_motion_alone() -> None:
     plan = lay_out(dataset, motifs, path, links)
     assert all(link.kind != SEEN for link in links)
     for before, after, piece in zip(plan.overlaps, plan.overlaps[1:], plan.pieces[1:], strict=False):
-        assert before[-1, 1] <= after[0, 0] and piece.start <= before[0, 1] and after[-1, 0] < piece.end
+        assert before.rows[-1, 1] <= after.rows[0, 0]
+        assert piece.start <= before.rows[0, 1] and after.rows[-1, 0] < piece.end

@@ -14,6 +14,7 @@ from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.mocap.kinematics import joint_positions
 from core.synthesis.stitching import joint_speeds, overlaps_between, seam_speed, stitch
+from core.synthesis.timeline import Overlap
 from tests.core.editing.figures import moved, standing
 from tests.core.synthesis.recordings import demo, other_joints
 
@@ -37,7 +38,9 @@ def test_a_motion_blended_with_itself_stays_itself() -> None:
     dataset, _ = demo()
     clip = dataset.clips[1]
     rows = np.column_stack([np.arange(100.0, 160), np.arange(100.0, 160)])
-    made = stitch(dataset, [Segment(clip.name, 40, 161), Segment(clip.name, 100, 220)], [rows], keep_feet=False)
+    made = stitch(
+        dataset, [Segment(clip.name, 40, 161), Segment(clip.name, 100, 220)], [Overlap(rows)], keep_feet=False
+    )
     assert same_up_to_place(joint_positions(made.clip), joint_positions(clip)[40:220], 2e-3)
 
 
@@ -134,5 +137,5 @@ def test_crossfades_fit_between_short_pieces() -> None:
     pieces = [Segment(name, 100 * k, 100 * k + 12) for k in range(5)]  # a fifth of a second each
     overlaps = overlaps_between(dataset, pieces)
     for before, after in pairwise(overlaps):
-        assert before[-1, 1] <= after[0, 0]
+        assert before.rows[-1, 1] <= after.rows[0, 0]
     assert stitch(dataset, pieces).clip.n_frames > 0

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from core.mocap.clip import Segment
-from core.synthesis.timeline import crossfade, schedule, smooth_warp
+from core.synthesis.timeline import Overlap, crossfade, schedule, smooth_warp
 from tests.core.editing.figures import standing
 
 
@@ -31,7 +31,7 @@ def test_frames_rise_weights_rise_and_copies_are_whole_frames(seed: int) -> None
     for _ in range(n - 1):
         rows = np.sort(rng.integers(0, 60, (int(rng.integers(5, 50)), 2)), axis=0).astype(float)
         rows[-1] = rows[0] + np.maximum(rows[-1] - rows[0], 10)
-        overlaps.append(rows + np.array([200, 20]))
+        overlaps.append(Overlap(rows + np.array([200, 20])))
     rates = [float(rng.choice([30.0, 60.0])) for _ in range(n)]
     line = schedule(pieces, rates, overlaps, 60.0)
     assert len(line.seams) == n - 1
@@ -51,7 +51,7 @@ def test_the_leading_motion_keeps_its_speed_where_the_other_dawdles() -> None:
     line = schedule(
         [Segment("a", 0, 400), Segment("b", 0, 400)],
         [60.0, 60.0],
-        [np.column_stack([np.arange(60.0) + 200, slow])],
+        [Overlap(np.column_stack([np.arange(60.0) + 200, slow]))],
         60.0,
     )
     start, end = line.seams[0]
@@ -64,10 +64,9 @@ def test_pieces_that_do_not_fit_are_refused() -> None:
     rows = np.column_stack([np.arange(200.0, 220), np.arange(20)])
     with pytest.raises(ValueError, match="need 1 overlaps"):
         schedule([Segment("a", 0, 300), Segment("b", 0, 300)], [60.0, 60.0], [], 60.0)
+    early = [Overlap(rows + np.array([0, 30])), Overlap(rows - np.array([190, 0]))]
     with pytest.raises(ValueError, match="two blends meet in b"):
-        schedule(
-            [Segment(c, 0, 300) for c in "abc"], [60.0] * 3, [rows + np.array([0, 30]), rows - np.array([190, 0])], 60.0
-        )
+        schedule([Segment(c, 0, 300) for c in "abc"], [60.0] * 3, early, 60.0)
 
 
 def test_a_warp_is_evened_out_and_keeps_its_ends() -> None:
@@ -86,3 +85,15 @@ def test_a_crossfade_lies_about_its_frames_and_inside_both_clips() -> None:
     assert np.allclose(end[[0, -1]], [[69, 0], [99, 30]])
     short = crossfade(a, 99, standing(10), 0, 0.5)
     assert short.max(0)[1] <= 9 and short.min() >= 0
+
+
+def test_a_blend_that_needs_time_slows_down_in_its_middle() -> None:
+    rows = np.column_stack([np.arange(200.0, 231), np.arange(20.0, 51)])
+    pieces, rates = [Segment("a", 0, 300), Segment("b", 0, 300)], [60.0, 60.0]
+    for seconds, length in ((0.2, 30), (1.0, 60), (9.0, 90)):  # at least its natural half second, at most thrice that
+        line = schedule(pieces, rates, [Overlap(rows, seconds)], 60.0)
+        start, end = line.seams[0]
+        assert end - start == length
+        speed = np.diff(line.frames[start:end, 0])
+        assert (speed >= -1e-9).all() and np.allclose(speed[[0, -1]], 1, atol=0.12)
+        assert speed.min() == pytest.approx(1.5 * 30 / length - 0.5, abs=0.1)
