@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import fcntl
+import os
 import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -12,7 +14,6 @@ from playwright.sync_api import Locator, Page, expect
 from core import analyses
 from core.demo import make_demo
 from core.workspace import Workspace
-from tests.browser.start import running
 from webapp.app import create_app
 
 PATIENCE = 90_000  # milliseconds for a job on a busy machine
@@ -21,12 +22,21 @@ QUICK = {"analysis_fps": 15}
 
 @pytest.fixture(scope="session")
 def demo_workspace(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A workspace with a minute of demo and its motif graph, made once and copied for each test."""
-    path = tmp_path_factory.mktemp("demo") / "workspace"
-    workspace = Workspace(path)
-    workspace.add_dataset("demo", make_demo(minutes=1.0))
-    analyses.run(workspace, analyses.Request("demo", "motifs"))
-    workspace.close()
+    """A workspace with a minute of demo and its motif graph, copied for each test.
+
+    It is made once a run, whichever modules and processes (pytest-xdist) ask for it.
+    """
+    here = tmp_path_factory.getbasetemp()
+    shared = here.parent if "PYTEST_XDIST_WORKER" in os.environ else here
+    path = shared / "demo-workspace"
+    with (shared / "demo-workspace.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not path.exists():
+            workspace = Workspace(shared / "demo-workspace.unfinished")
+            workspace.add_dataset("demo", make_demo(minutes=1.0))
+            analyses.run(workspace, analyses.Request("demo", "motifs"))
+            workspace.close()
+            workspace.path.rename(path)
     return path
 
 
@@ -38,12 +48,13 @@ def workspace(demo_workspace: Path, tmp_path: Path) -> Workspace:
 
 
 @pytest.fixture
-def address(workspace: Workspace) -> Iterator[str]:
+def address(workspace: Workspace, door) -> Iterator[str]:
     """The app on that workspace."""
-    with running(create_app(workspace.path).server) as address:
-        yield address
-        for job in workspace.jobs.list():
-            workspace.jobs.cancel(job.id)
+    entrance, address = door
+    entrance.application = create_app(workspace.path).server
+    yield address
+    for job in workspace.jobs.list():
+        workspace.jobs.cancel(job.id)
 
 
 @pytest.fixture

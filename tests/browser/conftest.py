@@ -1,4 +1,5 @@
-"""One Chromium for the session, one context a test; a page may log no error and ask no other host."""
+"""One Chromium for the session; its tabs are lent to one test after another; a page may log no error and ask no other
+host."""
 
 from __future__ import annotations
 
@@ -11,8 +12,19 @@ from playwright.sync_api import Browser, Error, Page, expect, sync_playwright
 from tests.browser.start import running, start_chromium
 
 __all__ = ["running"]
+VIEWPORT = {"width": 1000, "height": 700}
 WAIT = 30_000  # milliseconds that a page may take for anything: a busy machine is slow, and what is there does not wait
 expect.set_options(timeout=WAIT)
+PASSED = pytest.StashKey[bool]()
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo):
+    """Notes for the fixtures below whether the test itself went well."""
+    report = yield
+    if report.when == "call":
+        item.stash[PASSED] = report.passed
+    return report
 
 
 @pytest.fixture(scope="session")
@@ -39,10 +51,27 @@ class Watch:
         self.seen: list[str] = []
 
     def attach(self, page: Page) -> None:
-        page.on("console", lambda m: self.seen.append(f"console: {m.text}") if m.type == "error" else None)
-        page.on("pageerror", lambda error: self.seen.append(f"exception: {error}"))
-        page.on("requestfailed", self._failed)
-        page.on("request", self._request)
+        for event, listener in self._listeners():
+            page.on(event, listener)
+
+    def detach(self, page: Page) -> None:
+        for event, listener in self._listeners():
+            page.remove_listener(event, listener)
+
+    def _listeners(self):
+        return (
+            ("console", self._console),
+            ("pageerror", self._error),
+            ("requestfailed", self._failed),
+            ("request", self._request),
+        )
+
+    def _console(self, message) -> None:
+        if message.type == "error":
+            self.seen.append(f"console: {message.text}")
+
+    def _error(self, error) -> None:
+        self.seen.append(f"exception: {error}")
 
     def _failed(self, request) -> None:
         if "ERR_ABORTED" not in (request.failure or ""):
@@ -57,26 +86,80 @@ class Watch:
         return [text for text in self.seen if not any(part in text for part in self.expected)]
 
 
+class Tabs:
+    """Tabs of the browser, each in a context of its own, that tests borrow: what a tab has compiled once it need not
+    compile again, which is most of what opening the app costs."""
+
+    def __init__(self, browser: Browser):
+        self.browser = browser
+        self.free: list[Page] = []
+
+    def borrow(self, viewport: dict, **options) -> Page:
+        """A blank tab; with options other than the viewport always a new one."""
+        if options or not self.free:
+            page = self.browser.new_context(viewport=viewport, **options).new_page()
+            page.lent = not options
+            return page
+        page = self.free.pop()
+        page.set_viewport_size(viewport)
+        return page
+
+    def give_back(self, page: Page, well: bool) -> None:
+        """Back with nothing left of the test; a tab that saw a failure is thrown away."""
+        if page.is_closed():
+            return
+        page.watch.detach(page)
+        if not (well and page.lent):
+            page.context.close()
+            return
+        page.unroute_all()
+        page.context.clear_cookies()
+        page.evaluate("localStorage.clear(); sessionStorage.clear()")
+        page.goto("about:blank")
+        self.free.append(page)
+
+
+@pytest.fixture(scope="session")
+def tabs(chromium: Browser) -> Tabs:
+    """The browser's tabs."""
+    return Tabs(chromium)
+
+
 @pytest.fixture
-def open_page(chromium: Browser) -> Iterator[Callable[..., Page]]:
-    """``open_page(address, **context options)`` gives a page in a context of its own; ``page.watch`` is its Watch.
+def open_page(tabs: Tabs, request: pytest.FixtureRequest) -> Iterator[Callable[..., Page]]:
+    """``open_page(address, **context options)`` gives a page that knows nothing of others; ``page.watch`` is its Watch.
 
     The test fails at its end where the page had problems.
     """
-    contexts, watches = [], []
+    pages = []
 
     def open_one(address: str, **options) -> Page:
-        context = chromium.new_context(**{"viewport": {"width": 1000, "height": 700}, **options})
-        contexts.append(context)
-        page = context.new_page()
+        page = tabs.borrow(**({"viewport": VIEWPORT} | options))
+        pages.append(page)
         page.watch = Watch(urlsplit(address).netloc)
         page.watch.attach(page)
-        watches.append(page.watch)
         page.goto(address)
         return page
 
     yield open_one
-    for context in contexts:
-        context.close()
-    problems = [problem for watch in watches for problem in watch.problems()]
+    problems = [problem for page in pages for problem in page.watch.problems()]
+    for page in pages:
+        tabs.give_back(page, request.node.stash.get(PASSED, False) and not problems)
     assert not problems, "\n".join(problems)
+
+
+class Door:
+    """One address for the apps of all tests: a tab knows its scripts again only where they come from the same place."""
+
+    application = None
+
+    def __call__(self, environ, start_response):
+        return self.application(environ, start_response)
+
+
+@pytest.fixture(scope="session")
+def door() -> Iterator[tuple[Door, str]]:
+    """The door, which leads to ``door.application``, and its address."""
+    door = Door()
+    with running(door) as address:
+        yield door, address
