@@ -47,6 +47,19 @@
     else window.Plotly.downloadImage(plot, { format: kind, filename: name, scale: kind === "png" ? 2 : 1 });
   }
 
+  const clientside = (window.dash_clientside = window.dash_clientside || {});
+  clientside.downloads = {
+    fetch(ready) {
+      if (ready && ready.address) {
+        const link = document.createElement("a");
+        link.href = ready.address;
+        link.download = "";
+        link.click();
+      }
+      return clientside.no_update;
+    },
+  };
+
   document.addEventListener("click", async (event) => {
     const button = event.target.closest && event.target.closest("[data-save]");
     if (!button) return;

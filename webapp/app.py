@@ -20,7 +20,7 @@ from webapp.api.motion import motion_blueprint
 from webapp.api.recordings import recordings_blueprint
 from webapp.api.stage import stage_blueprint
 from webapp.api.uploads import Limits, upload_blueprint
-from webapp.components import changes, errors, job_bar, shell
+from webapp.components import changes, errors, features, job_bar, shell
 from webapp.components import stage as stage_component
 from webapp.pages import clip, library, motifs, sweeps
 from webapp.virtual import open_any
@@ -60,6 +60,7 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> dash.
     stage_component.register(app)
     job_bar.register(app, workspace)
     changes.register(app, workspace)
+    features.register(app, workspace)
     _register_state(app, workspace)
     pages = {"library": library.page(limits), "motifs": motifs.page(), "sweeps": sweeps.page(), "clip": clip.page()}
     _register_page(app, pages)

@@ -149,13 +149,13 @@ _TEXT = ("clips", "subjects", "splits", "joints", "angle_names", "actions")
 
 
 def pack_features(table: FeatureTable) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
-    """A table as a JSON document and arrays, to be kept."""
+    """A table as a JSON document and its arrays, of the shapes they have in it ``(n, ...)``, to be kept."""
     document = {"format": FORMAT, "fps": table.fps} | {name: list(getattr(table, name)) for name in _TEXT}
     return document, {f.name: getattr(table, f.name) for f in fields(table) if f.name not in (*_TEXT, "fps")}
 
 
 def unpack_features(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> FeatureTable:
-    """The table back from :func:`pack_features`. Raises ValueError for anything else."""
+    """The table back from the arrays ``(n, ...)`` of :func:`pack_features`. Raises ValueError for anything else."""
     if document.get("format") != FORMAT:
         raise ValueError(f"not a feature table: expected format {FORMAT}, found {document.get('format')}")
     return FeatureTable(fps=float(document["fps"]), **{name: tuple(document[name]) for name in _TEXT}, **arrays)

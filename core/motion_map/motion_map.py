@@ -179,7 +179,7 @@ class MotionMap:
 
 
 def unpack(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> MotionMap:
-    """The map back from :meth:`MotionMap.pack`. Raises ValueError for anything else."""
+    """The map back from the arrays ``(n, ...)`` of :meth:`MotionMap.pack`. Raises ValueError for anything else."""
     if document.get("format") != FORMAT:
         raise ValueError(f"not a motion map: expected format {FORMAT}, found {document.get('format')}")
     text = {name: tuple(v) if isinstance(v := document[name], list) else v for name in _TEXT}

@@ -6,6 +6,7 @@ import re
 import zipfile
 from pathlib import Path
 
+import numpy as np
 import pytest
 from playwright.sync_api import Page, expect
 
@@ -249,3 +250,12 @@ def test_an_empty_workspace_offers_the_demo(open_page, tmp_path):
         expect(job).to_have_count(0, timeout=20_000)
         assert workspace.jobs.list()[0].state == "cancelled"
         page.context.close()
+
+
+def test_features_of_a_dataset_are_computed_and_downloaded(show):
+    page = show("/library?dataset=demo")
+    with page.expect_download(timeout=PATIENCE) as download:
+        page.get_by_label("More for demo").click()
+        page.get_by_role("menuitem", name="Features (npz)").click()
+    with np.load(download.value.path(), allow_pickle=False) as found:
+        assert len(found["frames"]) == len(found["poses"]) > 500 and set(found["splits"]) == {"train", "test"}

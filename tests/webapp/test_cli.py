@@ -18,7 +18,22 @@ from core.workspace import Workspace
 from tests.toy_method import REPOSITORY, make_dataset
 from webapp import cli
 
-KINDS = ("serve", "import", "labels", "inspect", "demo", "export", "motifs", "sweep", "compare", "stability", "walk")
+KINDS = (
+    *(
+        "serve",
+        "import",
+        "labels",
+        "inspect",
+        "demo",
+        "map",
+        "export",
+        "motifs",
+        "sweep",
+        "compare",
+        "stability",
+        "walk",
+    ),
+)
 
 
 class Outcome(NamedTuple):

@@ -7,7 +7,7 @@ from dash import dcc, html
 from dash.development.base_component import Component
 
 from webapp import links, theme
-from webapp.components import changes, job_bar
+from webapp.components import changes, features, job_bar
 from webapp.components.icons import icon
 
 PAGES = (  # path, label, icon
@@ -73,6 +73,7 @@ def _stores() -> list[Component]:
         dcc.Store(id="revision"),  # changes with the list of datasets
         dcc.Store(id="address"),
         *changes.stores(),
+        *features.stores(),
     ]
 
 

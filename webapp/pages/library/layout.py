@@ -132,6 +132,16 @@ def _card_menu(name: str) -> Component:
                         **sends("dataset-action", {"action": "rename", "dataset": name}, every_time=True),
                     ),
                     dmc.MenuItem(
+                        "Features (npz)",
+                        leftSection=icon("download", 16),
+                        **sends("features-asked", {"dataset": name, "suffix": ".npz"}, every_time=True),
+                    ),
+                    dmc.MenuItem(
+                        "Features (Parquet)",
+                        leftSection=icon("download", 16),
+                        **sends("features-asked", {"dataset": name, "suffix": ".parquet"}, every_time=True),
+                    ),
+                    dmc.MenuItem(
                         "Delete",
                         color="red",
                         leftSection=icon("trash", 16),
