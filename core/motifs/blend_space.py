@@ -181,16 +181,19 @@ def blend_space(dataset: Dataset, motif: Motif, motion: int | None = None) -> Bl
 
 
 def steady_warp(warp: np.ndarray, n_frames: int, fps: float) -> np.ndarray:
-    """A time warp ``(n_ticks,)`` made smooth and strictly rising, from frame 0 to frame ``n_frames - 1``.
+    """A time warp ``(n_ticks,)`` made smooth and strictly rising, from frame 0 to frame ``n_frames - 1``; two ticks at
+    least.
 
     Dynamic time warping gives stairs; played as they are, one motion would stop and start against another.
     fps: ticks per second.
     """
     n = len(warp)
+    if n < 2:
+        return np.array([0.0, n_frames - 1])
     even = np.linspace(0, n_frames - 1, n)
     off = np.asarray(warp, np.float64) - even
     off[[0, -1]] = 0
-    reach = round(4 * _SMOOTH * fps) if n > 1 else 0
+    reach = round(4 * _SMOOTH * fps)
     wide = np.pad(off, reach, mode="reflect", reflect_type="odd")  # so that the ends stay where they are
     off = gaussian_filter1d(wide, _SMOOTH * fps)[reach : reach + n]
     off[[0, -1]] = 0

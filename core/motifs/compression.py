@@ -36,20 +36,8 @@ _PLACE = 3  # numbers that place a motion on the ground: turn and shift
 _CHUNK = 16_384  # frames looked at together
 _MOTIONS = (1, 2, 3, 4, 6, 8, 10, 12, 16, 20, 24, 32, 48)
 _COMPONENTS = (*range(1, 13), 14, 16, 18, 20, 24, 28, 32, 40, 48, 64, 96)
-_MIXED = (
-    2,
-    4,
-    6,
-    8,
-    10,
-    12,
-    16,
-    20,
-    24,
-    32,
-    48,
-    64,
-)  # of kept motions: a coarser choice, each with all numbers of motions
+# a coarser choice where both numbers vary
+_FEWER_MOTIONS, _FEWER_COMPONENTS = (1, 2, 4, 8, 12, 16, 24, 32, 48), (2, 4, 8, 12, 16, 24, 32, 48)
 
 
 @dataclass(frozen=True)
@@ -123,35 +111,36 @@ def through_postures(
 
 def _own_motions(motions: Motions, step: Step) -> tuple[np.ndarray, int]:
     """Kept motions at their own frames, perhaps through postures; all others as their weighted sums."""
-    kept = motions.order[: step.motions]
-    parts = [motions.values[motions.part(k)] for k in kept]
-    frames = np.concatenate(parts)
+    kept = list(motions.order[: step.motions])
+    frames = np.concatenate([motions.values[motions.part(k)] for k in kept])
     if step.components:
         if step.motions not in motions.postures:
             motions.postures[step.motions] = principal_postures(frames)
         frames, numbers = through_postures(frames, step.components, motions.postures[step.motions])
     else:
         frames, numbers = stored(frames - motions.mean) + motions.mean, motions.channels.width + frames.size
-    back = dict(zip(kept, np.split(frames, np.cumsum([len(p) for p in parts])[:-1]), strict=True))
-    others = [k for k in range(motions.n) if k not in back]
-    if others:
-        bases = np.stack([motions.on_grid(k, back[k]) for k in kept])
-        weights = stored(motions.weights(len(kept))[others, 1:])
-        mixed = bases[0] + np.einsum("ok,kmw->omw", weights, bases[1:] - bases[0], optimize=True)
-        back |= {k: motions.off_grid(k, values) for k, values in zip(others, mixed, strict=True)}
-        numbers += len(others) * (len(kept) - 1) + (motions.n - 1) * motions.knots.shape[1]
     numbers += _PLACE * motions.n + motions.channels.rest.size
-    return np.concatenate([back[k] for k in range(motions.n)]), numbers
+    back = np.split(frames, np.cumsum(np.diff(motions.starts)[kept])[:-1])
+    values = np.empty_like(motions.values)
+    if len(kept) < motions.n:
+        bases = np.stack([motions.on_grid(k, part) for k, part in zip(kept, back, strict=True)])
+        flat = bases.reshape(len(kept), -1)
+        mixed = flat[0] + stored(motions.weights(len(kept))[:, 1:]) @ (flat[1:] - flat[0])
+        values[:] = motions.off_grid(mixed.reshape(motions.n, *bases.shape[1:]))
+        numbers += (motions.n - len(kept)) * (len(kept) - 1) + (motions.n - 1) * motions.knots.shape[1]
+    for k, part in zip(kept, back, strict=True):
+        values[motions.part(k)] = part
+    return values, numbers
 
 
 def _principal_motions(motions: Motions, n: int) -> tuple[np.ndarray, int]:
     """PCA of whole motions: the mean motion and n - 1 principal ones in place of kept motions."""
     mean, basis = motions.principal[0], motions.principal[1][: n - 1]
     flat = motions.moved.reshape(motions.n, -1)
-    back = (mean + stored((flat - mean) @ basis.T) @ basis).reshape(motions.moved.shape)
-    values = np.concatenate([motions.off_grid(k, back[k]) for k in range(motions.n)])
+    back = mean + stored((flat - mean) @ basis.T) @ basis
     numbers = motions.channels.width + (1 + len(basis)) * len(mean) + motions.n * len(basis)
-    return values, numbers + (motions.n - 1) * motions.knots.shape[1] + _PLACE * motions.n + motions.channels.rest.size
+    numbers += (motions.n - 1) * motions.knots.shape[1] + _PLACE * motions.n + motions.channels.rest.size
+    return motions.off_grid(back.reshape(motions.moved.shape)), numbers
 
 
 def curves(motions: Motions, methods: Iterable[str] = tuple(METHODS)) -> Curves:
@@ -198,13 +187,13 @@ def _curve(motions: Motions, method: str) -> tuple[Point, ...]:
 
 
 def _steps(motions: Motions, method: str) -> Iterator[Step]:
-    most = len(motions.order)
-    kept = sorted({n for n in _MOTIONS if n < most} | {most})
     components = _components(motions.channels, len(motions.values))
     if method == POSE_PCA:
         return (Step(components=k) for k in components)
+    most = len(motions.order)
+    kept = sorted({n for n in (_FEWER_MOTIONS if method == OWN_PCA else _MOTIONS) if n < most} | {most})
     if method == OWN_PCA:
-        return (Step(n, k) for n in kept for k in components if k in _MIXED)
+        return (Step(n, k) for n in kept for k in components if k in _FEWER_COMPONENTS)
     return (Step(n) for n in kept)
 
 

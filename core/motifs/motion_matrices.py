@@ -108,14 +108,28 @@ class Motions:
 
     def on_grid(self, motion: int, values: np.ndarray) -> np.ndarray:
         """A motion ``(n, width)`` at the moments of the common time: ``(n_moments, width)``."""
-        return at_frames(values, self._warp(motion))
+        return at_frames(values, self.warp(motion))
 
-    def off_grid(self, motion: int, values: np.ndarray) -> np.ndarray:
-        """A motion ``(n_moments, width)`` of the common time at its own frames: ``(n, width)``."""
-        own = np.arange(self.starts[motion + 1] - self.starts[motion])
-        return at_frames(values, np.interp(own, self._warp(motion), np.arange(self.n_moments)))
+    def off_grid(self, moved: np.ndarray) -> np.ndarray:
+        """Motions ``(n_motions, n_moments, width)`` of the common time, at their own frames: ``(n_frames, width)``."""
+        low, high, part = self._between
+        flat = moved.reshape(-1, moved.shape[-1])
+        return flat[low] * (1 - part) + flat[high] * part
 
-    def _warp(self, motion: int) -> np.ndarray:
+    @cached_property
+    def _between(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """For each frame the moments before and after it, counted through all motions, and how far it is between."""
+        last, rows = self.n_moments - 1, []
+        for k in range(self.n):
+            own = np.arange(self.starts[k + 1] - self.starts[k])
+            rows.append(np.interp(own, self.warp(k), np.arange(last + 1)))
+        first = np.repeat(np.arange(self.n) * (last + 1), np.diff(self.starts))
+        at = np.concatenate(rows)
+        low = np.minimum(at.astype(np.int64), max(last - 1, 0))
+        return first + low, first + np.minimum(low + 1, last), (at - low)[:, None]
+
+    def warp(self, motion: int) -> np.ndarray:
+        """The fractional frame of a motion at each moment of the common time, ``(n_moments,)``."""
         moments = np.arange(self.n_moments)
         if motion == self.reference:
             return moments.astype(np.float64)

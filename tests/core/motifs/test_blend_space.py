@@ -168,8 +168,20 @@ def test_steady_warps_rise_from_first_to_last(seed, n, frames):
     rng = np.random.default_rng(seed)
     stairs = np.sort(rng.choice(frames, n)).astype(float)
     warp = steady_warp(stairs, frames, 60.0)
-    assert warp[0] == 0 and (n == 1 or warp[-1] == frames - 1)
-    assert (np.diff(warp) > 0).all() and len(warp) == n
+    assert warp[0] == 0 and warp[-1] == frames - 1
+    assert (np.diff(warp) > 0).all() and len(warp) == max(n, 2)
+
+
+@pytest.mark.parametrize("lengths", [(1, 1, 1), (2, 1, 3), (1, 30, 2), (30, 30, 1)])
+@pytest.mark.parametrize("medoid", [0, 1, 2])
+def test_motions_of_a_frame_or_two(lengths, medoid):
+    dataset, _ = motif_of(kicks(3))
+    segments = tuple(Segment(f"c{k}", 40, 40 + n) for k, n in enumerate(lengths))
+    warps = tuple(np.linspace(0, n - 1, lengths[medoid], dtype=np.float32) for n in lengths)
+    space = blend_space(dataset, Motif(0, segments, medoid, warps))
+    assert [space.blend({k: 1.0}).n_frames for k in range(3)] == list(lengths)
+    mixed = space.blend(dict.fromkeys(range(3), 1.0))
+    assert np.isfinite(mixed.rotations).all() and np.isfinite(mixed.root_positions).all()
 
 
 def test_most_different_motions(space):

@@ -51,9 +51,12 @@ def test_matrices_show_the_motions():
     for k, clip in enumerate(scattered("punch", range(6))):
         frames = motions.part(k).stop - motions.part(k).start
         assert frames == pytest.approx(clip.seconds * 30, abs=1.01)
-        back = motions.off_grid(k, motions.on_grid(k, motions.values[motions.part(k)]))
-        error, _ = errors(motions.channels, back, motions.values[motions.part(k)])
-        assert error < 1.0, "the common time at 30 frames a second loses less than a centimetre"
+        warped = at_frames(
+            motions.moved[k], np.interp(np.arange(frames), motions.warp(k), np.arange(motions.n_moments))
+        )
+        assert np.allclose(motions.off_grid(motions.moved)[motions.part(k)], warped)
+    error, _ = errors(motions.channels, motions.off_grid(motions.moved), motions.values)
+    assert error < 1.0, "the common time at 30 frames a second loses less than a centimetre"
 
 
 def test_what_is_stored_is_enough_and_every_number_is_counted():

@@ -57,27 +57,33 @@ def layout() -> Component:
                         ],
                         className="chart-head",
                     ),
-                    html.P(id="compression-sentence", className="muted compression-sentence"),
-                    html.Div(
-                        id="compression-motif",
-                        className="hidden",
-                        children=[
-                            dcc.Graph(id="compression-chart", figure=_NONE, config=charts.CONFIG, style=_TALL),
-                            html.Div(
-                                className="compression-bar",
-                                children=[
-                                    _select("compression-step", "Play what comes back from …", "How it is stored"),
-                                    _select("compression-motion", "Motion", "Which motion"),
-                                ],
-                            ),
-                        ],
-                    ),
+                    dcc.Loading(_motif_part(), delay_show=500, overlay_style={"visibility": "visible", "opacity": 0.4}),
                 ],
             ),
             html.Div(id="compression-whole", className="card chart-card"),
             *(dcc.Store(id=f"compression-{name}") for name in ("of", "find", "asked", "shown")),
         ],
     )
+
+
+def _motif_part() -> list[Component]:
+    return [
+        html.P(id="compression-sentence", className="muted compression-sentence"),
+        html.Div(
+            id="compression-motif",
+            className="hidden",
+            children=[
+                dcc.Graph(id="compression-chart", figure=_NONE, config=charts.CONFIG, style=_TALL),
+                html.Div(
+                    className="compression-bar",
+                    children=[
+                        _select("compression-step", "Play what comes back from …", "How it is stored"),
+                        _select("compression-motion", "Motion", "Which motion"),
+                    ],
+                ),
+            ],
+        ),
+    ]
 
 
 def help_mark(text: str) -> Component:
