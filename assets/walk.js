@@ -132,6 +132,7 @@
       return;
     }
     const walks = Boolean(now.name);
+    find("walk-path").dataset.shown = now.asked.walk || "";
     find("walk-length").textContent = walks ? `${now.path.length} motif${now.path.length > 1 ? "s" : ""}, ${now.seconds.toFixed(1)} s` : "";
     find("walk-hint").textContent = walks || now.error ? "" : "Click motifs in the graph one after the other, or let chance choose.";
     find("walk-notes").replaceChildren(...(now.warnings || []).map((text) => Object.assign(document.createElement("p"), { textContent: text })));

@@ -181,7 +181,7 @@ def _path(ways: Ways, wanted: Between | Sequence[int], gaps: str) -> tuple[int, 
 def _random(
     dataset: Dataset, ways: Ways, wanted: Random, dead_end: str
 ) -> tuple[tuple[int, ...], tuple[Link, ...], str]:
-    """A random path that is cut when its time is up: the mean lengths it is drawn by are not those of its motions.
+    """A random path cut where its time is nearest: the mean lengths it is drawn by are not those of its motions.
 
     Raises ValueError where there is nothing to walk."""
     seconds = wanted.seconds
@@ -190,11 +190,9 @@ def _random(
         links = _smoothest(dataset, ways, path, "bridge")  # where it jumps
         plan = lay_out(dataset, ways.motifs, path, links)
         rates = [dataset.clip(piece.clip).fps for piece in plan.pieces]
-        reached = np.flatnonzero(
-            visit_ends(plan, schedule(plan.pieces, rates, plan.overlaps, _FINE)) >= wanted.seconds * _FINE
-        )
-        if len(reached):
-            n = int(reached[0]) + 1
+        ends = visit_ends(plan, schedule(plan.pieces, rates, plan.overlaps, _FINE)) / _FINE
+        if ends[-1] >= wanted.seconds:
+            n = int(np.abs(ends - wanted.seconds).argmin()) + 1
             return path[:n], links[: n - 1], ""
         if ended:
             break
