@@ -150,6 +150,16 @@
     set("selection", { clip: shown.clip });
   };
 
+  /** Where every figure of the Stage stands at this moment. */
+  function standing() {
+    const items = [];
+    for (let k = 0, item; k < 48 && (item = window.motionscapeStage.frameOf?.(k)); k++) items.push(item);
+    return items;
+  }
+
+  /** The frame of the clip on the Stage at this moment: a painted frame ahead of the cursor, where one has just moved. */
+  parts.now = () => standing().find(isShown)?.frame ?? at.frame;
+
   const isShown = (item) => at.shown && item.clip === at.shown.clip && (!item.dataset || item.dataset === at.shown.dataset);
 
   function follow(items) {
@@ -188,9 +198,7 @@
       at.shown = shown;
       const own = selection && shown && selection.clip === shown.clip && selection.end > selection.start;
       at.range = own ? [selection.start, Math.min(selection.end, shown.frames)] : null;
-      const items = [];
-      for (let k = 0, item; k < 48 && (item = window.motionscapeStage.frameOf?.(k)); k++) items.push(item);
-      follow(items);
+      follow(standing());
       return clientside.no_update;
     },
     pick(value, _back, _next, names, shown) {
@@ -225,7 +233,7 @@
       return clientside.no_update;
     },
     asked(edit) {
-      return edit ? { ...edit, frame: at.frame ?? 0 } : clientside.no_update;
+      return edit ? { ...edit, frame: parts.now() ?? 0 } : clientside.no_update;
     },
   };
 })();

@@ -181,14 +181,15 @@
 
   // ---- keys ----
   function setEnd(which) {
-    if (at.frame === null || !at.shown) return;
+    const frame = parts.now();
+    if (frame === null || !at.shown) return;
     const [start, end] = parts.range() || [0, at.shown.frames];
-    select(which === "start" ? [at.frame, end > at.frame ? end : at.shown.frames] : [start < at.frame ? start : 0, at.frame + 1]);
+    select(which === "start" ? [frame, end > frame ? end : at.shown.frames] : [start < frame ? start : 0, frame + 1]);
   }
 
   const step = (by) => {
     window.motionscapeStage.pause();
-    parts.seek((at.frame ?? 0) + by);
+    parts.seek((parts.now() ?? 0) + by);
   };
   const KEYS = {
     ArrowLeft: (far) => step(far ? -10 : -1),
@@ -197,7 +198,7 @@
     End: () => at.shown && parts.seek(at.shown.frames - 1),
     "[": () => setEnd("start"),
     "]": () => setEnd("end"),
-    Escape: () => at.shown && at.range && set("selection", { clip: at.shown.clip }),
+    Escape: () => at.shown && set("selection", { clip: at.shown.clip }),
     "+": () => zoom("in"),
     "=": () => zoom("in"),
     "-": () => zoom("out"),
