@@ -29,7 +29,7 @@ def stores() -> list[Component]:
     return [
         dcc.Store(id="change-asked"),  # {"job": id} of a change that was asked for here
         dcc.Store(id="changes", data=[], storage_type="session"),  # ids of those whose end has not been told
-        dcc.Store(id="undo"),  # {"revert": token of a version}, {"restore": token of what is in the trash} or {"trash": name}
+        dcc.Store(id="undo"),  # {"revert": version}, {"restore": token of what is in the trash} or {"trash": name}
     ]
 
 
