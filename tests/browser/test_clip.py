@@ -130,6 +130,8 @@ def test_a_range_plays_can_be_zoomed_linked_and_downloaded(show, tmp_path):
 def test_bands_gait_and_the_next_clip(show):
     page = show("/clip")
     drawn(page, "ana_01")
+    bars = "motionscapeClip.plot()?.graph.data.filter((trace) => trace.type === 'bar').length"
+    page.wait_for_function(f"{bars} >= 2", timeout=PATIENCE)  # labels, and motifs once their graph is known
     start, end, row = page.evaluate(
         """() => {
             const labels = motionscapeClip.plot().graph.data.find((trace) => trace.type === 'bar');
