@@ -198,7 +198,6 @@
       const seconds = whole("walk-seconds", 1, Number(find("walk-seconds").max));
       let seed = whole("walk-seed", 0, 999999999);
       if (view.walk === `random:${seconds}:${seed}`) seed += 1;
-      clientside.set_props("walk-seed", { value: seed });
       change({ walk: `random:${seconds}:${seed}` });
     },
   };
@@ -255,6 +254,11 @@
       const entered = !on;
       on = true;
       for (const [key, id] of Object.entries(OPTIONS)) clientside.set_props(id, { checked: checkedFor[key](view[key]) });
+      const [, seconds, seed] = /^random:([\d.]+):(\d+)/.exec(view.walk || "") || [];
+      if (seed) {
+        clientside.set_props("walk-seconds", { value: Number(seconds) });
+        clientside.set_props("walk-seed", { value: Number(seed) });
+      }
       if (!data) return clientside.no_update;
       const before = now;
       now = data;

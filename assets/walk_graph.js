@@ -17,7 +17,7 @@
 
   const further = ([source, target]) => ({
     group: "edges", classes: "further", selectable: false,
-    data: { id: `w${source}-${target}`, source: `m${source}`, target: `m${target}`, count: 0, width: 1.5 },
+    data: { id: `w${source}-${target}`, source: `m${source}`, target: `m${target}`, width: 2.5 },
   });
 
   let turn = 0;

@@ -217,11 +217,12 @@ def walk_styles(c: Mapping[str, str]) -> list[dict[str, Any]]:
         {
             "selector": "edge.further",
             "style": {
+                "label": "",
                 "line-style": "dashed",
-                "line-dash-pattern": [5, 4],
+                "line-dash-pattern": [8, 5],
                 "line-color": c["accent"],
                 "target-arrow-color": c["accent"],
-                "opacity": 0.7,
+                "opacity": 0.9,
             },
         },
         {"selector": "node.walked", "style": {"border-color": c["accent"], "border-width": 4}},
