@@ -14,7 +14,7 @@ REPOSITORY = Path(__file__).resolve().parents[1]
 SOURCES = [
     path
     for folder in ("core", "webapp", "assets", "scripts", "benchmarks")
-    for path in (REPOSITORY / folder).rglob("*")
+    for path in sorted((REPOSITORY / folder).rglob("*"))
 ]
 
 

@@ -257,6 +257,7 @@ def test_links_are_never_followed(workspace, recordings, tmp_path):
         (packed(a__bvh="0" * 3_000_000), "grows beyond 1 MB"),
         (packed(a__bvh="HIERARCHY" * 9)[:-40].replace(b"HIER", b"XIER"), "damaged"),
     ],
+    ids=("no zip", "no recording", "many", "large", "cut"),  # the bytes hold the time of day
 )
 def test_bad_archives_are_refused_in_plain_words(workspace, monkeypatch, content, words):
     monkeypatch.setattr(archives, "MAX_FILES", 3)
