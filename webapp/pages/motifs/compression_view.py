@@ -183,7 +183,7 @@ def _steps(curves: Curves) -> list[dict[str, Any]]:
             "items": [
                 {
                     "value": f"{method}:{p.step.motions}:{p.step.components}",
-                    "label": f"{p.step}: {100 * p.numbers / curves.raw:.1f} %, {p.cm:.2f} cm",
+                    "label": f"{p.step}: {100 * p.numbers / curves.raw:.0f} %, {p.cm:.1f} cm",
                 }
                 for p in points
             ],
