@@ -203,7 +203,7 @@ def _collect(
     seed_time = middles[seed + row] - middles[seed]
     for c in range(max(low, 1), high + 1):
         total = totals[row % 2, c]
-        if not total <= max_cost * steps[row % 2, c]:
+        if total == _INFINITE or not total <= max_cost * steps[row % 2, c]:  # no limit, still no path
             continue
         time = middles[start + c] - middles[start]
         if time < min_frames or time > gamma * seed_time or seed_time > gamma * time:

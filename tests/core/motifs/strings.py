@@ -59,6 +59,20 @@ def naive_matches(runs: Runs, adjacency: Adjacency, rule: Rule) -> dict[tuple[in
     return found
 
 
+def hangs_on_rounding(runs, adjacency, rule, spans: tuple[int, int, int, int]) -> bool:
+    """Whether sums in another order may decide otherwise: paths about equally cheap, of which some keep the limit.
+
+    spans: seed and match, each first and last letter.
+    """
+    j, k, a, b = spans
+    paths = list(_paths(runs, adjacency, rule, (j, k), (a, b)))
+    if not paths:
+        return False
+    cheapest = min(paths)[0]
+    means = [total / steps for total, steps in paths if total < cheapest + 1e-4]
+    return min(means) <= rule.max_cost * (1 + 1e-4) and max(means) >= rule.max_cost * (1 - 1e-4)
+
+
 def _ends_fit(runs, adjacency, rule, seed, match) -> bool:
     widths = [runs.middles[b] - runs.middles[a] for a, b in (seed, match)]
     if min(widths) < rule.min_frames or max(widths) > rule.gamma * min(widths):
