@@ -127,7 +127,8 @@ def bridged(name: str, dataset: Dataset) -> str:
     faster = [walk.speeds.seams / walk.speeds.sources for walk in walks]
     return (
         f"{name}, {PATHS} paths of {BRIDGED} motifs drawn at random, gaps bridged: "
-        f"{sum(walk.speeds.jump for walk in walks)} with a blend faster than the recordings (at most {max(faster):.2f} times as fast), foot skate at most "
+        f"{sum(walk.speeds.jump for walk in walks)} with a blend faster than the recordings "
+        f"(at most {max(faster):.2f} times as fast), foot skate at most "
         f"{max(walk.skate.kept / walk.skate.plain for walk in walks):.2f} of that of blending alone."
     )
 

@@ -21,6 +21,8 @@ _VERBS = {
     "sweep": "core.motifs.sweep",
     "build_motion_map": "core.motion_map.build",
     "MapParameters": "core.motion_map.build",
+    "make_walk": "core.synthesis",
+    "stitch": "core.synthesis",
     "Workspace": "core.workspace",
 }
 __all__ = sorted(_VERBS)
