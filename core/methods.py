@@ -86,10 +86,10 @@ def _walk(dataset: Dataset, values: Any, report: Report, graph: Any) -> Any:
 
 
 METHODS: dict[str, Method] = {
-    "motifs": _method("Motif graph", 1, "core.motifs.build", "MotifParameters", "find_motifs", unpack=_read_graph),
-    # the next two look at the motifs of the first: a new version of that makes a new version of these
-    "stability": _method("Stability", 1, "core.motifs.stability", "StabilityParameters", "stability"),
-    "redundancy": _method("Coverage report", 1, "core.motifs.redundancy", "RedundancyParameters", "redundancy"),
+    "motifs": _method("Motif graph", 2, "core.motifs.build", "MotifParameters", "find_motifs", unpack=_read_graph),
+    # these two, compression and walk look at the motifs of the first: a new version of that makes new ones of theirs
+    "stability": _method("Stability", 2, "core.motifs.stability", "StabilityParameters", "stability"),
+    "redundancy": _method("Coverage report", 2, "core.motifs.redundancy", "RedundancyParameters", "redundancy"),
     "map": _method(
         "Motion map",
         1,
@@ -110,7 +110,7 @@ METHODS: dict[str, Method] = {
     ),
     "compression": Method(
         "Compression",
-        1,
+        2,
         lambda: import_module("core.motifs.parameters").MotifParameters,
         _compress,
         lambda result, dataset: (result.to_json(), {}),
@@ -119,7 +119,7 @@ METHODS: dict[str, Method] = {
     ),
     "walk": Method(
         "Walk",
-        1,
+        2,
         lambda: import_module("core.synthesis.parameters").WalkParameters,
         _walk,
         lambda walk, dataset: import_module("core.synthesis.kept").pack_walk(walk),
