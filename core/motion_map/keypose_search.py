@@ -65,10 +65,10 @@ def key_nodes(weights: np.ndarray, key: tuple[int, int], threshold: float) -> tu
 def search_keys(runs: Runs, keys: Sequence[tuple[np.ndarray, np.ndarray]]) -> list[KeyHit]:
     """Stretches that pass through all ``keys`` in order, best first: by summed distance, then by duration.
 
-    keys: per key its nodes ``(k,)`` and their distances ``(k,)`` (see :func:`key_nodes`). Each run of the first key is extended to the
-    earliest-ending later run of the next key in the same clip, and dropped where there is none; of stretches that end
-    in the same run the shortest stays (ours: the others only begin earlier). A run serves one key only, so the same
-    posture twice as a key asks for two visits.
+    keys: per key its nodes ``(k,)`` and their distances ``(k,)`` (see :func:`key_nodes`). Each run of the first key is
+    extended to the earliest-ending later run of the next key in the same clip, and dropped where there is none; of
+    stretches that end in the same run the shortest stays (ours: the others only begin earlier). A run serves one key
+    only, so the same posture twice as a key asks for two visits.
     """
     if not keys:
         return []
