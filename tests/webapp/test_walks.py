@@ -20,6 +20,7 @@ from webapp.virtual import open_any
 @pytest.fixture(scope="module")
 def place(tmp_path_factory) -> Path:
     """A workspace with a little demo and its motif graph."""
+    walks.register()
     path = tmp_path_factory.mktemp("walks") / "workspace"
     workspace = Workspace(path)
     workspace.add_dataset("demo", make_demo(minutes=0.7, seed=3))
@@ -97,7 +98,6 @@ def test_walks_that_are_not_there_are_refused(place: Path) -> None:
     workspace = Workspace(place)
     for name in ("~walk~", "~walk~../../etc", "~walk~" + "0" * 32):
         with pytest.raises(WorkspaceError, match="no longer there"):
-            walks.register()
             open_any(workspace, name)
     client = create_app(place).server.test_client()
     for key in ("0" * 32, "xyz"):
