@@ -40,13 +40,17 @@ class SweepTable:
         return sum(figures is not None for figures in self.figures)
 
     def of(self, measure: str) -> np.ndarray:
-        """A figure, or one of DERIVED, of every point: ``shape`` float64, NaN where it is not there."""
+        """A figure, or one of DERIVED, of every point: ``(*shape,)`` float64, NaN where it is not there.
+
+        Where there is no motif, there is nothing to say of motifs either: no error, no number of motions, no purity.
+        """
         read = DERIVED.get(measure, lambda figures: figures.get(measure, np.nan))
-        values = [np.nan if figures is None else read(figures) for figures in self.figures]
+        without = [f is None or (measure in _OF_MOTIFS and not f["n_motifs"]) for f in self.figures]
+        values = [np.nan if gone else read(f) for f, gone in zip(self.figures, without, strict=True)]
         return np.array(values, np.float64).reshape(self.shape)
 
     def middle(self, measure: str) -> np.ndarray:
-        """Median over the seeds that are there: ``shape`` without the last axis, NaN where there is none."""
+        """Median over the seeds that are there: ``(n_first, n_second)``, NaN where there is none."""
         cells = self.of(measure)
         middle = np.full(cells.shape[:-1], np.nan)
         there = np.isfinite(cells).any(axis=-1)
@@ -64,6 +68,9 @@ class SweepTable:
     def has(self, measure: str) -> bool:
         """Whether any point has this figure."""
         return bool(np.isfinite(self.of(measure)).any())
+
+
+_OF_MOTIFS = ("average_frame_error", "error_ratio", "mean_motions", "mean_frames", "purity")
 
 
 def error_ratio(figures: Figures) -> float:
