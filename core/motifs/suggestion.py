@@ -62,7 +62,7 @@ def suggest(table: SweepTable) -> Suggestion:
     if seeds < _SEEDS:
         return Suggestion(at, best, UNSURE, f"{told}; {_SEEDS} seeds or more would show how much of it is chance.")
     if agree < _AGREE * seeds:
-        return Suggestion(at, best, UNSURE, f"No clear trade-off: only {agree} of {seeds} seeds point to {_named(at)}.")
+        return Suggestion(at, best, UNSURE, f"No clear trade-off: only {agree} of {seeds} seeds agree on {_named(at)}.")
     return Suggestion(at, best, CLEAR, f"{told}; {agree} of {seeds} seeds agree.")
 
 
@@ -147,7 +147,7 @@ def _difference(table: SweepTable, at: tuple[int, ...], other: tuple[int, ...]) 
     error, coverage = table.middle("error_ratio"), table.middle("coverage")
     worse = 100 * (error[other] / max(error[at], 1e-9) - 1)
     points = 100 * (coverage[at] - coverage[other])
-    if points >= worse * error[at]:  # both as shares of the motion explained
+    if not np.isfinite(worse) or points >= worse * error[at]:  # both as shares of the motion explained
         return f"coverage is {abs(points):.0f} points {'lower' if points >= 0 else 'higher'}"
     return f"the error is {abs(worse):.0f} % {'higher' if worse >= 0 else 'lower'}"
 

@@ -45,7 +45,7 @@ class SweepTable:
         Where there is no motif, there is nothing to say of motifs either: no error, no number of motions, no purity.
         """
         read = DERIVED.get(measure, lambda figures: figures.get(measure, np.nan))
-        without = [f is None or (measure in _OF_MOTIFS and not f["n_motifs"]) for f in self.figures]
+        without = [f is None or (measure in _OF_MOTIFS and not f.get("n_motifs", 1)) for f in self.figures]
         values = [np.nan if gone else read(f) for f, gone in zip(self.figures, without, strict=True)]
         return np.array(values, np.float64).reshape(self.shape)
 

@@ -47,6 +47,16 @@ def test_a_table_has_a_place_for_every_point():
         SweepTable(axes, 2, numbers[:-1])
 
 
+def test_where_there_is_no_motif_there_is_no_error():
+    entries = [figures(0.9, 0.3), figures(0.8, 0.2), figures(0.3, 0.1), figures(0, 0, 0) | {"n_motifs": 0.0}]
+    whole = SweepTable({"kappa": (50, 100, 200, 500)}, 1, entries)
+    assert np.isnan(whole.of("average_frame_error")[3, 0]) and np.isnan(whole.of("mean_motions")[3, 0])
+    assert whole.of("coverage")[3, 0] == 0 and whole.of("explained")[3, 0] == 0 and whole.of("n_motifs")[3, 0] == 0
+    assert "nan" not in suggest(whole).why
+    ends = SweepTable({"kappa": (200, 500, 600)}, 1, [entries[2], entries[3], entries[3]])
+    assert "at kappa 500 coverage is 30 points lower" in suggest(ends).why
+
+
 def test_the_motion_explained_counts_coverage_and_likeness():
     assert explained(figures(0.8, 0.25)) == pytest.approx(0.6)
     assert explained(figures(0.8, 1.2)) == 0 and explained(figures(0, 0, 0)) == 0
