@@ -143,6 +143,12 @@
     for (const button of document.querySelectorAll("[data-walk='play']")) button.disabled = !walks;
     for (const button of document.querySelectorAll("[data-walk='clear']")) button.disabled = !view.walk;
     link("walk-bvh", walks && `/api/bvh/${encodeURIComponent(now.name)}/walk`);
+    const recipes = Object.values((walks && now.recipes) || {});
+    document.querySelectorAll(".walk-recipe").forEach((button, i) => {
+      button.disabled = !recipes[i];
+      button.title = `Copy the walk as ${i ? "a Python script" : "commands"}`;
+      button.dataset.copy = recipes[i] || "";
+    });
     link("walk-json", walks && `/api/walk/${now.name.slice(OURS.length)}.json`);
     lists();
     marks.show(now, on);

@@ -8,40 +8,75 @@ from pathlib import Path
 from typing import Any
 
 from core import analyses
+from core.analyses import Request
 
-_CALLS = {  # method -> what to import, parameters' class, function
-    "motifs": ("from core import MotifParameters, Workspace, find_motifs", "MotifParameters", "find_motifs"),
-}
-
-
-def both(workspace: Path, request: analyses.Request) -> dict[str, str]:
-    """What the menus of a result offer to copy: label -> text."""
-    return {"Copy as command": command(workspace, request), "Copy as Python": script(workspace, request)}
+_COMMANDS = ("motifs", "stability", "map")  # those whose options are the parameters of the method
 
 
-def command(workspace: Path, request: analyses.Request) -> str:
+def both(workspace: Path, request: Request) -> dict[str, str]:
+    """What the menus of a result offer to copy: label -> text; the command only where there is one."""
+    made = {"Copy as Python": script(workspace, request)}
+    if request.method in _COMMANDS:
+        return {"Copy as command": command(workspace, request), **made}
+    return {"Copy as commands": walk_commands(workspace, request), **made} if request.method == "walk" else made
+
+
+def command(workspace: Path, request: Request, out: str = "") -> str:
     """``motionscape METHOD SOURCE --options --out FILE``: options that stand at their defaults are left out."""
     words = ["motionscape", request.method, f"{workspace}/{request.dataset}"]
     for name, value in _not_default(request).items():
         words += [f"--{name.replace('_', '-')}", _text(value)]
-    return shlex.join([*words, "--out", f"{request.method}.json"])
+    return shlex.join([*words, "--out", out or f"{request.method}.json"])
 
 
-def script(workspace: Path, request: analyses.Request) -> str:
-    """A Python script that computes the result. Raises KeyError for a method without a call of its own."""
-    imports, parameters, function = _CALLS[request.method]
+def walk_commands(workspace: Path, request: Request) -> str:
+    """The motif graph, then the walk through it: two commands."""
+    values = analyses.normalise(request).parameters
+    names = {p.name for p in analyses.parameters("motifs")}
+    graph = Request(request.dataset, "motifs", {name: values[name] for name in names})
+    words = ["motionscape", "walk", f"{workspace}/{request.dataset}", "--from", "motifs.json", *_path(values["path"])]
+    words += ["--further"] if values["further"] else []
+    words += [] if values["keep_feet"] else ["--plain"]
+    words += ["--gaps", values["gaps"], "--dead-end", values["dead_end"], "--out", "walk.bvh"]
+    return f"{command(workspace, graph)}\n{shlex.join(words)}"
+
+
+def script(workspace: Path, request: Request) -> str:
+    """A Python script that gives the result, computed where it is not kept."""
     given = ", ".join(f"{name}={value!r}" for name, value in _not_default(request).items())
-    lines = [
-        imports,
-        "",
-        f"dataset = Workspace({str(workspace)!r}).open({request.dataset!r})",
-        f"result = {function}(dataset, {parameters}({given}))",
-        "print(dict(result.metrics))",
-    ]
+    if request.method == "motifs":
+        lines = [
+            "from core import MotifParameters, Workspace, find_motifs",
+            "",
+            f"dataset = Workspace({str(workspace)!r}).open({request.dataset!r})",
+            f"result = find_motifs(dataset, MotifParameters({given}))",
+            "print(dict(result.metrics))",
+        ]
+    else:
+        lines = [
+            "from core import Workspace",
+            "from core.analyses import Request, run",
+            "",
+            f"workspace = Workspace({str(workspace)!r})",
+            f"request = Request({request.dataset!r}, {request.method!r}, dict({given}))",
+            "result = run(workspace, request)",
+            "print(result)",
+        ]
     return "\n".join(lines) + "\n"
 
 
-def _not_default(request: analyses.Request) -> Mapping[str, Any]:
+def _path(text: str) -> list[str]:
+    """The options that stand for a path as links have it (core/synthesis/paths.py)."""
+    kind, *rest = text.split(":")
+    if kind == "random":
+        start = ["--start", rest[2]] if len(rest) > 2 else []
+        return ["--random", "--seconds", rest[0], "--seed", rest[1], *start]
+    if kind in ("fewest", "used"):
+        return ["--start", rest[0], "--target", rest[1], "--by", kind]
+    return ["--motifs", text.replace("-", ",")]
+
+
+def _not_default(request: Request) -> Mapping[str, Any]:
     filled = analyses.normalise(request).parameters
     return {p.name: filled[p.name] for p in analyses.parameters(request.method) if filled[p.name] != p.default}
 

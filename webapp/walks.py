@@ -19,7 +19,7 @@ from core.parameters import ParameterError
 from core.synthesis import NoWay, Walk, Ways, open_ways
 from core.synthesis.links import FURTHER, SEEN
 from core.workspace import Workspace, WorkspaceError
-from webapp import results
+from webapp import recipes, results
 from webapp.figures.timeline import motif_colour
 from webapp.virtual import register_kind, virtual_name
 
@@ -88,7 +88,8 @@ def walk_data(
     request = walk_request(dataset.name, parameters, asked)
     try:
         walk = analyses.at_once(workspace, request)
-        return data | shown_walk(walk, analyses.key(workspace, request), names)
+        again = {"recipes": recipes.both(workspace.path, request)}
+        return data | shown_walk(walk, analyses.key(workspace, request), names) | again
     except ParameterError as error:
         return data | {"error": _sentence(str(error))}
     except ValueError as error:

@@ -10,6 +10,7 @@ import sys
 import pytest
 
 from core import analyses
+from core.mocap.bvh import read_bvh
 from core.workspace import Workspace
 from tests.webapp.generated import walkers
 from webapp import recipes
@@ -43,6 +44,25 @@ def test_the_script_gives_the_result_again(workspace):
     text = recipes.script(workspace.path, REQUEST)
     done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, timeout=240, check=True)
     assert done.stdout.strip() == str(dict(wanted.metrics))
+
+
+@pytest.mark.parametrize("path", ["0-1-0", "random:5:3", "fewest:0:1"])
+def test_a_walk_has_two_commands(workspace, tmp_path, monkeypatch, path):
+    values = dict(REQUEST.parameters) | {"path": path, "gaps": "bridge"}
+    request = analyses.Request("two walkers", "walk", values)
+    wanted = analyses.run(workspace, request)
+    monkeypatch.chdir(tmp_path)
+    first, second = recipes.both(workspace.path, request)["Copy as commands"].split("\n")
+    assert main([*shlex.split(first)[1:], "--quiet"]) == 0 and main([*shlex.split(second)[1:], "--quiet"]) == 0
+    assert read_bvh(tmp_path / "walk.bvh").n_frames == wanted.clip.n_frames
+
+
+def test_any_result_has_a_script(workspace):
+    request = analyses.Request("two walkers", "redundancy", {"kappa": 30, "alike": 0.2})
+    assert list(recipes.both(workspace.path, request)) == ["Copy as Python"]
+    found = {}
+    exec(recipes.script(workspace.path, request), found)
+    assert found["result"].to_json() == analyses.run(workspace, request).to_json()
 
 
 def test_defaults_are_left_out(workspace):

@@ -14,8 +14,8 @@ from core.motifs.graph import MotifGraph
 from core.motifs.redundancy import Redundancy
 from core.parameters import ParameterError
 from core.workspace import Workspace, WorkspaceError
-from webapp import jobs, results
-from webapp.components.actions import sends
+from webapp import jobs, recipes, results
+from webapp.components.actions import copies, sends
 from webapp.components.downloads import chart_menu, table_download
 from webapp.components.errors import empty_state, notice
 from webapp.components.running import running
@@ -79,7 +79,7 @@ def register(app: Dash, workspace: Workspace) -> None:
         if report is None:
             return _waiting(job), now
         graph = results.motif_graph(workspace, name, parameters)
-        return body(report, graph, workspace.open(name), scheme), now
+        return body(report, graph, workspace.open(name), scheme, recipes.script(workspace.path, request)), now
 
 
 def report_request(dataset: str, parameters: Mapping[str, Any] | None) -> analyses.Request:
@@ -99,11 +99,12 @@ def _waiting(job: Any) -> Component:
     return html.Div(empty_state("graph", title, words, button), className="card")
 
 
-def body(report: Redundancy, graph: MotifGraph, dataset: Any, scheme: str | None) -> Component:
-    """The report in full."""
+def body(report: Redundancy, graph: MotifGraph, dataset: Any, scheme: str | None, recipe: str = "") -> Component:
+    """The report in full; recipe: the Python script that makes it again."""
     return html.Div(
         [
             html.P(sentence(report), className="report-sentence"),
+            dmc.Button("Copy as Python", variant="default", size="compact-sm", mb="sm", **copies(recipe)),
             html.Div(
                 [
                     html.Div(

@@ -52,6 +52,7 @@ def _buttons() -> list[Component]:
             className="walk-button",
             title="Save where every frame comes from, and the meters",
         ),
+        *(html.Button(label, type="button", className="walk-button walk-recipe") for label in ("Command", "Python")),
         _button("Clear", "clear", "Begin a new path"),
     ]
 
