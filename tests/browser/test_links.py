@@ -5,7 +5,9 @@ from __future__ import annotations
 import pytest
 from playwright.sync_api import expect
 
+from core import analyses
 from tests.browser.app import address, demo_workspace, show, wait_for_graph, wait_for_stage, workspace
+from webapp.links import View, format_link, parse
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
 pytestmark = pytest.mark.browser
@@ -18,14 +20,42 @@ def test_a_link_opens_the_same_view_in_another_browser(show, address):
     page.locator("#stage-canvas").focus()
     for key in ("Shift+ArrowLeft", "Shift+ArrowLeft", "ArrowRight"):
         page.keyboard.press(key)
-    page.wait_for_function("location.search.includes('camera=') && location.search.includes('time=')")
-    page.wait_for_timeout(600)
+    page.wait_for_function(
+        """() => {  // the address is written now and then
+            const { time, camera: c } = motionscapeStage.state(), link = new URLSearchParams(location.search);
+            return link.get("time") === String(time)
+                && link.get("camera") === [c.yaw, c.pitch, c.distance, ...c.pan, c.follow ? 1 : 0].join(",");
+        }"""
+    )
     seen = page.evaluate("motionscapeStage.state()")
     other = show(page.url.removeprefix(address))
     wait_for_stage(other, "Motif 1")
     restored = other.evaluate("motionscapeStage.state()")
     assert restored["camera"] == seen["camera"] and restored["time"] == seen["time"] and not restored["playing"]
     expect(other.locator("#motif-selection h2")).to_have_text("Motif 1")
+
+
+VIEWS = (
+    View("library", "demo", {"rho": "2", "adjacency": "spheres"}, {"motif": 0, "motion": 1}, {}, {"tab": "report"}),
+    View("library", "demo", {}, {"edge": "0-1"}),
+    View("library", "demo", {}, {"clip": "Ben & Anna: 100 %+?#ü/ä", "start": 3, "end": 9}),
+)
+
+
+def test_the_address_is_the_link_that_python_writes(show):
+    page = show("/library")
+    page.watch.expected.append("404")  # nobody has recorded these
+    names = tuple(parameter.name for parameter in analyses.parameters("motifs"))
+    page.wait_for_function("location.search.includes('dataset=demo')")
+    for view in VIEWS:
+        page.evaluate(
+            "stores => { for (const [id, data] of Object.entries(stores)) dash_clientside.set_props(id, { data }); }",
+            {"parameters": view.parameters, "selection": view.selection, "view": view.view},
+        )
+        key = next(iter(view.selection))
+        page.wait_for_function("key => new URLSearchParams(location.search).has(key)", arg=key)
+        path, _, query = page.evaluate("location.pathname + location.search").partition("?")
+        assert parse(path, query, names) == (view, ()) == parse("/library", format_link(view).split("?")[1], names)
 
 
 def test_the_stage_outlives_a_change_of_page_and_back_works(show):
