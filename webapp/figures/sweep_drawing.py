@@ -93,7 +93,7 @@ def _frame(name: str, values: Sequence[Any], across: list[float]) -> str:
     for value, x in zip(values, across, strict=True):
         parts.append(f'<path d="M{x:.1f} {TOP}V{bottom + 5}" stroke="{_GRID}" fill="none"/>')
         word = write_value(value)
-        if x - 4 * len(word) > last + 8:
+        if x - 4 * len(word) > last + 4:
             parts.append(_text(x, bottom + 20, word))
             last = x + 4 * len(word)
     parts.append(_text(WIDTH / 2, HEIGHT - 16, axis_name(name) + (", logarithmic" if is_log(values) else "")))
