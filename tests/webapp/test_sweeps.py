@@ -70,6 +70,7 @@ def test_a_view_goes_through_the_form_and_the_link_unchanged(view):
         ({"x_values": ""}, "x", "at least one value"),
         ({"y_values": "0.1"}, "y", "from 0.2 to 5"),
         ({"y_name": "kappa"}, "y", "another setting"),
+        ({"x_values": ",".join(f"{k}.0000000" for k in range(100, 140))}, "x", "more values than a link can hold"),
         ({"seeds": "0"}, "seeds", "1 to 20"),
         ({"seeds": "many"}, "seeds", "1 to 20"),
         ({"x_name": "nonsense"}, "x", "No parameter"),
@@ -128,6 +129,8 @@ def test_a_shown_sweep_links_to_the_motifs_page(tmp_path):
     shown = shown_sweep(workspace, "moves", {"gamma": "2"}, {"x": "kappa:20,30", "y": "none", "seeds": "2"})
     assert isinstance(shown, Shown) and (shown.table.n_ready, shown.table.shape) == (0, (2, 2))
     assert shown.link(shown.sweep.points()[1]) == "/motifs?dataset=moves&kappa=20&gamma=2&seed=1"
+    fine = shown_sweep(workspace, "moves", {}, {"x": "rho:0.3333333333333333", "y": "none", "seeds": "1"})
+    assert fine.link(fine.sweep.points()[0]).endswith("&rho=0.3333333333333333"), "to the very result"
     assert shown_sweep(workspace, None, {}, {}) is None
 
 

@@ -41,7 +41,8 @@ class Shown(NamedTuple):
 
     def link(self, point: Any) -> str:
         """Address of the result of a point, on the Motifs page."""
-        return links.format_link(links.View("motifs", self.dataset.name, results.not_default(vars(point))))
+        exact = {name: write_value(getattr(point, name)) for name in results.not_default(vars(point))}
+        return links.format_link(links.View("motifs", self.dataset.name, exact))
 
 
 def register(app: Dash, workspace: Workspace) -> None:

@@ -20,6 +20,7 @@ from webapp import results
 NO_AXIS = "none"
 SEEDS = 3
 MOST_SEEDS = 20
+_LONGEST = 300  # letters of an axis in a link
 _ENOUGH_FRAMES = 4  # a letter
 
 
@@ -64,6 +65,9 @@ def problems_of(form: Form) -> dict[str, str]:
                 read_values(name, text)
             except ParameterError as error:
                 found[field] = _sentence(str(error), name)
+            else:
+                if len(f"{name}:{_compact(text)}") > _LONGEST:
+                    found[field] = "These are more values than a link can hold; leave some out."
     if form.y_name == form.x_name:
         found["y"] = "Choose another setting than the first."
     if not form.seeds.isdecimal() or not 1 <= int(form.seeds) <= MOST_SEEDS:
