@@ -4,6 +4,8 @@ PYTHON ?= python3
 BIN := $(VENV)/bin
 PORT ?= 8050
 WORKSPACE ?= workspace
+# tests in as many processes as there are cores (four at most); a file's tests stay together, the browser's go first
+TOGETHER ?= -n logical --maxprocesses 4 --dist loadfile --no-loadscope-reorder
 
 .PHONY: run test lint bench clean slow browser
 
@@ -11,7 +13,7 @@ run: $(VENV)/.installed
 	$(BIN)/motionscape serve $(WORKSPACE) --demo --port $(PORT)
 
 test: $(VENV)/.installed-dev browser lint
-	$(BIN)/python -m pytest
+	$(BIN)/python -m pytest $(TOGETHER)
 
 slow: $(VENV)/.installed-dev browser
 	$(BIN)/python -m pytest -m slow
