@@ -57,6 +57,8 @@ def suggest(table: SweepTable) -> Suggestion:
     axis = max(matters, key=lambda a: _range_along(worth, best, a))
     told = f"With {_named(at)} the motifs explain {_percent(worth[best])} % of the motion: "
     told += _neighbours(table, best, axis)
+    if (gap := _missing(table, best, axis)) is not None:
+        return Suggestion(at, best, UNSURE, f"{told}; {gap} is not there yet.")
     if (end := _untried(table, best, axis)) is not None:
         return Suggestion(at, best, UNSURE, f"{told}; no {end} was tried.")
     if seeds < _SEEDS:
@@ -126,6 +128,16 @@ def _neighbours(table: SweepTable, at: tuple[int, ...], axis: int) -> str:
         if 0 <= i < len(values) and np.isfinite(worth[other]):
             said.append(f"at {_named({name: values[i]})} {_difference(table, at, other)}")
     return ", ".join(said)
+
+
+def _missing(table: SweepTable, at: tuple[int, ...], axis: int) -> str | None:
+    """A neighbour of ``at`` along an axis that is not there (yet)."""
+    name, values = list(table.axes.items())[axis]
+    worth = table.middle("explained")
+    for i in (at[axis] - 1, at[axis] + 1):
+        if 0 <= i < len(values) and not np.isfinite(worth[(*at[:axis], i, *at[axis + 1 :])]):
+            return _named({name: values[i]})
+    return None
 
 
 def _untried(table: SweepTable, at: tuple[int, ...], axis: int) -> str | None:

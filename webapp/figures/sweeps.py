@@ -12,6 +12,7 @@ from core.motifs.axes import write_value
 from core.motifs.parameters import MotifParameters
 from core.motifs.suggestion import CLEAR, Suggestion
 from core.motifs.sweep_table import SweepTable
+from webapp import theme
 from webapp.figures.charts import HEAT, SERIES, themed
 from webapp.figures.measures import MEASURES, axis_name, is_even, is_log
 
@@ -77,6 +78,7 @@ def heat(table: SweepTable, links: np.ndarray, measure: str, chosen: Suggestion,
     typical = np.array(
         [[links[i, j, typical_seed(table.of(measure)[i, j])] for i in range(len(x))] for j in range(len(y))]
     )
+    c = theme.CANVAS[scheme if scheme in theme.CANVAS else "light"]
     figure = go.Figure(
         go.Heatmap(
             x=x, y=y, z=(middle * shown.factor).T, customdata=typical, text=text,
@@ -88,9 +90,10 @@ def heat(table: SweepTable, links: np.ndarray, measure: str, chosen: Suggestion,
         )
     )  # fmt: skip
     if chosen.at:  # above the number, which it would hide
-        star = {"text": "★" if chosen.verdict == CLEAR else "☆", "font": {"size": 19, "color": _STAR}}
+        star = {"text": "★" if chosen.verdict == CLEAR else "☆", "font": {"size": 17, "color": _STAR}}
         column, row = chosen.index  # the number of a category; its name would be taken for one
-        figure.add_annotation(**star, x=column, y=row, yshift=15, showarrow=False)
+        badge = {"bgcolor": c["surface"], "borderpad": 0, "yshift": 17, "showarrow": False}
+        figure.add_annotation(**star, **badge, x=column, y=row)
     figure = themed(figure, scheme, height=None, margin={"l": 60, "r": 16, "t": 10, "b": 46})
     figure.update_xaxes(title_text=axis_name(x_name), type="category", showgrid=False)
     return figure.update_yaxes(title_text=axis_name(y_name), type="category", showgrid=False)

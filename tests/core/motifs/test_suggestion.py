@@ -87,7 +87,10 @@ def test_what_is_not_there_yet_is_left_out():
     part = [entry if k < 10 else None for k, entry in enumerate(whole.figures)]  # kappa 50 and 100
     assert suggest(SweepTable(whole.axes, 5, part)).verdict == NONE
     part = [entry if k != 10 and k < 20 else None for k, entry in enumerate(whole.figures)]
-    assert suggest(SweepTable(whole.axes, 5, part)).at == {"kappa": 200}
+    assert suggest(SweepTable(whole.axes, 5, part)).verdict == CLEAR, "of one setting a seed is missing"
+    part = [entry if k < 15 else None for k, entry in enumerate(whole.figures)]
+    found = suggest(SweepTable(whole.axes, 5, part))
+    assert (found.verdict, found.at) == (UNSURE, {"kappa": 200}) and found.why.endswith("kappa 500 is not there yet.")
     nothing = SweepTable(whole.axes, 5, [None] * 25)
     assert (suggest(nothing).verdict, suggest(nothing).at) == (NONE, {})
 
