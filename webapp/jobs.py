@@ -105,7 +105,7 @@ def launch(workspace_path: str | Path) -> None:
 
 
 def background_manager(workspace_path: str | Path) -> Any:
-    """What runs Dash's background callbacks: Celery where MOTIONSCAPE_REDIS_URL is set, else processes on this machine.
+    """What runs Dash's background callbacks: Celery where MOTIONSCAPE_REDIS_URL is set, else threads that only wait.
 
     Raises RuntimeError where Redis is asked for and Celery is not installed.
     """
@@ -119,13 +119,14 @@ def background_manager(workspace_path: str | Path) -> Any:
                 f"{REDIS} is set, but Celery is not installed: pip install 'motionscape[celery]'"
             ) from error
         return CeleryManager(Celery("motionscape", broker=url, backend=url))
-    from dash import DiskcacheManager
     from diskcache import Cache
+
+    from webapp.background import WaitingManager
 
     # Dash's own notes (pickles) must not lie in a workspace that people pass on, and need not outlive the server.
     folder = tempfile.mkdtemp(prefix="motionscape-")
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
-    return DiskcacheManager(Cache(folder))
+    return WaitingManager(Cache(folder))
 
 
 def serve_queue(workspace: Workspace) -> int:
