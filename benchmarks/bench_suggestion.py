@@ -54,7 +54,7 @@ def only(table: SweepTable, seeds: np.ndarray) -> SweepTable:
 def chord_knee(table: SweepTable) -> tuple[int, ...]:
     """For comparison: of the cells that none beats in both error and coverage the one furthest from the chord."""
     error, coverage = table.middle("error_ratio"), table.middle("coverage")
-    cells = list(np.ndindex(error.shape))
+    cells = [c for c in np.ndindex(error.shape) if np.isfinite(error[c])]  # without motifs there is no error
     front = sorted(
         (c for c in cells if not any(error[d] < error[c] and coverage[d] >= coverage[c] for d in cells)),
         key=lambda c: (error[c], coverage[c]),
