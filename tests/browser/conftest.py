@@ -11,7 +11,6 @@ from playwright.sync_api import Browser, Error, Page, expect, sync_playwright
 
 from tests.browser.start import running, start_chromium
 
-__all__ = ["running"]
 VIEWPORT = {"width": 1000, "height": 700}
 WAIT = 30_000  # milliseconds that a page may take for anything: a busy machine is slow, and what is there does not wait
 expect.set_options(timeout=WAIT)
