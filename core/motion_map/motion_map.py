@@ -13,7 +13,8 @@ from core.mocap.clip import Clip, Segment
 from core.motion_map.bones import refine, with_real_bones
 from core.motion_map.keypose_search import KeyHit, Runs, key_nodes, search_keys
 from core.motion_map.som import best_nodes, u_matrix
-from core.poses.postures import clip_postures, posture_joints
+from core.poses.features import posture_joints
+from core.poses.postures import clip_postures
 
 FORMAT = "motionscape/map/1"
 _TEXT = ("joints", "parents", "clips", "clip_fps", "clip_frames", "fps")

@@ -160,18 +160,25 @@ class _Body:
     family: tuple[str, ...]  # skeletons with equal joint names share their rest rotations
 
 
-def _bodies(skeletons: Sequence[Skeleton]) -> dict[Skeleton, _Body]:
+def posture_joints(skeletons: Sequence[Skeleton]) -> dict[Skeleton, dict[str, int]]:
+    """Per skeleton the joints of its posture vector: name -> index, the same names in the same order for all.
+
+    Raises ValueError where they have none in common.
+    """
     unique = list(dict.fromkeys(skeletons))
     anatomies = {s: find_anatomy(s) for s in unique}
-    named = {s: tuple(s.names[j] for j in anatomies[s].posture_joints) for s in unique}
-    if len(set(named.values())) == 1:
-        chosen = {s: dict(zip(named[s], anatomies[s].posture_joints, strict=True)) for s in unique}
-    else:
+    own = {s: {s.names[j]: j for j in anatomies[s].posture_joints} for s in unique}
+    if len({tuple(names) for names in own.values()}) > 1:
         common = [n for n in CANONICAL if n != "pelvis" and all(n in anatomies[s].joints for s in unique)]
-        chosen = {s: {n: anatomies[s].joints[n] for n in common} for s in unique}
-    if not all(chosen.values()):
+        own = {s: {n: anatomies[s].joints[n] for n in common} for s in unique}
+    if not all(own.values()):
         raise ValueError("the skeletons of this dataset have no posture joint in common; analyse them separately")
-    return {s: _body(s, anatomies[s], chosen[s]) for s in unique}
+    return own
+
+
+def _bodies(skeletons: Sequence[Skeleton]) -> dict[Skeleton, _Body]:
+    chosen = posture_joints(skeletons)
+    return {s: _body(s, find_anatomy(s), joints) for s, joints in chosen.items()}
 
 
 def _body(skeleton: Skeleton, anatomy, chosen: dict[str, int]) -> _Body:

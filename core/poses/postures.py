@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from core.mocap import quaternions as quat
-from core.mocap.anatomy import CANONICAL, find_anatomy
+from core.mocap.anatomy import find_anatomy
 from core.mocap.clip import Clip
 from core.mocap.dataset import Dataset
 from core.mocap.kinematics import forward_kinematics, resample
 from core.mocap.skeleton import Skeleton
-from core.poses.features import SPEED_FPS
+from core.poses.features import SPEED_FPS, posture_joints
 from core.progress import Report, silent
 
 STANDARD_HEIGHT = 1.7
@@ -85,22 +84,6 @@ def postures_of(dataset: Dataset, *, analysis_fps: float = 30, report: Report = 
         clip_frames=tuple(clip.n_frames for clip in clips),
         fps=float(analysis_fps),
     )
-
-
-def posture_joints(skeletons: Sequence[Skeleton]) -> dict[Skeleton, dict[str, int]]:
-    """Per skeleton the joints of its posture vector: name -> index, the same names in the same order for all.
-
-    Raises ValueError where they have none in common.
-    """
-    unique = list(dict.fromkeys(skeletons))
-    anatomies = {s: find_anatomy(s) for s in unique}
-    own = {s: {s.names[j]: j for j in anatomies[s].posture_joints} for s in unique}
-    if len({tuple(names) for names in own.values()}) > 1:
-        common = [n for n in CANONICAL if n != "pelvis" and all(n in anatomies[s].joints for s in unique)]
-        own = {s: {n: anatomies[s].joints[n] for n in common} for s in unique}
-    if not all(own.values()):
-        raise ValueError("the skeletons of this dataset have no posture joint in common; map them separately")
-    return own
 
 
 def bones_among(skeleton: Skeleton, joints: tuple[int, ...]) -> tuple[int, ...]:
