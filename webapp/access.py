@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hmac
+import ipaddress
 import os
 import re
 from urllib.parse import parse_qsl, urlencode
@@ -10,7 +11,6 @@ from urllib.parse import parse_qsl, urlencode
 from flask import Flask, Response, redirect, request
 
 from webapp.components.errors import error_page
-from webapp.serving import is_loopback
 
 HOSTS = "MOTIONSCAPE_HOSTS"
 COOKIE = "motionscape-token"
@@ -19,6 +19,14 @@ _POLICY = (
     "img-src 'self' data: blob:; font-src 'self' data:; connect-src 'self'; worker-src 'self' blob:; "
     "object-src 'none'; base-uri 'self'; form-action 'self'; frame-ancestors 'none'"
 )
+
+
+def is_loopback(host: str) -> bool:
+    """Whether only this machine can reach ``host``."""
+    try:
+        return ipaddress.ip_address(host.strip("[]")).is_loopback
+    except ValueError:
+        return host.lower() == "localhost"
 
 
 def protect(server: Flask, token: str | None) -> None:

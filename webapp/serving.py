@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import errno
-import ipaddress
 import os
 import secrets
 import socket
@@ -14,6 +13,7 @@ from argparse import Namespace
 from typing import Any
 
 from core.workspace import Workspace, WorkspaceError, shared_workspace
+from webapp.access import is_loopback
 
 TOKEN = "MOTIONSCAPE_TOKEN"
 THREADS = 12
@@ -34,14 +34,6 @@ def serve(asked: Namespace) -> int:
 def token_for(host: str) -> str | None:
     """The token that visitors need: none on this machine; elsewhere MOTIONSCAPE_TOKEN, or a new one."""
     return os.environ.get(TOKEN) or (None if is_loopback(host) else secrets.token_urlsafe(18))
-
-
-def is_loopback(host: str) -> bool:
-    """Whether only this machine can reach ``host``."""
-    try:
-        return ipaddress.ip_address(host.strip("[]")).is_loopback
-    except ValueError:
-        return host.lower() == "localhost"
 
 
 def listen(host: str, port: int) -> socket.socket:
