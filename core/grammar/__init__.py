@@ -1,0 +1,1 @@
+"""Grammars of motion (Park, Lee, Lee 2011): terminals, sentences, rules, new sentences."""

@@ -1,0 +1,46 @@
+"""What the search for terminals can be told."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+METHODS = ("alternation", "paper", "annealing")
+
+
+def _parameter(default: Any, help: str, low=None, high=None, step=None, choices: tuple = (), advanced: bool = False):
+    metadata = {"help": help, "min": low, "max": high, "step": step, "choices": choices, "advanced": advanced}
+    return field(default=default, metadata=metadata)
+
+
+@dataclass(frozen=True)
+class TerminalParameters:
+    """How terminals are found. Each field's metadata: ``help``, ``min``, ``max``, ``step``, ``choices``, ``advanced``.
+
+    Raises ValueError, in plain words, for a value out of range.
+    """
+
+    n_terminals: int = _parameter(20, "How many elementary actions to tell apart.", 1, 500, 1)
+    weight: float = _parameter(
+        0.5, "Higher: fewer, longer repeats count more; lower: likeness within an action counts more.", 0.0, 1.0, 0.05
+    )
+    min_seconds: float = _parameter(0.5, "The shortest piece an action may have, in seconds.", 0.1, 10.0, 0.1)
+    max_seconds: float = _parameter(3.0, "The longest piece an action may have, in seconds.", 0.2, 30.0, 0.1)
+    method: str = _parameter(
+        "alternation",
+        "alternation = fast; paper = the 2011 paper's genetic search and fine tuning (slow); annealing = the same, "
+        "with true annealing.",
+        choices=METHODS,
+    )
+    analysis_fps: float = _parameter(30.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0, advanced=True)
+    seed: int = _parameter(
+        0, "Number that starts the random choices; the same number gives the same result.", 0, None, 1
+    )
+
+    def __post_init__(self) -> None:
+        if not (1 <= self.n_terminals <= 500 and 0 <= self.weight <= 1 and 5 <= self.analysis_fps <= 240):
+            raise ValueError("n_terminals must be 1 to 500, weight 0 to 1, analysis_fps 5 to 240")
+        if not 0.1 <= self.min_seconds <= 10 or not 2 * self.min_seconds <= self.max_seconds <= 30:
+            raise ValueError("min_seconds must be 0.1 to 10, max_seconds at least twice as long and at most 30")
+        if self.method not in METHODS:
+            raise ValueError(f"method must be one of {', '.join(METHODS)}, not {self.method!r}")
