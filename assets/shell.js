@@ -81,11 +81,11 @@
       window.motionscapeStage.restore(state);
       return clientside.no_update;
     },
-    choose(choice) {
+    choose(choice, cleared) {
       if (!choice) return clientside.no_update;
       if (choice.dataset !== shown.dataset) {
         clientside.set_props("selection", { data: {} });
-        clientside.set_props("view-change", { data: { walk: "", weights: "", other: "", gained: "", joints: "" } });
+        clientside.set_props("view-change", { data: Object.fromEntries((cleared || []).map((key) => [key, ""])) });
         clientside.set_props("stage-request", { data: { dataset: choice.dataset, items: [] } });
         clientside.set_props("dataset", { data: choice.dataset });
       }

@@ -12,7 +12,7 @@ from dash.development.base_component import Component
 
 from core import analyses
 from core.workspace import Workspace, WorkspaceError, shared_workspace
-from webapp import access, jobs, links, playback, results
+from webapp import access, jobs, links, playback, results, settings
 from webapp.api.clip import clip_blueprint
 from webapp.api.exports import export_blueprint
 from webapp.api.filmstrip import filmstrip_blueprint
@@ -24,6 +24,12 @@ from webapp.components import changes, errors, features, job_bar, shell
 from webapp.components import stage as stage_component
 from webapp.pages import clip, library, motifs, sweeps
 from webapp.virtual import open_any
+
+PAGES = {  # beside the library: name in the address (a key of links.VIEW_KEYS) -> module with page() and register()
+    "motifs": motifs,
+    "sweeps": sweeps,
+    "clip": clip,
+}
 
 
 def create_app(workspace_path: str | Path, *, token: str | None = None) -> dash.Dash:
@@ -62,9 +68,8 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> dash.
     changes.register(app, workspace)
     features.register(app, workspace)
     _register_state(app, workspace)
-    pages = {"library": library.page(limits), "motifs": motifs.page(), "sweeps": sweeps.page(), "clip": clip.page()}
-    _register_page(app, pages)
-    for page in (library, motifs, sweeps, clip):
+    _register_page(app, {name: page.page() for name, page in PAGES.items()} | {"library": library.page(limits)})
+    for page in (library, *PAGES.values()):
         page.register(app, workspace)
     playback.register(app, workspace)
     return app
@@ -95,8 +100,9 @@ def _register_state(app: dash.Dash, workspace: Workspace) -> None:
         Input("url", "pathname"),
         Input("url", "search"),
         State("dataset", "data"),
+        State("view", "data"),
     )
-    def open_link(pathname, search, current):
+    def open_link(pathname, search, current, shown):
         if current and not search:  # a click on the navigation: what is shown stays
             return (no_update,) * 5
         view, problems = links.parse(pathname, search, names)
@@ -104,7 +110,7 @@ def _register_state(app: dash.Dash, workspace: Workspace) -> None:
         dataset, more = choose_dataset(view.dataset, known)
         if links.page_of(pathname) is None:
             problems = problems[1:]  # the page itself says so
-        problems = (*more, *problems, *results.refused(view.parameters))
+        problems = (*more, *problems, *results.refused(view.parameters), *settings.refused(view.page, view.view))
         if problems:
             message = " ".join(problems)
             set_props(
@@ -113,7 +119,8 @@ def _register_state(app: dash.Dash, workspace: Workspace) -> None:
         usable = results.not_default(results.motif_request("", view.parameters).parameters)
         if more:
             view = links.without_selection(view)
-        return dataset, usable, dict(view.selection), dict(view.view), dict(view.stage)
+        others = settings.of_other_pages(view.page, shown) if dataset == current else {}
+        return dataset, usable, dict(view.selection), others | view.view, dict(view.stage)
 
     @app.callback(
         Output("dataset-picker", "data"),
@@ -134,7 +141,9 @@ def _register_state(app: dash.Dash, workspace: Workspace) -> None:
             set_props("dataset-choice", {"data": {"dataset": None}})
         return known, current if current in known else None, not known
 
-    app.clientside_callback(ClientsideFunction("shell", "choose"), Input("dataset-choice", "data"))
+    app.clientside_callback(
+        ClientsideFunction("shell", "choose"), Input("dataset-choice", "data"), State("view-of-dataset", "data")
+    )
     app.clientside_callback(
         ClientsideFunction("shell", "pick"), Input("dataset-picker", "value"), State("dataset", "data")
     )

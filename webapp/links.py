@@ -11,7 +11,6 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from urllib.parse import parse_qsl, quote, urlencode
 
-PAGES = ("library", "motifs", "sweeps", "clip")
 VIEW_KEYS = {  # what a page shows beside the selection: kept in the store "view", each page with keys of its own
     "library": ("tab", "files"),
     "motifs": (
@@ -31,6 +30,9 @@ VIEW_KEYS = {  # what a page shows beside the selection: kept in the store "view
     "sweeps": ("x", "y", "seeds"),
     "clip": ("chart", "angles", "joints", "rig", "channels", "span"),
 }
+PAGES = tuple(VIEW_KEYS)
+OF_DATASET = ("walk", "weights", "other", "gained", "joints")  # what makes no sense any more with another data set
+FREE_TEXT = frozenset()  # keys that may hold any text one can print, such as names of clips
 MAX_QUERY = 4000
 _SELECTION_KEYS = ("motif", "motion", "edge", "transition", "clip", "start", "end")
 _MAX_NUMBER = 10**7
@@ -157,9 +159,15 @@ def _number(values: Mapping[str, str], key: str, problems: list[str]) -> int | N
 
 def _view(page: str, values: Mapping[str, str], problems: list[str]) -> dict[str, str]:
     found = {key: values[key] for key in VIEW_KEYS[page] if values.get(key)}
-    usable = {key: text for key, text in found.items() if re.fullmatch(r"[-0-9A-Za-z.,:_~ ]{1,300}", text)}
+    usable = {key: text for key, text in found.items() if _view_value(key, text)}
     problems += [f"“{key}” in the link could not be understood." for key in found if key not in usable]
     return usable
+
+
+def _view_value(key: str, text: str) -> bool:
+    if key in FREE_TEXT:
+        return len(text) <= 300 and text.isprintable()
+    return bool(re.fullmatch(r"[-0-9A-Za-z.,:_~ ]{1,300}", text))
 
 
 def _stage_value(text: str) -> bool:

@@ -34,6 +34,9 @@ STAGES = {  # words for the stages that computations report
     "graph": "building the graph",
     "opening": "opening the recordings",
     "demo": "making the demo",
+    "postures": "computing postures",
+    "samples": "choosing different postures",
+    "map": "adapting the map",
 }
 
 

@@ -60,6 +60,7 @@ def _stores() -> list[Component]:
         dcc.Store(id="view", data={}),  # what a page shows beside that, see links.VIEW_KEYS
         dcc.Store(id="view-change"),  # merged into "view"; null or "" takes a key out
         dcc.Store(id="view-keys", data=links.VIEW_KEYS),
+        dcc.Store(id="view-of-dataset", data=links.OF_DATASET),
         dcc.Store(id="stage-restore", data={}),  # moment and camera a link asked for
         dcc.Store(id="dataset-choice"),  # {"dataset": name}: someone chose another one
         dcc.Store(id="awaited"),  # name of the dataset an import of ours will bring
