@@ -4,21 +4,11 @@
   const clientside = (window.dash_clientside = window.dash_clientside || {});
   const LONGEST = 26;
 
-  async function graph(tries = 100) {
-    for (let i = 0; i < tries; i++) {
-      const box = document.getElementById("motif-graph");
-      const cy = box && box._cyreg && box._cyreg.cy;
-      if (cy && !cy.destroyed() && cy.elements().length) return cy;
-      await new Promise((resolve) => setTimeout(resolve, 30));
-    }
-    return null;
-  }
-
   const short = (text) => (text.length > LONGEST ? text.slice(0, LONGEST - 1) + "…" : text);
 
   clientside.names = {
     async draw(said) {
-      const cy = await graph();
+      const cy = await window.motionscapeGraph.ready();
       if (!cy) return clientside.no_update;
       cy.batch(() => cy.nodes("[motif >= 0]").forEach((node) => {
         if (node.data("plain") === undefined) node.data("plain", node.data("label"));
@@ -33,7 +23,7 @@
       const words = (text || "").toLowerCase().split(/\s+/).filter(Boolean);
       const api = await window.dash_ag_grid.getApiAsync("motif-table").catch(() => null);
       if (api && !api.isDestroyed()) api.setGridOption("quickFilterText", text || "");
-      const cy = await graph(3);
+      const cy = await window.motionscapeGraph.ready(3);
       if (!cy) return clientside.no_update;
       const fits = (row) => {
         const all = ["id", "name", "tags", "note", "label"].map((field) => row[field] ?? "").join(" ").toLowerCase();

@@ -4,16 +4,6 @@
   const clientside = (window.dash_clientside = window.dash_clientside || {});
   let shown = null; // {repeats, motifs: id -> {overall, kept, noise, seed, parameters}}
 
-  async function graph(tries = 100) {
-    for (let i = 0; i < tries; i++) {
-      const box = document.getElementById("motif-graph");
-      const cy = box && box._cyreg && box._cyreg.cy;
-      if (cy && !cy.destroyed() && cy.elements().length) return cy;
-      await new Promise((resolve) => setTimeout(resolve, 30));
-    }
-    return null;
-  }
-
   const percent = (share) => `${Math.round(100 * share)} %`;
   const of = (motif) => (shown ? shown.motifs[motif] : undefined);
 
@@ -51,7 +41,7 @@
       if (legend) legend.classList.toggle("hidden", !shown);
       const place = document.getElementById("stability-words");
       if (place && shown) place.textContent = words((selection || {}).motif);
-      const cy = await graph();
+      const cy = await window.motionscapeGraph.ready();
       if (!cy) return clientside.no_update;
       watch(cy);
       cy.batch(() => {

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -13,7 +16,7 @@ from core.motifs.graph import Motif, MotifGraph, succession_edges
 from tests.webapp.generated import walk
 from webapp import playback, results, theme
 from webapp.figures import graph as graph_figure
-from webapp.figures import tables
+from webapp.figures import placement, tables
 from webapp.figures.drawing import graph_svg
 from webapp.figures.placement import place_boxes, spread
 from webapp.pages.motifs import form
@@ -64,6 +67,18 @@ def test_placed_boxes_never_overlap(n: int, seed: int):
 def test_boxes_at_one_place_part():
     sizes = np.full((40, 2), 50.0)
     assert overlaps(spread(np.zeros((40, 2)), sizes), sizes) == 0
+
+
+def test_graphviz_says_nothing_of_its_own():
+    lines = "from webapp.figures.placement import place_boxes; place_boxes([[50, 50]] * 3, [(0, 1, 1), (1, 2, 1)])"
+    done = subprocess.run([sys.executable, "-c", lines], capture_output=True, text=True, check=True)  # it says it once
+    assert done.stderr == "" and done.stdout == ""
+
+
+def test_what_graphviz_complains_of_is_logged(caplog):
+    for piece in (b"Warning", b": ", b"out of ink\n", b"Error", b": ", b"not built with triangulation library\n"):
+        placement._HEARD(piece)
+    assert [record.getMessage() for record in caplog.records] == ["Graphviz: Warning: out of ink"]
 
 
 def test_many_parts_fill_a_frame_of_the_wanted_shape():

@@ -66,7 +66,6 @@ def _stores() -> list[Component]:
         dcc.Store(id="awaited"),  # name of the dataset an import of ours will bring
         dcc.Store(id="graph-key"),  # of the motif graph shown, where it has been computed
         dcc.Store(id="find-again"),
-        dcc.Store(id="report-find"),
         dcc.Store(id="graph-tool"),
         dcc.Store(id="job-started"),
         dcc.Store(id="job-ended"),

@@ -7,15 +7,18 @@ so it cannot remove overlaps itself.
 from __future__ import annotations
 
 import ctypes
+import logging
 import threading
-import warnings
 from collections.abc import Sequence
 from contextlib import suppress
 
 import numpy as np
 import pygraphviz
+from pygraphviz import _graphviz as graphviz
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
+
+log = logging.getLogger(__name__)
 
 _GRAPHVIZ = threading.Lock()  # cgraph keeps global state; threads of the server must take turns
 _POINTS_PER_INCH = 72.0
@@ -57,15 +60,14 @@ def _parts(n: int, edges: Sequence[tuple[int, int, float]]) -> list[np.ndarray]:
 def _sfdp(sizes: np.ndarray, edges: Sequence[tuple[int, int, float]]) -> np.ndarray:
     with _GRAPHVIZ:
         _seed_c_library()
+        _hear_graphviz()
         graph = pygraphviz.AGraph(directed=False, strict=True, overlap="true", K=str(_ideal_length(sizes)), start="1")
         for i, (width, height) in enumerate(sizes / _POINTS_PER_INCH):
-            graph.add_node(i, shape="box", fixedsize="true", width=f"{width:.3f}", height=f"{height:.3f}")
+            graph.add_node(i, label="", shape="box", fixedsize="true", width=f"{width:.3f}", height=f"{height:.3f}")
         for source, target, weight in edges:
             if source != target:
                 graph.add_edge(source, target, weight=f"{1 + np.log1p(weight):.3f}")
-        with warnings.catch_warnings():  # fontconfig's and sfdp's remarks are nobody's business here
-            warnings.simplefilter("ignore", RuntimeWarning)
-            graph.layout(prog="sfdp")
+        graph.layout(prog="sfdp")
         places = [graph.get_node(i).attr["pos"].split(",") for i in range(len(sizes))]
     x, y = np.array(places, float).T
     return np.stack([x, -y], axis=1)
@@ -75,6 +77,29 @@ def _seed_c_library() -> None:
     """sfdp's coarsening draws from the C library's rand() before it takes its own seed; Windows keeps its own way."""
     with suppress(OSError, AttributeError, TypeError):
         ctypes.CDLL(None).srand(1)
+
+
+_said: list[bytes] = []
+
+
+def _heard(piece: bytes) -> int:
+    """Takes a message in the pieces it comes in."""
+    _said.append(piece)
+    if piece.endswith(b"\n"):
+        words = b"".join(_said).decode(errors="replace").strip()
+        _said.clear()
+        if "triangulation" not in words:  # it cannot remove overlaps; we do that
+            log.warning("Graphviz: %s", words)
+    return 0
+
+
+_HEARD = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_char_p)(_heard)  # lives as long as Graphviz may call it
+
+
+def _hear_graphviz() -> None:
+    """What Graphviz would write to stderr comes to us; where its library cannot be reached it goes on as it was."""
+    with suppress(OSError, AttributeError, TypeError):
+        ctypes.CDLL(graphviz.__file__).agseterrf(_HEARD)
 
 
 def _ideal_length(sizes: np.ndarray) -> float:

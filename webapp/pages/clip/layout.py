@@ -15,6 +15,7 @@ from webapp.clips import CHARTS, KINDS, Choice, joint_words, offered_joints
 from webapp.components.actions import sends
 from webapp.components.errors import empty_state
 from webapp.components.icons import icon
+from webapp.components.page_head import page_head
 from webapp.figures.clip import Panel
 from webapp.pages.clip import editing, table
 
@@ -77,17 +78,11 @@ def _head() -> Component:
         comboboxProps={"shadow": "md"},
         **{"aria-label": "Clip"},
     )
-    return html.Div(
-        className="page-head",
-        children=[
-            html.H1("Clip"),
-            html.Div(
-                [step("clip-previous", "Previous clip", "back"), picker, step("clip-next", "Next clip", "next")],
-                className="clip-walk",
-            ),
-            html.Div(className="spacer"),
-            html.Div([editing.menu(), table.button()], className="head-menus"),
-        ],
+    walk = [step("clip-previous", "Previous clip", "back"), picker, step("clip-next", "Next clip", "next")]
+    return page_head(
+        "Clip",
+        html.Div([editing.menu(), table.button()], className="head-menus"),
+        beside=[html.Div(walk, className="clip-walk")],
     )
 
 

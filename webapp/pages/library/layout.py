@@ -16,6 +16,7 @@ from webapp.api.uploads import Limits
 from webapp.components.actions import sends
 from webapp.components.errors import empty_state
 from webapp.components.icons import icon
+from webapp.components.page_head import page_head
 from webapp.pages.library import adding
 
 REPORTS = (("all", "All"), ("added", "Added last"), ("error", "Not read"), ("warning", "Warnings"), ("ok", "Fine"))
@@ -26,16 +27,10 @@ def page(limits: Limits) -> Component:
     return html.Div(
         className="library",
         children=[
-            html.Div(
-                className="page-head",
-                children=[
-                    html.H1("Library"),
-                    html.Div(className="spacer"),
-                    dmc.Button(
-                        "Trash", id="trash-open", variant="subtle", color="gray", leftSection=icon("restore", 16)
-                    ),
-                    dmc.Button("Add recordings", id="upload-open", leftSection=icon("upload", 16)),
-                ],
+            page_head(
+                "Library",
+                dmc.Button("Trash", id="trash-open", variant="subtle", color="gray", leftSection=icon("restore", 16)),
+                dmc.Button("Add recordings", id="upload-open", leftSection=icon("upload", 16)),
             ),
             html.Div(id="dataset-cards"),
             html.Div(id="dataset-detail"),

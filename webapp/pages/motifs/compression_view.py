@@ -9,20 +9,28 @@ import dash_mantine_components as dmc
 from dash import Dash, Input, Output, State, dcc, html, no_update, set_props
 from dash.development.base_component import Component
 
-from core import analyses
+from core.motifs.compressed_dataset import Compression
 from core.motifs.compression import METHODS, Curves, Step, motion_errors
-from core.parameters import ParameterError
 from core.workspace import Workspace, WorkspaceError
-from webapp import jobs, mixtures, results
-from webapp.components.actions import sends
+from webapp import mixtures
 from webapp.components.downloads import chart_menu
-from webapp.components.errors import empty_state, notice
 from webapp.components.icons import icon
-from webapp.components.running import running
 from webapp.figures import charts
 from webapp.figures.compression import HEIGHT, MEASURES, dataset_chart, dataset_sentence, motif_chart, motif_sentence
+from webapp.pages.motifs import on_demand
 
-METHOD = "compression"
+WHOLE = on_demand.OnDemand(
+    name="compression",
+    method="compression",
+    place="compression-whole",
+    symbol="stack",
+    doing="Compressing",
+    missing="Not computed yet",
+    hint="All motifs, and what is in none, against PCA clip by clip, at equal error.",
+    button="Compress all",
+    refused="Cannot compress",
+    frame=lambda waiting: [html.Div(html.H3("Whole dataset"), className="chart-head"), waiting],
+)
 _TALL = {"height": HEIGHT}
 _NONE = {"data": [], "layout": {}}
 HELP = (
@@ -60,8 +68,9 @@ def layout() -> Component:
                     dcc.Loading(_motif_part(), delay_show=500, overlay_style={"visibility": "visible", "opacity": 0.4}),
                 ],
             ),
-            html.Div(id="compression-whole", className="card chart-card"),
-            *(dcc.Store(id=f"compression-{name}") for name in ("of", "find", "asked", "shown")),
+            html.Div(id=WHOLE.place, className="card chart-card"),
+            dcc.Store(id="compression-of"),
+            *WHOLE.stores(),
         ],
     )
 
@@ -113,7 +122,7 @@ def register(app: Dash, workspace: Workspace) -> None:
     """All of the view's callbacks."""
     _chart(app, workspace)
     _play(app, workspace)
-    _whole(app, workspace)
+    on_demand.register(app, workspace, WHOLE, _whole)
 
 
 def _chart(app: Dash, workspace: Workspace) -> None:
@@ -247,71 +256,15 @@ def rebuilt_request(key: str, number: Any, method: str, step: Step, motion: int,
     return {"dataset": name, "items": items, "layout": "overlay", "sync": "start", "title": title}
 
 
-def _whole(app: Dash, workspace: Workspace) -> None:
-    @app.callback(
-        Output("compression-asked", "data"),
-        Input("compression-find", "data"),
-        State("dataset", "data"),
-        State("parameters", "data"),
-        prevent_initial_call=True,
-    )
-    def ask(_clicked, name, parameters):
-        try:
-            job = jobs.start(workspace, compression_request(name, parameters))
-        except (ParameterError, WorkspaceError) as error:
-            set_props("notices", {"sendNotifications": [notice("Cannot compress", str(error), "red")]})
-            return no_update
-        set_props("job-started", {"data": job.id})
-        return job.id
-
-    @app.callback(
-        Output("compression-whole", "children"),
-        Output("compression-shown", "data"),
-        Input("view", "data"),
-        Input("compression-whole", "id"),
-        Input("compression-asked", "data"),
-        Input("jobs-finished", "data"),
-        Input("theme", "data"),
-        State("compression-shown", "data"),
-        State("graph-key", "data"),
-        State("dataset", "data"),
-        State("parameters", "data"),
-    )
-    def show(view, _body, _asked, _finished, scheme, shown, key, name, parameters):
-        if not _shown(view) or not key or not name:
-            return no_update, no_update
-        request = compression_request(name, parameters)
-        found = analyses.stored(workspace, request)
-        job = None if found else workspace.jobs.latest(analyses.key(workspace, request))
-        now = [key, scheme, "there" if found else job.state if job else "", job.id if job else 0]
-        if now == shown:
-            return no_update, no_update
-        head, spacer = html.H3("Whole dataset"), html.Div(className="spacer")
-        if found is None:
-            return [html.Div([head], className="chart-head"), _waiting(job)], now
-        return [
-            html.Div([head, spacer, chart_menu("compression-all", "compression")], className="chart-head"),
-            html.P(dataset_sentence(found), className="muted compression-sentence"),
-            dcc.Graph(id="compression-all", figure=dataset_chart(found, scheme), config=charts.CONFIG, style=_TALL),
-        ], now
-
-
-def compression_request(dataset: str, parameters: Mapping[str, Any] | None) -> analyses.Request:
-    """The request for the compression of the motif graph with these parameters."""
-    return analyses.Request(dataset, METHOD, results.motif_request(dataset, parameters).parameters)
-
-
-def _waiting(job: Any) -> Component:
-    if job is not None and job.alive:
-        return running(job, "Compressing", "stack")
-    title, words = "Not computed yet", "All motifs, and what is in none, against PCA clip by clip, at equal error."
-    if job is not None and job.state == "failed":
-        title, words = "Compressing failed", job.error
-    elif job is not None and job.state == "cancelled":
-        title, words = "Compressing was cancelled", "Nothing was kept of it."
-    button = dmc.Button("Compress all", variant="light", **sends("compression-find", {"find": True}, every_time=True))
-    return empty_state("stack", title, words, button)
+def _whole(found: Compression, name: str, parameters: Mapping[str, Any] | None, scheme: str | None) -> list[Component]:
+    """The chart over all of the data set."""
+    head = [html.H3("Whole dataset"), html.Div(className="spacer"), chart_menu("compression-all", "compression")]
+    return [
+        html.Div(head, className="chart-head"),
+        html.P(dataset_sentence(found), className="muted compression-sentence"),
+        dcc.Graph(id="compression-all", figure=dataset_chart(found, scheme), config=charts.CONFIG, style=_TALL),
+    ]
 
 
 def _shown(view: Mapping[str, str] | None) -> bool:
-    return (view or {}).get("view") == METHOD
+    return (view or {}).get("view") == WHOLE.name

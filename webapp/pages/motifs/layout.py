@@ -18,6 +18,7 @@ from core.workspace import Job, MotifNote
 from webapp.components.actions import copies, sends
 from webapp.components.errors import empty_state
 from webapp.components.icons import icon
+from webapp.components.page_head import page_head
 from webapp.components.running import running
 from webapp.figures import graph as graph_figure
 from webapp.figures.tables import strip_address
@@ -38,14 +39,10 @@ def page() -> Component:
     return html.Div(
         className="motifs",
         children=[
-            html.Div(
-                className="page-head",
-                children=[
-                    html.H1("Motifs"),
-                    html.Div(className="spacer"),
-                    html.Div(id="motif-menus", className="head-menus"),
-                    dmc.Button("Find motifs", id="find-motifs", leftSection=icon("spark", 16)),
-                ],
+            page_head(
+                "Motifs",
+                html.Div(id="motif-menus", className="head-menus"),
+                dmc.Button("Find motifs", id="find-motifs", leftSection=icon("spark", 16)),
             ),
             dmc.Accordion(
                 id="settings",

@@ -6,97 +6,49 @@ from collections.abc import Mapping
 from typing import Any
 
 import dash_mantine_components as dmc
-from dash import Dash, Input, Output, State, dcc, html, no_update, set_props
+from dash import Dash, dcc, html
 from dash.development.base_component import Component
 
-from core import analyses
 from core.motifs.graph import MotifGraph
 from core.motifs.redundancy import Redundancy
-from core.parameters import ParameterError
-from core.workspace import Workspace, WorkspaceError
-from webapp import jobs, recipes, results
+from core.workspace import Workspace
+from webapp import recipes, results
 from webapp.components.actions import copies, sends
 from webapp.components.downloads import chart_menu, table_download
-from webapp.components.errors import empty_state, notice
-from webapp.components.running import running
 from webapp.figures import charts
 from webapp.figures.redundancy import CLIP_COLUMNS, clip_rows, copy_entries, kept_chart, rare_entries
 from webapp.figures.tables import grid
+from webapp.pages.motifs import on_demand
 
 MOST_GROUPS = 40
-METHOD = "redundancy"
+REPORT = on_demand.OnDemand(
+    name="report",
+    method="redundancy",
+    place="report-body",
+    symbol="graph",
+    doing="Making the report",
+    missing="No report yet",
+    hint="It tells what is there twice, what only once, and which clips to keep.",
+    button="Make the report",
+    refused="Cannot make the report",
+    frame=lambda waiting: html.Div(waiting, className="card"),
+)
 
 
 def layout() -> Component:
     """The place of the report."""
-    return html.Div(
-        [html.Div(id="report-body"), dcc.Store(id="report-asked"), dcc.Store(id="report-shown")],
-        className="report-view",
-    )
+    return html.Div([html.Div(id=REPORT.place), *REPORT.stores()], className="report-view")
 
 
 def register(app: Dash, workspace: Workspace) -> None:
     """Ask for the report, follow its job, show it."""
 
-    @app.callback(
-        Output("report-asked", "data"),
-        Input("report-find", "data"),
-        State("dataset", "data"),
-        State("parameters", "data"),
-        prevent_initial_call=True,
-    )
-    def ask(_clicked, name, parameters):
-        try:
-            job = jobs.start(workspace, report_request(name, parameters))
-        except (ParameterError, WorkspaceError) as error:
-            set_props("notices", {"sendNotifications": [notice("Cannot make the report", str(error), "red")]})
-            return no_update
-        set_props("job-started", {"data": job.id})
-        return job.id
-
-    @app.callback(
-        Output("report-body", "children"),
-        Output("report-shown", "data"),
-        Input("view", "data"),
-        Input("report-body", "id"),
-        Input("report-asked", "data"),
-        Input("jobs-finished", "data"),
-        Input("theme", "data"),
-        State("report-shown", "data"),
-        State("graph-key", "data"),
-        State("dataset", "data"),
-        State("parameters", "data"),
-    )
-    def show(view, _body, _asked, _finished, scheme, shown, graph_key, name, parameters):
-        if (view or {}).get("view") != "report" or not graph_key or not name:
-            return no_update, no_update
-        request = report_request(name, parameters)
-        report = analyses.stored(workspace, request)
-        job = None if report else workspace.jobs.latest(analyses.key(workspace, request))
-        now = [graph_key, scheme, "there" if report else job.state if job else "", job.id if job else 0]
-        if now == shown:
-            return no_update, no_update
-        if report is None:
-            return _waiting(job), now
+    def shown(report: Redundancy, name: str, parameters: Mapping[str, Any] | None, scheme: str | None) -> Component:
+        recipe = recipes.script(workspace.path, REPORT.request(name, parameters))
         graph = results.motif_graph(workspace, name, parameters)
-        return body(report, graph, workspace.open(name), scheme, recipes.script(workspace.path, request)), now
+        return body(report, graph, workspace.open(name), scheme, recipe)
 
-
-def report_request(dataset: str, parameters: Mapping[str, Any] | None) -> analyses.Request:
-    """The request for the report on the motif graph with these parameters."""
-    return analyses.Request(dataset, METHOD, results.motif_request(dataset, parameters).parameters)
-
-
-def _waiting(job: Any) -> Component:
-    if job is not None and job.alive:
-        return html.Div(running(job, "Making the report", "graph"), className="card")
-    title, words = "No report yet", "It tells what is there twice, what only once, and which clips to keep."
-    if job is not None and job.state == "failed":
-        title, words = "Making the report failed", job.error
-    elif job is not None and job.state == "cancelled":
-        title, words = "Making the report was cancelled", "Nothing was kept of it."
-    button = dmc.Button("Make the report", variant="light", **sends("report-find", {"find": True}, every_time=True))
-    return html.Div(empty_state("graph", title, words, button), className="card")
+    on_demand.register(app, workspace, REPORT, shown)
 
 
 def body(report: Redundancy, graph: MotifGraph, dataset: Any, scheme: str | None, recipe: str = "") -> Component:

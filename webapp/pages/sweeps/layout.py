@@ -16,6 +16,7 @@ from webapp.components.actions import copies
 from webapp.components.downloads import chart_menu, table_download
 from webapp.components.errors import empty_state
 from webapp.components.icons import icon
+from webapp.components.page_head import page_head
 from webapp.components.running import running
 from webapp.figures.charts import CONFIG
 from webapp.figures.measures import MEASURES
@@ -34,14 +35,10 @@ def page() -> Component:
     return html.Div(
         className="sweeps",
         children=[
-            html.Div(
-                className="page-head",
-                children=[
-                    html.H1("Sweeps"),
-                    html.Div(className="spacer"),
-                    html.Div(id="sweep-menu", className="head-menus"),
-                    dmc.Button("Run sweep", id="sweep-run", leftSection=icon("sweep", 16)),
-                ],
+            page_head(
+                "Sweeps",
+                html.Div(id="sweep-menu", className="head-menus"),
+                dmc.Button("Run sweep", id="sweep-run", leftSection=icon("sweep", 16)),
             ),
             _form(),
             html.Div(id="sweep-status"),
