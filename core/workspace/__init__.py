@@ -6,6 +6,7 @@ from core.workspace.errors import NameRefused, ResultDamaged, WorkspaceError, ex
 from core.workspace.jobs import Job, JobTable
 from core.workspace.names import check_name, clean_name
 from core.workspace.notes import MotifNote, Notes
+from core.workspace.ratings import Ratings
 from core.workspace.results import Result, ResultStore
 from core.workspace.uploads import Uploads, safe_parts
 from core.workspace.workspace import Workspace, is_workspace, shared_workspace
@@ -17,6 +18,7 @@ __all__ = [
     "MotifNote",
     "NameRefused",
     "Notes",
+    "Ratings",
     "Result",
     "ResultDamaged",
     "ResultStore",

@@ -31,6 +31,17 @@ CREATE TABLE IF NOT EXISTS notes (
     segments TEXT NOT NULL, name TEXT NOT NULL, tags TEXT NOT NULL, note TEXT NOT NULL, changed REAL NOT NULL,
     UNIQUE (dataset, result, motif)
 );
+CREATE TABLE IF NOT EXISTS ratings (
+    id INTEGER PRIMARY KEY AUTOINCREMENT, dataset TEXT NOT NULL, query TEXT NOT NULL, hit TEXT NOT NULL,
+    engine TEXT NOT NULL, rank INTEGER NOT NULL, rating INTEGER NOT NULL, person TEXT NOT NULL, changed REAL NOT NULL,
+    UNIQUE (dataset, person, query, hit, engine)
+);
+CREATE TABLE IF NOT EXISTS votes (
+    id INTEGER PRIMARY KEY AUTOINCREMENT, dataset TEXT NOT NULL, query TEXT NOT NULL, left_hit TEXT NOT NULL,
+    right_hit TEXT NOT NULL, left_engine TEXT NOT NULL, right_engine TEXT NOT NULL, left_rank INTEGER NOT NULL,
+    right_rank INTEGER NOT NULL, choice TEXT NOT NULL, person TEXT NOT NULL, changed REAL NOT NULL,
+    UNIQUE (dataset, person, query, left_hit, right_hit, left_engine, right_engine)
+);
 CREATE INDEX IF NOT EXISTS jobs_by_state ON jobs (state, id);
 """
 

@@ -17,6 +17,7 @@ from core.workspace.errors import WorkspaceError, plain_errors
 from core.workspace.jobs import JobTable
 from core.workspace.names import clean_name
 from core.workspace.notes import Notes
+from core.workspace.ratings import Ratings
 from core.workspace.results import ResultStore
 from core.workspace.uploads import Uploads
 
@@ -52,6 +53,7 @@ class Workspace:
         self.uploads = Uploads(self.path / "uploads")
         self.jobs = JobTable(self._database)
         self.notes = Notes(self._database)
+        self.ratings = Ratings(self._database)
 
     @property
     def logs(self) -> Path:
@@ -293,6 +295,7 @@ class Workspace:
         """Deletes what is in the trash for good; how many data sets. Raises WorkspaceError."""
         deleted = self._datasets.empty_trash()
         self.notes.forget_deleted()
+        self.ratings.forget_deleted()
         return deleted
 
     def close(self) -> None:
