@@ -21,6 +21,8 @@ _VERBS = {
     "sweep": "core.motifs.sweep",
     "build_motion_map": "core.motion_map.build",
     "MapParameters": "core.motion_map.build",
+    "build_search_index": "core.retrieval.search",
+    "SearchParameters": "core.retrieval.search",
     "make_walk": "core.synthesis",
     "stitch": "core.synthesis",
     "Workspace": "core.workspace",

@@ -99,6 +99,15 @@ METHODS: dict[str, Method] = {
         pack=lambda result, dataset: result.pack(),
         unpack=lambda document, arrays: import_module("core.motion_map.motion_map").unpack(document, arrays),
     ),
+    "search": _method(
+        "Search index",
+        1,
+        "core.retrieval.search",
+        "SearchParameters",
+        "build_search_index",
+        pack=lambda index, dataset: index.pack(),
+        unpack=lambda document, arrays: import_module("core.retrieval.search").unpack(document, arrays),
+    ),
     "features": _method(
         "Features",
         1,

@@ -90,6 +90,13 @@ def _version() -> str:
         return "(not installed)"
 
 
+def _query_arguments(parser: argparse.ArgumentParser) -> None:
+    from webapp.search_arguments import query_arguments
+
+    query_arguments(parser)
+    arguments.on_source("search", "hits.json")(parser)
+
+
 def _later(module: str, function: str) -> Callable[[argparse.Namespace], int]:
     def run(asked: argparse.Namespace) -> int:
         from importlib import import_module
@@ -117,6 +124,11 @@ COMMANDS = {
         "Lay the postures of all recordings out on a map.",
         arguments.on_source("map", "map.json"),
         _later("webapp.map_commands", "map_"),
+    ),
+    "search": Command(
+        "Find motions like one of a clip, by the whole body or the parts that matter.",
+        _query_arguments,
+        _later("webapp.search_commands", "search"),
     ),
     "export": Command(
         "Write features (npz, Parquet) or clips (BVH) for other tools.",

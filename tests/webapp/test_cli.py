@@ -26,6 +26,7 @@ KINDS = (
         "inspect",
         "demo",
         "map",
+        "search",
         "export",
         "motifs",
         "sweep",

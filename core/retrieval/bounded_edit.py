@@ -1,0 +1,125 @@
+"""Engine ``bounded-edit``: how the postures of the parts change, by an edit distance with bounded prices."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from core.mocap.clip import Segment
+from core.mocap.dataset import Dataset
+from core.progress import Report
+from core.retrieval.compose import Composed, compose
+from core.retrieval.explanation import explain
+from core.retrieval.frames import FrameStore
+from core.retrieval.hits import Explanation, Hit, IndexedClip
+from core.retrieval.locate import locate
+from core.retrieval.metric import Metric, Motions, clip_motions
+from core.retrieval.queries import Query
+from core.retrieval.trajectories import path_distances
+
+RERANKED = 1024
+"""Clips that get the exact distance; of more, the others follow in the order of the rough one."""
+
+_KEPT = 3  # settings of weights whose clips stay resampled
+
+
+class BoundedEdit:
+    """The default engine (docs/search.md)."""
+
+    def __init__(self, store: FrameStore):
+        self.store = store
+        self._resampled: OrderedDict[bytes, Motions] = OrderedDict()
+
+    @property
+    def clips(self) -> tuple[IndexedClip, ...]:
+        """The clips that are searched."""
+        return self.store.clips
+
+    @classmethod
+    def build(cls, dataset: Dataset, parameters: Any, report: Report) -> BoundedEdit:
+        """An engine of all clips of the data set."""
+        return cls(FrameStore.build(dataset.clips, parameters.analysis_fps, report))
+
+    def rank_clips(
+        self, query: Query, weights: Mapping[str, float], *, among: np.ndarray, top: int | None, root_path: float
+    ) -> list[Hit]:
+        """Clips ``(k,)`` by the distance of the whole of them to the query."""
+        composed = compose(self.store, query, weights)
+        metric = Metric(composed.weights)
+        asked = metric.motions(composed.codes, np.array([0]), np.array([len(composed.codes)]))
+        every = self._all(metric)
+        others = every if len(among) == len(self.clips) else Motions(every.samples[among], every.travel[among])
+        apart = _ranked_distances(metric, asked, others)
+        if root_path > 0:
+            starts, ends = self.store.starts[among], self.store.starts[among + 1]
+            apart = (1 - root_path) * apart + root_path * path_distances(
+                composed.codes, self.store.codes, starts, ends, self.store.fps
+            )
+        order = np.argsort(apart, kind="stable")[:top]
+        found = [(self.clips[among[k]], float(1 - apart[k])) for k in order]
+        return [Hit(Segment(clip.name, 0, clip.frames), score) for clip, score in found]
+
+    def rank_intervals(
+        self, query: Query, weights: Mapping[str, float], *, among: np.ndarray, top: int, root_path: float
+    ) -> list[Hit]:
+        """Stretches of the clips ``(k,)``, see core.retrieval.locate."""
+        composed = compose(self.store, query, weights)
+        return [
+            Hit(self.store.segment(place.clip, place.start, place.end), place.score, _part_of(composed, place.within))
+            for place in locate(self.store, composed, among, top, root_path)
+        ]
+
+    def explain(self, query: Query, segment: Segment, weights: Mapping[str, float]) -> Explanation:
+        """Which parts of a stretch are like the query when."""
+        return explain(self.store, compose(self.store, query, weights), query, segment)
+
+    def add(self, dataset: Dataset, report: Report) -> BoundedEdit:
+        """With more clips; what is known of a skeleton's axes stays."""
+        return BoundedEdit(self.store.add(dataset.clips, report))
+
+    def pack(self) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+        """As a JSON document and arrays (n, ...)."""
+        return self.store.pack()
+
+    @classmethod
+    def unpack(cls, document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> BoundedEdit:
+        """Back from :meth:`pack` (n, ...)."""
+        return cls(FrameStore.unpack(document, arrays))
+
+    def _all(self, metric: Metric) -> Motions:
+        """All clips resampled for a metric; the last few stay."""
+        kept = self._resampled
+        if metric.key not in kept:
+            kept[metric.key] = clip_motions(metric, self.store)
+            while len(kept) > _KEPT:
+                kept.popitem(last=False)
+        kept.move_to_end(metric.key)
+        return kept[metric.key]
+
+
+def _ranked_distances(metric: Metric, asked: Motions, others: Motions) -> np.ndarray:
+    """Distances ``(k,)``: exact for the nearest RERANKED, and beyond them growing with the rough distance."""
+    if len(others.samples) <= RERANKED:
+        return metric.distances(asked, others)
+    rough = metric.rough(asked, others)
+    near = np.argpartition(rough, RERANKED)[:RERANKED]
+    found = np.empty(len(rough))
+    found[near] = metric.distances(asked, Motions(others.samples[near], others.travel[near]))
+    last, edge = found[near].max(), rough[near].max()
+    rest = np.ones(len(rough), bool)
+    rest[near] = False
+    found[rest] = last + (1 - min(last, 1.0)) * (1 - edge / np.maximum(rough[rest], 1e-9))
+    return found
+
+
+def _part_of(composed: Composed, within: tuple[int, int] | None) -> Segment | None:
+    """Frames of the composed query as a segment of its leading part's clip."""
+    if within is None:
+        return None
+    part, frames = composed.leading, composed.frames
+    start = part.start + int(np.searchsorted(frames, within[0]))
+    end = part.start + int(np.searchsorted(frames, within[1]))
+    return Segment(part.clip.name, start, max(start + 1, min(end, part.end)))

@@ -1,0 +1,93 @@
+"""A query as one motion in parts, whatever stretches its parts come from."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from core.poses.body_parts import LEAVES
+from core.retrieval.descriptors import BLOCKS, N_COLUMNS
+from core.retrieval.frames import FrameStore, column_weights
+from core.retrieval.path_length import at_shares, path_lengths
+from core.retrieval.queries import Query, QueryPart
+
+FASTEST = 3.0
+"""Velocities of the root, in m/s and rad/s, are no more than this: how fast hardly matters beyond."""
+
+
+@dataclass(frozen=True, eq=False)
+class Composed:
+    """A query: codes ``(n, ...)`` as in FrameStore, at its rate; weights: of the leaves that both it and the user have.
+
+    leading: the part whose time it keeps; frames: ``(q,)`` for each own-rate frame of that part its frame here.
+    """
+
+    codes: np.ndarray
+    weights: Mapping[str, float]
+    leading: QueryPart
+    frames: np.ndarray
+
+
+def compose(store: FrameStore, query: Query, weights: Mapping[str, float]) -> Composed:
+    """The query as one motion: parts that come from elsewhere are laid along the leading one by share of their way.
+
+    Parts without weight are left out, so that they have no influence. Raises ValueError where the skeletons of the
+    query lack every part that has a weight.
+    """
+    parts = [part for part in query.parts if any(weights[leaf] > 0 for leaf in part.leaves)]
+    coded = [(part, *store.encode(part.motion)) for part in parts]
+    kept = dict.fromkeys(LEAVES, 0.0)
+    for part, _, has in coded:
+        kept |= {leaf: weights[leaf] for leaf in part.leaves if leaf in has}
+    total = sum(kept.values())
+    if not total > 0:
+        raise ValueError(f"{query.name}: no body with the parts that have a weight is recognised in its skeleton")
+    kept = {leaf: weight / total for leaf, weight in kept.items()}
+    leading, codes, _ = max(coded, key=lambda entry: _leads(entry[0], kept))
+    found = codes.copy()
+    for part, other, _ in coded:
+        if part is not leading:
+            found[:, :N_COLUMNS] = _laid_along(found, _share(codes, leading, kept), other, part, kept)
+    rate = store.fps / leading.clip.fps
+    at = np.rint(np.arange(leading.end - leading.start) * rate).astype(np.int64)
+    return Composed(found, kept, leading, np.minimum(at, len(found) - 1))
+
+
+def root_factor(weights: Mapping[str, float]) -> float:
+    """How much the root's travel counts, 0 to 1.6: the legs carry it, so as much as they; 1 for equal weights."""
+    legs = [leaf for leaf in LEAVES if "leg" in leaf or "foot" in leaf]
+    return float(np.sqrt(sum(weights[leaf] for leaf in legs) / (len(legs) / len(LEAVES))))
+
+
+def active_columns(weights: Mapping[str, float], root_weight: float) -> tuple[np.ndarray, np.ndarray, int]:
+    """Columns with influence, their factors, and how many of them are of the parts: ``(d,)``, ``(d,)``, way."""
+    factors = column_weights(weights)
+    travel = np.full(4, root_weight * root_factor(weights), np.float32)
+    every = np.concatenate([factors, np.zeros(2, np.float32), travel])
+    columns = np.flatnonzero(every > 0)
+    return columns, every[columns], int((factors > 0).sum())
+
+
+def _leads(part: QueryPart, weights: Mapping[str, float]) -> tuple[float, float]:
+    legs = sum(weights[leaf] for leaf in part.leaves if "leg" in leaf or "foot" in leaf)
+    return legs, sum(weights[leaf] for leaf in part.leaves)
+
+
+def _share(codes: np.ndarray, part: QueryPart, weights: Mapping[str, float]) -> np.ndarray:
+    lengths = path_lengths(_weighted(codes, part, weights))
+    return lengths / lengths[-1] if lengths[-1] > 0 else np.zeros(len(lengths))
+
+
+def _weighted(codes: np.ndarray, part: QueryPart, weights: Mapping[str, float]) -> np.ndarray:
+    factors = column_weights({leaf: weights[leaf] for leaf in part.leaves})
+    return codes[:, :N_COLUMNS] * (factors / 127)
+
+
+def _laid_along(found, shares, other, part: QueryPart, weights: Mapping[str, float]) -> np.ndarray:
+    taken = at_shares(other[:, :N_COLUMNS].astype(np.float32), path_lengths(_weighted(other, part, weights)), shares)
+    values = found[:, :N_COLUMNS].copy()
+    for leaf in part.leaves:
+        values[:, BLOCKS[leaf]] = np.rint(taken[:, BLOCKS[leaf]])
+    return values

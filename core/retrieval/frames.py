@@ -1,0 +1,144 @@
+"""All frames of the indexed clips in parts, small: one byte a column."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from core.mocap.clip import Clip, Segment
+from core.poses.body_parts import LEAVES
+from core.progress import Report
+from core.retrieval.descriptors import BLOCKS, N_COLUMNS, ROOT, Axes, PartFrames, find_axes, part_frames
+from core.retrieval.hits import IndexedClip
+
+UNITS = np.array([1 / 127] * (N_COLUMNS + 2) + [1 / 25] * (len(ROOT) - 2), np.float32)
+"""What one step of a code stands for, per column: unit vectors to about half a degree, velocities to 4 cm/s (and no
+faster than 5 m/s or 5 rad/s)."""
+
+_FOR_AXES = 50  # clips of a skeleton that its axes are taken from
+
+
+def encode(frames: PartFrames) -> np.ndarray:
+    """Frames in parts as codes ``(n, N_COLUMNS + 6)`` int8: the parts, then the root."""
+    values = np.concatenate([frames.values, frames.root], axis=1) / UNITS
+    return np.clip(np.rint(values), -127, 127).astype(np.int8)
+
+
+def decode(codes: np.ndarray) -> np.ndarray:
+    """Codes ``(n, N_COLUMNS + 6)`` as float32 of that shape."""
+    return codes * UNITS
+
+
+@dataclass(frozen=True, eq=False)
+class FrameStore:
+    """Codes ``(n, N_COLUMNS + 6)`` int8 of the clips one after another at ``fps``; starts ``(n_clips + 1,)``.
+
+    axes: joint names of a skeleton -> its axes; has: ``(n_clips, 10)`` bool, which leaves each clip has.
+    """
+
+    clips: tuple[IndexedClip, ...]
+    codes: np.ndarray
+    starts: np.ndarray
+    has: np.ndarray
+    axes: Mapping[tuple[str, ...], Axes]
+    fps: float
+
+    @classmethod
+    def build(cls, clips: Iterable[Clip], fps: float, report: Report) -> FrameStore:
+        """The frames of some clips, in the order of their names."""
+        width = N_COLUMNS + len(ROOT)
+        empty = cls((), np.zeros((0, width), np.int8), np.zeros(1, np.int64), np.zeros((0, len(LEAVES)), bool), {}, fps)
+        return empty.add(clips, report)
+
+    def add(self, clips: Iterable[Clip], report: Report) -> FrameStore:
+        """With more clips, after those that are there; what is known of a skeleton stays."""
+        clips = sorted(clips, key=lambda clip: clip.name)
+        axes = dict(self.axes) | _axes_of([clip for clip in clips if clip.skeleton.names not in self.axes])
+        codes, has = [], []
+        for k, clip in enumerate(clips):
+            frames = part_frames(clip, axes[clip.skeleton.names], self.fps)
+            codes.append(encode(frames))
+            has.append([leaf in frames.leaves for leaf in LEAVES])
+            report("reading postures", (k + 1) / len(clips))
+        ends = self.starts[-1] + np.cumsum([len(c) for c in codes])
+        return replace(
+            self,
+            clips=self.clips + tuple(IndexedClip(c.name, c.n_frames, float(c.fps)) for c in clips),
+            codes=np.concatenate([self.codes, *codes]),
+            starts=np.concatenate([self.starts, ends]).astype(np.int64),
+            has=np.concatenate([self.has, np.array(has, bool).reshape(-1, len(LEAVES))]),
+            axes=axes,
+        )
+
+    def index(self, name: str) -> int:
+        """Number of the clip called ``name``; raises KeyError where there is none."""
+        for k, clip in enumerate(self.clips):
+            if clip.name == name:
+                return k
+        raise KeyError(f"the index has no clip {name!r}")
+
+    def of(self, clip: int) -> np.ndarray:
+        """Codes ``(n, ...)`` of one clip."""
+        return self.codes[self.starts[clip] : self.starts[clip + 1]]
+
+    def frame_of(self, clip: int, k: float) -> int:
+        """Frame, at the clip's own rate, of frame ``k`` here; its end where ``k`` is past the last."""
+        entry = self.clips[clip]
+        if k >= self.starts[clip + 1] - self.starts[clip]:
+            return entry.frames
+        return min(round(k * entry.fps / self.fps), entry.frames - 1)
+
+    def segment(self, clip: int, start: int, end: int) -> Segment:
+        """Frames ``[start, end)`` of a clip here as a segment in frames of its own rate."""
+        first = self.frame_of(clip, start)
+        return Segment(self.clips[clip].name, first, max(self.frame_of(clip, end), first + 1))
+
+    def stretch(self, segment: Segment) -> tuple[int, int, int]:
+        """Clip number, start and end here of a segment; at least one frame. Raises KeyError for an unknown clip."""
+        clip = self.index(segment.clip)
+        n, rate = int(self.starts[clip + 1] - self.starts[clip]), self.fps / self.clips[clip].fps
+        start = min(round(segment.start * rate), n - 1)
+        return clip, start, max(start + 1, min(round(segment.end * rate), n))
+
+    def encode(self, clip: Clip) -> tuple[np.ndarray, tuple[str, ...]]:
+        """Codes ``(n, ...)`` of any clip, of the index or not, and the leaves that its skeleton has."""
+        axes = self.axes.get(clip.skeleton.names) or find_axes([clip])
+        frames = part_frames(clip, axes, self.fps)
+        return encode(frames), frames.leaves
+
+    def pack(self) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+        """As a JSON document and arrays (n, ...)."""
+        axes = [
+            {"names": list(names), "leaves": list(a.leaves), "frames": {k: v.tolist() for k, v in a.frames.items()}}
+            for names, a in self.axes.items()
+        ]
+        document = {"fps": self.fps, "clips": [list(clip) for clip in self.clips], "axes": axes}
+        return document, {"codes": self.codes, "starts": self.starts, "has": self.has}
+
+    @classmethod
+    def unpack(cls, document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> FrameStore:
+        """Back from :meth:`pack` (n, ...)."""
+        axes = {
+            tuple(a["names"]): Axes({k: np.array(v) for k, v in a["frames"].items()}, tuple(a["leaves"]))
+            for a in document["axes"]
+        }
+        clips = tuple(IndexedClip(name, int(frames), float(fps)) for name, frames, fps in document["clips"])
+        return cls(clips, arrays["codes"], arrays["starts"], arrays["has"], axes, float(document["fps"]))
+
+
+def column_weights(weights: Mapping[str, float]) -> np.ndarray:
+    """Factor of every column of the parts, ``(N_COLUMNS,)``: 1 where all leaves weigh the same, 0 for weight 0."""
+    factors = np.zeros(N_COLUMNS, np.float32)
+    for leaf, columns in BLOCKS.items():
+        factors[columns] = np.sqrt(len(LEAVES) * weights.get(leaf, 0.0))
+    return factors
+
+
+def _axes_of(clips: Sequence[Clip]) -> dict[tuple[str, ...], Axes]:
+    families: dict[tuple[str, ...], list[Clip]] = {}
+    for clip in clips:
+        families.setdefault(clip.skeleton.names, []).append(clip)
+    return {names: find_axes(family[:: max(1, len(family) // _FOR_AXES)]) for names, family in families.items()}

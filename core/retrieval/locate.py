@@ -1,0 +1,247 @@
+"""Where in the recordings something like the query is: stretches, not whole clips (docs/search.md).
+
+Coarse to fine: how far a few frames of the query are from every few frames of the recordings, summed up along windows
+of several tempos; the best windows are compared by the metric; the best of these get their ends from dynamic time
+warping.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numba import njit
+
+from core.retrieval.compose import Composed
+from core.retrieval.frames import FrameStore
+from core.retrieval.metric import Metric
+from core.retrieval.path_length import at_shares, path_lengths
+from core.retrieval.trajectories import path_distances
+
+KEYS = 8  # frames of the query that the coarse look compares
+TEMPOS = (0.7, 0.84, 1.0, 1.19, 1.41)  # lengths of windows, in lengths of the query
+STRIDE = 4  # at most so many frames between two that the coarse look sees
+POOL = 256  # windows that are compared by the metric, at least
+_REFINED = 64  # frames of the query that warping looks at, at most
+
+
+class Place(NamedTuple):
+    """Frames ``[start, end)`` of a clip, by numbers of the store; within: of the query, where it is like a part."""
+
+    clip: int
+    start: int
+    end: int
+    score: float
+    within: tuple[int, int] | None
+
+
+@dataclass
+class _Windows:
+    """Stretches ``[start, end)`` of the store, ``(k,)`` each, with the clip each lies in."""
+
+    clip: np.ndarray
+    start: np.ndarray
+    end: np.ndarray
+
+    def take(self, which: np.ndarray) -> _Windows:
+        return _Windows(self.clip[which], self.start[which], self.end[which])
+
+
+def locate(store: FrameStore, query: Composed, among: np.ndarray, top: int, root_path: float = 0.0) -> list[Place]:
+    """At most ``top`` stretches of the clips numbered ``(k,)``, best first; none lies over most of another."""
+    metric = Metric(query.weights)
+    asked = metric.motions(query.codes, np.array([0]), np.array([len(query.codes)]))
+
+    def apart(windows: _Windows) -> np.ndarray:
+        found = metric.distances(asked, metric.motions(store.codes, windows.start, windows.end))
+        if root_path > 0:
+            paths = path_distances(query.codes, store.codes, windows.start, windows.end, store.fps)
+            found = (1 - root_path) * found + root_path * paths
+        return found
+
+    windows = _coarse(store, query, metric, among, max(POOL, 8 * top))
+    distances = apart(windows)
+    best = np.argsort(distances, kind="stable")[: 3 * top + 10]
+    windows, distances = windows.take(best), distances[best]
+    refined = _refine(store, query, metric, windows)
+    again = apart(refined)
+    better = again <= distances
+    for name in ("start", "end"):
+        setattr(windows, name, np.where(better, getattr(refined, name), getattr(windows, name)))
+    distances = np.where(better, again, distances)
+    return [_place(store, query, metric, windows, k, distances[k]) for k in _apart(windows, distances, top)]
+
+
+def _coarse(store: FrameStore, query: Composed, metric: Metric, among: np.ndarray, most: int) -> _Windows:
+    """The ``most`` best windows that are the best of their neighbourhood."""
+    n = len(query.codes)
+    stride = max(1, min(STRIDE, n // KEYS))
+    keys, times = _keys(query, metric)
+    frames = store.starts[among + 1] - store.starts[among]
+    offsets = np.concatenate([[0], np.cumsum(-(-frames // stride))])
+    table = _table(store.codes, store.starts, among, offsets, keys, metric.scales, np.float32(metric.cap), stride)
+    score, length = _score_windows(table, frames, offsets, times, n, np.array(TEMPOS), stride)
+    found = _minima(score, offsets, max(1, n // (3 * stride)))
+    if len(found) > most:
+        found = found[np.argpartition(score[found], most)[:most]]
+    place = np.searchsorted(offsets, found, side="right") - 1
+    clip = among[place]
+    start = store.starts[clip] + (found - offsets[place]) * stride
+    return _Windows(clip, start, np.minimum(start + length[found], store.starts[clip + 1]))
+
+
+def _keys(query: Composed, metric: Metric) -> tuple[np.ndarray, np.ndarray]:
+    """Frames of the query at equal steps of its way, ``(KEYS, width)`` as codes, and their times, 0 to 1, ``(KEYS,)``."""
+    values = query.codes.astype(np.float32)
+    lengths = path_lengths((values * metric.scales)[:, metric.columns[: metric.way]])
+    shares = (np.arange(KEYS) + 0.5) / KEYS
+    times = np.interp(shares * lengths[-1], lengths, np.arange(len(lengths)) / max(len(lengths) - 1, 1))
+    return at_shares(values, lengths, shares).astype(np.float32), times
+
+
+@njit(cache=True, nogil=True, fastmath=True)
+def _table(codes, starts, among, offsets, keys, scales, cap, stride):
+    """How far every coarse frame of the clips is from every key: ``(total, n_keys)``, 0 to 1."""
+    n_keys, width = keys.shape
+    table = np.empty((offsets[-1], n_keys), np.float32)
+    row = np.empty(width, np.float32)
+    scaled = keys * scales
+    for c in range(len(among)):
+        first = starts[among[c]]
+        for i in range(offsets[c + 1] - offsets[c]):
+            for e in range(width):
+                row[e] = np.float32(codes[first + i * stride, e]) * scales[e]
+            for k in range(n_keys):
+                far = np.float32(0.0)
+                for e in range(width):
+                    apart = row[e] - scaled[k, e]
+                    far += apart * apart
+                table[offsets[c] + i, k] = min(np.float32(1.0), np.sqrt(far) / cap)
+    return table
+
+
+@njit(cache=True, nogil=True, fastmath=True)
+def _score_windows(table, frames, offsets, times, n, tempos, stride):
+    """Per coarse frame of the clips the mean distance of the best window that starts there, and its length."""
+    n_keys = len(times)
+    score = np.full(len(table), np.float32(2.0))
+    length = np.zeros(len(table), np.int64)
+    for c in range(len(frames)):
+        at, last = offsets[c], offsets[c + 1] - offsets[c] - 1
+        for tempo in tempos:
+            window = max(1, round(tempo * n))
+            if window > frames[c]:
+                if tempo > tempos[0]:
+                    continue
+                window = frames[c]  # a clip shorter than every window is one itself
+            for i in range((frames[c] - window) // stride + 1):
+                found = np.float32(0.0)
+                for k in range(n_keys):
+                    found += table[at + min(last, i + int(times[k] * (window - 1) / stride + 0.5)), k]
+                found /= n_keys
+                if found < score[at + i]:
+                    score[at + i] = found
+                    length[at + i] = window
+    return score, length
+
+
+@njit(cache=True, nogil=True)
+def _minima(score, offsets, reach):
+    """Indices of windows that are no worse than those up to ``reach`` away in the same clip."""
+    found = []
+    for c in range(len(offsets) - 1):
+        for i in range(offsets[c], offsets[c + 1]):
+            if score[i] > 1.5:
+                continue
+            best = True
+            for j in range(max(offsets[c], i - reach), min(offsets[c + 1], i + reach + 1)):
+                if score[j] < score[i] or (score[j] == score[i] and j < i):
+                    best = False
+                    break
+            if best:
+                found.append(i)
+    return np.array(found, np.int64)
+
+
+def _refine(store: FrameStore, query: Composed, metric: Metric, windows: _Windows) -> _Windows:
+    """The windows with the ends that dynamic time warping gives them, looked for a quarter of their length around."""
+    step = max(1, -(-len(query.codes) // _REFINED))
+    asked = query.codes[::step].astype(np.float32) * metric.scales
+    start, end = windows.start.copy(), windows.end.copy()
+    for k, clip in enumerate(windows.clip):
+        more = (end[k] - start[k]) // 4
+        low, high = max(store.starts[clip], start[k] - more), min(store.starts[clip + 1], end[k] + more)
+        frames = store.codes[low:high:step].astype(np.float32) * metric.scales
+        first, last = warped_stretch(asked, frames, metric.cap)
+        start[k], end[k] = low + first * step, min(high, low + (last - 1) * step + 1)
+    return _Windows(windows.clip, start, end)
+
+
+def warped_stretch(query: np.ndarray, frames: np.ndarray, cap: float) -> tuple[int, int]:
+    """The stretch ``[start, end)`` of ``frames`` (m, d) onto which ``query`` (n, d) is warped at the least cost.
+
+    A pair of frames costs ``min(1, distance / cap)``; every frame of the query is used, steps go on in either or both.
+    Raises ValueError for empty sequences or unlike dimensions.
+    """
+    query, frames = np.ascontiguousarray(query, np.float32), np.ascontiguousarray(frames, np.float32)
+    if not len(query) or not len(frames) or query.shape[1:] != frames.shape[1:]:
+        raise ValueError(f"cannot look for shape {query.shape} in shape {frames.shape}")
+    return _warped_stretch(query, frames, np.float32(cap))
+
+
+@njit(cache=True, nogil=True, fastmath=True)
+def _warped_stretch(query, frames, cap):
+    n, m = len(query), len(frames)
+    cost, begun = np.zeros(m, np.float32), np.arange(m)
+    for i in range(n):
+        corner, corner_begun = np.float32(0.0), 0
+        for j in range(m):
+            far = np.float32(0.0)
+            for e in range(query.shape[1]):
+                apart = query[i, e] - frames[j, e]
+                far += apart * apart
+            here = min(np.float32(1.0), np.sqrt(far) / cap)
+            above, above_begun = cost[j], begun[j]
+            if i == 0:
+                best, start = np.float32(0.0), j  # may begin anywhere
+            else:
+                best, start = above, above_begun
+                if j > 0 and corner <= best:
+                    best, start = corner, corner_begun
+                if j > 0 and cost[j - 1] < best:
+                    best, start = cost[j - 1], begun[j - 1]
+            corner, corner_begun = above, above_begun
+            cost[j], begun[j] = best + here, start
+    last = 0
+    for j in range(m):
+        if cost[j] < cost[last]:
+            last = j
+    return begun[last], last + 1
+
+
+def _apart(windows: _Windows, distances: np.ndarray, top: int) -> list[int]:
+    """Indices of the best windows of which none shares more than half of the shorter one with a better one."""
+    kept: list[int] = []
+    for k in np.argsort(distances, kind="stable"):
+        for h in kept:
+            shared = min(windows.end[k], windows.end[h]) - max(windows.start[k], windows.start[h])
+            shorter = min(windows.end[k] - windows.start[k], windows.end[h] - windows.start[h])
+            if shared > 0.5 * shorter:
+                break
+        else:
+            kept.append(int(k))
+            if len(kept) == top:
+                break
+    return kept
+
+
+def _place(store, query: Composed, metric: Metric, windows: _Windows, k: int, distance: float) -> Place:
+    clip = int(windows.clip[k])
+    start, end = int(windows.start[k]), int(windows.end[k])
+    within = None
+    if end - start < TEMPOS[0] * len(query.codes) - 1:  # the clip holds no more
+        frames = store.codes[start:end].astype(np.float32) * metric.scales
+        within = warped_stretch(frames, query.codes.astype(np.float32) * metric.scales, metric.cap)
+    first = int(store.starts[clip])
+    return Place(clip, start - first, end - first, float(1 - distance), within)

@@ -1,0 +1,83 @@
+"""Motions read at equal steps of the way that the posture goes, instead of equal steps of time (docs/search.md).
+
+A slow and a fast performance of one action then have the same samples, and standing still takes no room.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numba import njit
+
+STILL = 1e-3
+"""Added to the way of every frame step, so that a motion that stands still is read at equal steps of time."""
+
+
+def path_lengths(values: np.ndarray) -> np.ndarray:
+    """Way that a motion ``(n, d)`` has gone at each frame: ``(n,)`` float64, from 0, growing by at least STILL."""
+    steps = np.sqrt((np.diff(np.asarray(values, np.float64), axis=0) ** 2).sum(1)) + STILL
+    return np.concatenate([[0.0], np.cumsum(steps)])
+
+
+def at_shares(values: np.ndarray, lengths: np.ndarray, shares: np.ndarray) -> np.ndarray:
+    """The frames ``(n, d)``, linearly interpolated, at shares ``(k,)`` (0 to 1) of their way ``(n,)``: ``(k, d)``."""
+    at = np.interp(np.asarray(shares) * lengths[-1], lengths, np.arange(len(lengths)))
+    low = at.astype(np.int64)
+    high = np.minimum(low + 1, len(values) - 1)
+    rest = (at - low).astype(np.float32)[:, None]
+    return values[low] * (1 - rest) + values[high] * rest
+
+
+def resample_all(
+    codes: np.ndarray,
+    columns: np.ndarray,
+    scales: np.ndarray,
+    way: int,
+    starts: np.ndarray,
+    ends: np.ndarray,
+    n_samples: int,
+) -> np.ndarray:
+    """Each stretch ``[start, end)`` of ``codes`` (n, width) int8 as ``n_samples`` frames at equal steps of its way.
+
+    columns: ``(d,)`` those that are read; scales: ``(d,)`` what a code of each stands for. way: the way is that of the
+    first ``way`` of them. Returns ``(n_stretches, n_samples, d)`` float32. Raises ValueError for a stretch that is
+    empty or not there.
+    """
+    starts, ends, columns = (np.asarray(values, np.int64) for values in (starts, ends, columns))
+    if len(starts) and (starts.min() < 0 or ends.max() > len(codes) or (ends <= starts).any()):
+        raise ValueError("a stretch is empty or lies outside the frames")
+    if n_samples < 2:
+        raise ValueError("at least 2 samples are needed")
+    return _resample_all(codes, columns, np.asarray(scales, np.float32), way, starts, ends, n_samples)
+
+
+@njit(cache=True, nogil=True, fastmath=True)
+def _resample_all(codes, columns, scales, way, starts, ends, n_samples):
+    d = len(columns)
+    found = np.empty((len(starts), n_samples, d), np.float32)
+    squares = scales * scales
+    longest = 1
+    for c in range(len(starts)):
+        longest = max(longest, ends[c] - starts[c])
+    lengths = np.empty(longest, np.float32)
+    for c in range(len(starts)):
+        first, n = starts[c], ends[c] - starts[c]
+        lengths[0] = 0.0
+        for f in range(1, n):
+            total = np.float32(0.0)
+            for e in range(way):
+                apart = np.float32(codes[first + f, columns[e]]) - np.float32(codes[first + f - 1, columns[e]])
+                total += apart * apart * squares[e]
+            lengths[f] = lengths[f - 1] + np.sqrt(total) + np.float32(STILL)
+        f = 0
+        for k in range(n_samples):
+            aim = lengths[n - 1] * np.float32(k / (n_samples - 1))
+            while f < n - 2 and lengths[f + 1] < aim:
+                f += 1
+            other = min(f + 1, n - 1)
+            gap = lengths[other] - lengths[f]
+            rest = min(np.float32(1.0), max(np.float32(0.0), (aim - lengths[f]) / gap)) if gap > 0 else np.float32(0.0)
+            for e in range(d):
+                low = np.float32(codes[first + f, columns[e]])
+                high = np.float32(codes[first + other, columns[e]])
+                found[c, k, e] = (low + (high - low) * rest) * scales[e]
+    return found

@@ -1,0 +1,221 @@
+"""The search index: one interface over the engines (docs/search.md says how each reads the paper)."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Collection, Mapping
+from dataclasses import asdict, dataclass, field, replace
+from importlib import import_module
+from typing import Any, Protocol
+
+import numpy as np
+
+from core.mocap.clip import Segment
+from core.mocap.dataset import Dataset
+from core.poses.body_parts import LEAVES, normalise_weights
+from core.progress import Report, silent
+from core.retrieval.hits import Explanation, Hit, IndexedClip
+from core.retrieval.queries import Query
+
+FORMAT = "motionscape/search/1"
+ENGINES = {"bounded-edit": ("core.retrieval.bounded_edit", "BoundedEdit")}
+"""Method -> module and class of its engine."""
+
+INTERVALS = 20
+"""Hits of a search for intervals, where nothing else is said."""
+
+
+def _parameter(default: Any, help: str, low=None, high=None, step=None, choices: tuple = (), advanced: bool = False):
+    metadata = {"help": help, "min": low, "max": high, "step": step, "choices": choices, "advanced": advanced}
+    return field(default=default, metadata=metadata)
+
+
+@dataclass(frozen=True)
+class SearchParameters:
+    """What an index is built from. Each field's metadata: ``help``, ``min``, ``max``, ``step``, ``choices``,
+    ``advanced``.
+
+    Raises ValueError, in plain words, for a value out of range.
+    """
+
+    method: str = _parameter(
+        "bounded-edit",
+        "bounded-edit = how the postures change, by an edit distance; the default.",
+        choices=tuple(ENGINES),
+    )
+    analysis_fps: float = _parameter(30.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0, advanced=True)
+    seed: int = _parameter(0, "Number that starts the random choices; equal numbers give equal indexes.", 0, None, 1)
+
+    def __post_init__(self) -> None:
+        if self.method not in ENGINES:
+            raise ValueError(f"method must be one of {', '.join(ENGINES)}, not {str(self.method)[:40]!r}")
+        if not 5 <= self.analysis_fps <= 240:
+            raise ValueError(f"analysis_fps must be 5 to 240, not {self.analysis_fps}")
+
+
+class Engine(Protocol):
+    """What an engine does. Weights are those of all ten leaves and sum to 1; a leaf of weight 0 has no influence.
+
+    ``among``: ``(k,)`` ascending indices into ``clips`` of those that count. Hits come best first; equal scores in the
+    order of the clips. Frames of hits are of the clips' own rates.
+    """
+
+    clips: tuple[IndexedClip, ...]
+
+    @classmethod
+    def build(cls, dataset: Dataset, parameters: SearchParameters, report: Report) -> Engine:
+        """An engine of all clips of the data set."""
+
+    def rank_clips(
+        self, query: Query, weights: Mapping[str, float], *, among: np.ndarray, top: int | None, root_path: float
+    ) -> list[Hit]:
+        """One hit a clip ``(k,)``: all of ``among``, or the ``top`` best."""
+
+    def rank_intervals(
+        self, query: Query, weights: Mapping[str, float], *, among: np.ndarray, top: int, root_path: float
+    ) -> list[Hit]:
+        """At most ``top`` stretches of the clips ``(k,)`` that hardly overlap."""
+
+    def explain(self, query: Query, segment: Segment, weights: Mapping[str, float]) -> Explanation:
+        """Which parts of a stretch are like the query when."""
+
+    def add(self, dataset: Dataset, report: Report) -> Engine:
+        """With more clips, by what was learned from the first ones."""
+
+    def pack(self) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+        """As a JSON document and arrays of any shape (n, ...)."""
+
+    @classmethod
+    def unpack(cls, document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Engine:
+        """Back from :meth:`pack` (n, ...)."""
+
+
+@dataclass(frozen=True, eq=False)
+class SearchIndex:
+    """An index of a data set that answers queries. ``seconds``: what each stage of building it took."""
+
+    engine: Engine
+    parameters: SearchParameters
+    dataset: Mapping[str, Any] = field(default_factory=dict)
+    seconds: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def clips(self) -> tuple[IndexedClip, ...]:
+        """The clips that are searched."""
+        return self.engine.clips
+
+    def search(
+        self,
+        query: Query,
+        *,
+        weights: Mapping[str, float] | None = None,
+        level: str = "clip",
+        top: int | None = None,
+        root_path: float = 0.0,
+        only: Collection[str] | None = None,
+        exclude: Collection[str] = (),
+    ) -> list[Hit]:
+        """The stretches that are most like the query, best first.
+
+        weights: node or leaf of the body -> weight (see core.poses.body_parts), None for all alike; parts of the body
+        that the query lacks count nothing. level: "clip" gives one hit a clip, all of them unless ``top`` says
+        fewer; "interval" gives stretches of clips, 20 unless ``top`` says otherwise. root_path: from 0 (not at all) to
+        1, how much the path over the ground counts. only, exclude: names of the clips that count, or do not. Raises
+        ValueError for weights, level, top or root_path that cannot be used.
+        """
+        if level not in ("clip", "interval"):
+            raise ValueError(f"level must be clip or interval, not {str(level)[:40]!r}")
+        if top is not None and top < 1:
+            raise ValueError(f"top must be at least 1, not {top}")
+        if not 0 <= root_path <= 1:
+            raise ValueError(f"root_path must be 0 to 1, not {root_path}")
+        wanted, unwanted = None if only is None else set(only), set(exclude)
+        among = [k for k, c in enumerate(self.clips) if (wanted is None or c.name in wanted) and c.name not in unwanted]
+        options = {"among": np.array(among, np.int64), "root_path": float(root_path)}
+        shares = weights_for(query, weights)
+        if not among:
+            return []
+        if level == "clip":
+            return self.engine.rank_clips(query, shares, top=top, **options)
+        return self.engine.rank_intervals(query, shares, top=INTERVALS if top is None else top, **options)
+
+    def explain(self, query: Query, hit: Hit | Segment, *, weights: Mapping[str, float] | None = None) -> Explanation:
+        """Which parts of a hit are like the query when, and which frames stand beside one another.
+
+        Raises KeyError for a clip that is not indexed, ValueError for a stretch that is none of it.
+        """
+        segment = hit.segment if isinstance(hit, Hit) else hit
+        clip = next((clip for clip in self.clips if clip.name == segment.clip), None)
+        if clip is None:
+            raise KeyError(f"the index has no clip {segment.clip!r}")
+        if not 0 <= segment.start < segment.end <= clip.frames:
+            raise ValueError(f"{clip.name} has frames 0 to {clip.frames}, not {segment.start} to {segment.end}")
+        return self.engine.explain(query, segment, weights_for(query, weights))
+
+    def add(self, dataset: Dataset, report: Report = silent) -> SearchIndex:
+        """The index with the clips of another data set as well, without building it anew.
+
+        What was learned from the first clips (principal components, scales) stays. Raises ValueError where a name is
+        there already.
+        """
+        known = {clip.name for clip in self.clips}
+        twice = [name for name in dataset.names if name in known]
+        if twice:
+            raise ValueError(f"the index has a clip called {twice[0]!r} already")
+        return replace(self, engine=self.engine.add(dataset, report)) if dataset.clips else self
+
+    def pack(self) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+        """The index as a JSON document and arrays (n, ...), to be kept."""
+        document, arrays = self.engine.pack()
+        head = {"format": FORMAT, "parameters": asdict(self.parameters), "dataset": dict(self.dataset)}
+        return head | {"seconds": dict(self.seconds), "engine": document}, arrays
+
+
+def weights_for(query: Query, weights: Mapping[str, float] | None) -> dict[str, float]:
+    """Weights of the ten leaves, summing to 1, with none on parts that the query lacks. Raises ValueError."""
+    shares = dict.fromkeys(LEAVES, 1.0) if weights is None else normalise_weights(weights)
+    shares = {leaf: weight if leaf in query.leaves else 0.0 for leaf, weight in shares.items()}
+    if not any(shares.values()):
+        raise ValueError(f"{query.name}: the query has none of the parts of the body that have a weight")
+    return normalise_weights(shares)
+
+
+def build_search_index(
+    dataset: Dataset, parameters: SearchParameters | None = None, report: Report = silent
+) -> SearchIndex:
+    """An index of all clips of a data set. Deterministic: the same clips and parameters give the same index.
+
+    >>> from core import build_search_index, make_demo
+    >>> from core.retrieval.queries import whole_query
+    >>> demo = make_demo(minutes=1)
+    >>> hits = build_search_index(demo).search(whole_query(demo.clips[0], 60, 150), level="interval")
+    >>> hits[0].segment.clip == demo.clips[0].name
+    True
+
+    Raises ValueError where there are no clips; ``report`` may raise to stop the work.
+    """
+    parameters = parameters or SearchParameters()
+    if not dataset.clips:
+        raise ValueError("the dataset has no clips, so there is nothing to search")
+    started = time.perf_counter()
+    engine = _engine(parameters.method).build(dataset, parameters, report)
+    return SearchIndex(
+        engine,
+        parameters,
+        dataset={"name": dataset.name, "fingerprint": dataset.fingerprint},
+        seconds={"index": time.perf_counter() - started},
+    )
+
+
+def unpack(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> SearchIndex:
+    """The index back from the arrays (n, ...) of :meth:`SearchIndex.pack`. Raises ValueError for anything else."""
+    if document.get("format") != FORMAT:
+        raise ValueError(f"not a search index: expected format {FORMAT}, found {document.get('format')}")
+    parameters = SearchParameters(**document["parameters"])
+    engine = _engine(parameters.method).unpack(document["engine"], arrays)
+    return SearchIndex(engine, parameters, dict(document["dataset"]), dict(document["seconds"]))
+
+
+def _engine(method: str) -> type[Engine]:
+    module, name = ENGINES[method]
+    return getattr(import_module(module), name)
