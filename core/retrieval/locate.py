@@ -92,7 +92,7 @@ def _coarse(store: FrameStore, query: Composed, metric: Metric, among: np.ndarra
 
 
 def _keys(query: Composed, metric: Metric) -> tuple[np.ndarray, np.ndarray]:
-    """Frames of the query at equal steps of its way, ``(KEYS, width)`` as codes, and their times, 0 to 1, ``(KEYS,)``."""
+    """Its frames at equal steps of its way ``(KEYS, width)`` as codes, and their times (0 to 1) ``(KEYS,)``."""
     values = query.codes.astype(np.float32)
     lengths = path_lengths((values * metric.scales)[:, metric.columns[: metric.way]])
     shares = (np.arange(KEYS) + 0.5) / KEYS

@@ -15,7 +15,7 @@ _LEFT, _FORWARD, _TURNING = N_COLUMNS + 2, N_COLUMNS + 3, N_COLUMNS + 5
 def path_distances(
     query: np.ndarray, codes: np.ndarray, starts: np.ndarray, ends: np.ndarray, fps: float
 ) -> np.ndarray:
-    """How far the path of ``query`` (n, ...) is from those of stretches ``[start, end)`` of ``codes``: ``(k,)``, 0 to 1.
+    """How far the way of ``query`` (n, ...) is from those of stretches ``[start, end)`` of ``codes``: ``(k,)``.
 
     Paths begin at one place, facing one way, and are read at equal steps of time; half is how far the places are
     apart, as a share of the longer path, half how far the headings are (half a turn is most).
