@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-METHODS = ("alternation", "paper", "annealing")
+METHODS = ("alternation",)
 
 
 def _parameter(default: Any, help: str, low=None, high=None, step=None, choices: tuple = (), advanced: bool = False):
@@ -22,7 +22,7 @@ class TerminalParameters:
 
     n_terminals: int = _parameter(20, "How many elementary actions to tell apart.", 1, 500, 1)
     weight: float = _parameter(
-        0.5, "Higher: fewer, longer repeats count more; lower: likeness within an action counts more.", 0.0, 1.0, 0.05
+        0.1, "Higher: fewer, longer repeats count more; lower: likeness within an action counts more.", 0.0, 1.0, 0.05
     )
     min_seconds: float = _parameter(0.5, "The shortest piece an action may have, in seconds.", 0.1, 10.0, 0.1)
     max_seconds: float = _parameter(3.0, "The longest piece an action may have, in seconds.", 0.2, 30.0, 0.1)
@@ -31,6 +31,20 @@ class TerminalParameters:
         "alternation = fast; paper = the 2011 paper's genetic search and fine tuning (slow); annealing = the same, "
         "with true annealing.",
         choices=METHODS,
+    )
+    mirror: bool = _parameter(True, "Whether a motion to the left and the same to the right are one action.")
+    pose: str = _parameter(
+        "positions",
+        "What is compared: positions = where the joints are, seen from the pelvis; angles = how the joints are bent.",
+        choices=("positions", "angles"), advanced=True,
+    )  # fmt: skip
+    velocity: float = _parameter(
+        0.25,
+        "How much speed counts beside posture: the seconds over which it would lead.",
+        0.0,
+        2.0,
+        0.05,
+        advanced=True,
     )
     analysis_fps: float = _parameter(30.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0, advanced=True)
     seed: int = _parameter(
@@ -42,5 +56,7 @@ class TerminalParameters:
             raise ValueError("n_terminals must be 1 to 500, weight 0 to 1, analysis_fps 5 to 240")
         if not 0.1 <= self.min_seconds <= 10 or not 2 * self.min_seconds <= self.max_seconds <= 30:
             raise ValueError("min_seconds must be 0.1 to 10, max_seconds at least twice as long and at most 30")
+        if not 0 <= self.velocity <= 2 or self.pose not in ("positions", "angles"):
+            raise ValueError("velocity must be 0 to 2 seconds, pose positions or angles")
         if self.method not in METHODS:
             raise ValueError(f"method must be one of {', '.join(METHODS)}, not {self.method!r}")

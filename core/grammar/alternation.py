@@ -1,0 +1,114 @@
+"""Our search for terminals: medoids for given segments, then the best segments for given medoids, in turns."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+
+from core.grammar.cuts import best_cuts
+from core.grammar.medoids import seed_medoids, swap_medoids
+from core.grammar.objective import Clustering, clustering_of, span_distances
+from core.grammar.pose_space import PoseSpace
+
+_LITTLE = 1e-3  # a turn that lowers the cost by a smaller share leads nowhere
+_PATIENCE = 2  # such turns in a row before the search stops
+_MOST = 2500  # segments whose distances to one another are looked at; beyond, a sample of them
+
+
+def even_cuts(space: PoseSpace, length: float, limits: tuple[int, int]) -> np.ndarray:
+    """Spans ``(n, 2)`` of about ``length`` poses within ``limits``, all of one clip equally long."""
+    shortest, longest = limits
+    spans = []
+    for start, end in pairwise(space.clip_starts):
+        n = int(end - start)
+        pieces = max(1, min(max(round(n / length), -(-n // longest)), n // shortest))
+        cuts = start + np.arange(pieces + 1) * n // pieces
+        spans.append(np.stack([cuts[:-1], cuts[1:]], axis=1))
+    return np.concatenate(spans)
+
+
+def cut_by_medoids(
+    space: PoseSpace, medoids: np.ndarray, limits: tuple[int, int], price: float = 0.0
+) -> tuple[np.ndarray, np.ndarray]:
+    """Spans ``(n, 2)`` that have the least E' for given medoids, and the medoid of each ``(n,)``.
+
+    medoids: ``(k, 2)`` spans; limits: poses of the shortest and the longest segment; price: of a segment, in pose
+    distance times poses.
+    """
+    models = [x[start:end] for x in space.versions for start, end in medoids]
+    spans, labels = [], []
+    for start, end in pairwise(space.clip_starts):
+        cuts, nearest, _ = best_cuts(space.values[start:end], models, *limits, price)
+        spans.append(start + np.stack([cuts[:-1], cuts[1:]], axis=1))
+        labels.append(nearest % len(medoids))
+    return np.concatenate(spans), np.concatenate(labels)
+
+
+def alternate(
+    space: PoseSpace,
+    k: int,
+    weight: float,
+    limits: tuple[int, int],
+    rng: np.random.Generator,
+    *,
+    spans: np.ndarray,
+    labels: np.ndarray | None = None,
+    turns: int = 10,
+    price: float = 0.0,
+) -> tuple[Clustering, float]:
+    """The best clustering into ``k`` groups seen in at most ``turns`` turns from ``spans``, and its cost 1 / F.
+
+    A turn chooses medoids that no swap improves (starting from the groups ``labels`` of the spans, from a random choice
+    where None), and cuts anew. Raises ValueError where there are fewer than ``k`` spans.
+    """
+    best, least, idle = None, np.inf, 0
+    for turn in range(turns):
+        medoids = _choose(space, spans, labels, k, weight, rng)
+        found = clustering_of(spans, medoids, span_distances(space, spans, spans[medoids]))
+        cost = _cost(space, found, weight, price)
+        idle = idle + 1 if cost > (1 - _LITTLE) * least else 0
+        if cost < least:
+            best, least = found, cost
+        if idle >= _PATIENCE or turn == turns - 1:
+            break
+        spans, labels = cut_by_medoids(space, spans[medoids], limits, price)
+        if len(spans) < k:
+            break
+    return best, least
+
+
+def _cost(space: PoseSpace, found: Clustering, weight: float, price: float) -> float:
+    return 1 / found.objective(space, weight)["F"] + (1 - weight) * price * len(found.spans) / space.n / space.largest
+
+
+def _choose(space, spans, labels, k, weight, rng) -> np.ndarray:
+    """Indices ``(k,)`` of the spans that serve best as medoids."""
+    if len(spans) < k:
+        raise ValueError(f"there are only {len(spans)} segments for {k} terminals; ask for fewer, or shorter pieces")
+    sample = np.arange(len(spans))
+    if len(spans) > max(_MOST, 2 * k):
+        sample = np.sort(rng.choice(len(spans), max(_MOST, 2 * k), replace=False))
+    distances = span_distances(space, spans[sample])
+    lengths = (spans[:, 1] - spans[:, 0])[sample].astype(np.float64)
+    weights = (1 - weight) * lengths / lengths.sum() / space.largest
+    prices = weight * lengths / space.n
+    if labels is None:
+        medoids = seed_medoids(distances, weights + 1e-12, k, rng)
+    else:
+        medoids = _central(distances, weights, prices, labels[sample], k)
+    return sample[swap_medoids(distances, weights, prices, medoids)]
+
+
+def _central(distances, weights, prices, labels, k) -> np.ndarray:
+    """The best medoid within each group; for groups that have gone, what is worst served by the others."""
+    medoids: list[int] = []
+    for label in np.unique(labels):
+        members = np.flatnonzero(labels == label)
+        costs = prices[members] + weights[members] @ distances[np.ix_(members, members)]
+        medoids.append(int(members[costs.argmin()]))
+    while len(medoids) < k:
+        served = weights * distances[:, medoids].min(1)
+        served[medoids] = -1
+        medoids.append(int(served.argmax()))
+    return np.array(medoids, np.int64)

@@ -1,0 +1,115 @@
+"""The best segmentation for given medoids: an exact dynamic programme over cuts.
+
+E' of SYN section 4.1 is a sum over segments, so for fixed medoids the segmentation that minimises it is a shortest path
+from a clip's first frame to its last. Pose distances to all frames of all medoids come from one matrix product; the
+distance of a candidate to a medoid then is a sum of entries of that table.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numba
+import numpy as np
+
+_BLOCK = 4096  # poses whose distances to the medoids' frames are in memory at a time
+
+
+def pose_distances(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Squared Euclidean distances ``(n, m)`` float32 between poses ``(n, d)`` and ``(m, d)``."""
+    squares = np.einsum("nd,nd->n", x, x)[:, None] + np.einsum("md,md->m", y, y)
+    return np.maximum(squares - 2 * (x @ y.T), 0).astype(np.float32, copy=False)
+
+
+def best_cuts(
+    x: np.ndarray, medoids: Sequence[np.ndarray], shortest: int, longest: int, price: float = 0.0
+) -> tuple[np.ndarray, np.ndarray, float]:
+    """Cuts ``(m + 1,)``, the medoid of each of the m segments ``(m,)``, and what they cost.
+
+    x: poses of one clip ``(n, d)``; medoids: each ``(n_k, d)``. A segment costs its length times its distance to the
+    nearest medoid, plus ``price``. Segments are ``shortest`` to ``longest`` poses long; where a clip cannot be cut like
+    that, as it is too short, it stays whole. Raises ValueError where there are no poses or no medoids, or unless
+    1 <= shortest <= longest.
+    """
+    if not len(x) or not medoids:
+        raise ValueError("there must be poses and medoids")
+    if not 1 <= shortest <= longest:
+        raise ValueError(f"segments cannot be {shortest} to {longest} poses long")
+    costs, nearest = candidate_costs(x, medoids, shortest, longest)
+    cuts, total = _shortest_path(costs, shortest, float(price))
+    if not len(cuts):
+        whole = candidate_costs(x, medoids, len(x), len(x))
+        return np.array([0, len(x)]), whole[1][0, :1].astype(np.int64), float(whole[0][0, 0]) + price
+    return cuts, nearest[cuts[:-1], np.diff(cuts) - shortest].astype(np.int64), float(total)
+
+
+def candidate_costs(
+    x: np.ndarray, medoids: Sequence[np.ndarray], shortest: int, longest: int
+) -> tuple[np.ndarray, np.ndarray]:
+    """What each candidate costs, and its nearest medoid: ``(n, longest - shortest + 1)``, row: start, column: length.
+
+    Arguments as of :func:`best_cuts`. Infinite where a candidate would reach beyond the end.
+    """
+    n, width = len(x), longest - shortest + 1
+    costs, nearest = np.full((n, width), np.inf, np.float32), np.full((n, width), -1, np.int32)
+    lengths = np.array([len(m) for m in medoids], np.int64)
+    frames = np.ascontiguousarray(np.concatenate(medoids), np.float32)
+    for start in range(0, n, _BLOCK):
+        stop = min(start + _BLOCK, n)
+        table = pose_distances(np.asarray(x[start : min(stop + longest, n)], np.float32), frames)
+        _costs(table, lengths, shortest, costs[start:stop], nearest[start:stop])
+    return costs, nearest
+
+
+@numba.njit(cache=True, fastmath={"reassoc", "contract", "nsz"}, nogil=True)
+def _costs(table, lengths, shortest, costs, nearest):
+    """table: distances of poses (rows) to the frames of all medoids, one medoid after the other (columns)."""
+    n = len(table)
+    for s in range(len(costs)):
+        for c in range(min(costs.shape[1], n - s - shortest + 1)):
+            length = shortest + c
+            least, label, first = np.float32(np.inf), -1, 0
+            for k in range(len(lengths)):
+                own = lengths[k]
+                longer = max(length, own)
+                enough, total = least * longer, np.float32(0)
+                if length >= own:
+                    for m in range(length):
+                        total += table[s + m, first + m * own // length]
+                        if total >= enough:
+                            break
+                else:
+                    for m in range(own):
+                        total += table[s + m * length // own, first + m]
+                        if total >= enough:
+                            break
+                if total < enough:
+                    least, label = total / longer, k
+                first += own
+            costs[s, c], nearest[s, c] = least * length, label
+
+
+@numba.njit(cache=True, nogil=True)
+def _shortest_path(costs, shortest, price):
+    n = len(costs)
+    best, back = np.full(n + 1, np.inf), np.full(n + 1, -1, np.int64)
+    best[0] = 0.0
+    for s in range(n):
+        if best[s] == np.inf:
+            continue
+        for c in range(min(costs.shape[1], n - s - shortest + 1)):
+            cost = best[s] + costs[s, c] + price
+            if cost < best[s + shortest + c]:
+                best[s + shortest + c], back[s + shortest + c] = cost, s
+    if best[n] == np.inf:
+        return np.empty(0, np.int64), best[n]
+    count, at = 1, n
+    while at > 0:
+        at = back[at]
+        count += 1
+    cuts = np.empty(count, np.int64)
+    at = n
+    for i in range(count - 1, -1, -1):
+        cuts[i] = at
+        at = back[at]
+    return cuts, best[n]

@@ -1,0 +1,145 @@
+"""From recordings to terminals (SYN section 4)."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import asdict, replace
+from typing import Any
+
+import numpy as np
+
+from core.grammar.alternation import alternate, cut_by_medoids, even_cuts
+from core.grammar.objective import Clustering
+from core.grammar.parameters import TerminalParameters
+from core.grammar.pose_space import PoseSpace, pose_space
+from core.grammar.terminals import Terminals
+from core.mocap.clip import Segment
+from core.mocap.dataset import Dataset
+from core.progress import Report, silent
+
+_ROUGH_FPS = 10.0  # the search begins at about this rate
+_STARTS = 4  # random beginnings of the rough search; the best goes on
+_FINE_TURNS = 3
+
+
+def find_terminals(
+    dataset: Dataset, parameters: TerminalParameters | None = None, report: Report = silent
+) -> Terminals:
+    """The terminals of a data set. Deterministic: the same clips and seed give the same terminals, in whatever order.
+
+    Terminals are numbered by their frames, most first. Raises ValueError where there are no clips, no common joints, or
+    fewer possible segments than terminals; ``report`` may raise to stop the work.
+    """
+    parameters = parameters or TerminalParameters()
+    seconds: dict[str, float] = {}
+    with _timed("poses", seconds):
+        space = space_of(dataset, parameters, report)
+    with _timed("search", seconds):
+        clustering = search(space, parameters, report)
+    return terminals_of(space, clustering, parameters, dataset, seconds)
+
+
+def find_several(
+    dataset: Dataset, parameters: TerminalParameters, numbers: Sequence[int], report: Report = silent
+) -> tuple[Terminals, ...]:
+    """Terminals for each of several numbers of them, poses computed once; otherwise as :func:`find_terminals`.
+
+    For charts of F, R and E' over the number of terminals. Raises ValueError as that does, also where ``numbers`` is
+    empty.
+    """
+    if not numbers:
+        raise ValueError("say for which numbers of terminals")
+    seconds: dict[str, float] = {}
+    with _timed("poses", seconds):
+        space = space_of(dataset, parameters, report)
+    found = []
+    for i, number in enumerate(numbers):
+        chosen, own = replace(parameters, n_terminals=number), dict(seconds)
+        with _timed("search", own):
+            clustering = search(space, chosen, lambda stage, share, i=i: report(stage, (i + share) / len(numbers)))
+        found.append(terminals_of(space, clustering, chosen, dataset, own))
+    return tuple(found)
+
+
+def space_of(dataset: Dataset, parameters: TerminalParameters, report: Report = silent) -> PoseSpace:
+    """The pose space that ``parameters`` ask for."""
+    return pose_space(
+        dataset,
+        analysis_fps=parameters.analysis_fps,
+        pose=parameters.pose,
+        velocity=parameters.velocity,
+        mirrored=parameters.mirror,
+        seed=parameters.seed,
+        report=report,
+    )
+
+
+def search(space: PoseSpace, parameters: TerminalParameters, report: Report = silent) -> Clustering:
+    """The clustering of ``space`` that the method of ``parameters`` finds. Raises ValueError as find_terminals does."""
+    return _alternation(space, parameters, report)
+
+
+def limits_of(parameters: TerminalParameters, fps: float) -> tuple[int, int]:
+    """Poses of the shortest and the longest segment at ``fps``."""
+    shortest = max(1, round(parameters.min_seconds * fps))
+    return shortest, max(2 * shortest, round(parameters.max_seconds * fps))
+
+
+def _alternation(space: PoseSpace, parameters: TerminalParameters, report: Report) -> Clustering:
+    """From several random beginnings at a low rate, then from the best of these at the full rate."""
+    k, weight = parameters.n_terminals, parameters.weight
+    step = max(1, int(space.fps // _ROUGH_FPS))
+    thin = space.thinned(step)
+    limits = limits_of(parameters, thin.fps)
+    best, least = None, np.inf
+    for start in range(_STARTS):
+        report("rough search", start / _STARTS)
+        rng = np.random.default_rng([parameters.seed, start])
+        spans = even_cuts(thin, rng.uniform(1.3 * limits[0], 0.7 * limits[1]), limits)
+        if len(spans) < k:
+            spans = even_cuts(thin, limits[0], limits)
+        found, cost = alternate(thin, k, weight, limits, rng, spans=spans)
+        if cost < least:
+            best, least = found, cost
+    if step == 1:
+        return best
+    report("fine search", 0.0)
+    limits = limits_of(parameters, space.fps)
+    spans, labels = cut_by_medoids(space, space.unthinned(best.spans[best.medoids], step, thin), limits)
+    rng = np.random.default_rng(parameters.seed)
+    return alternate(space, k, weight, limits, rng, spans=spans, labels=labels, turns=_FINE_TURNS)[0]
+
+
+def terminals_of(
+    space: PoseSpace,
+    clustering: Clustering,
+    parameters: TerminalParameters,
+    dataset: Dataset,
+    seconds: dict[str, float] | None = None,
+) -> Terminals:
+    """A clustering of ``space`` in frames of the clips' own rates."""
+    frames = np.bincount(clustering.labels, weights=clustering.lengths, minlength=len(clustering.medoids))
+    order = np.lexsort((clustering.medoids, -frames))
+    everything = [space.segment(start, end) for start, end in clustering.spans.tolist()]
+    segments: list[tuple[Segment, ...]] = []
+    for label in order:
+        segments.append(tuple(everything[i] for i in np.flatnonzero(clustering.labels == label)))
+    used: dict[str, Any] = asdict(parameters) | {"mirror": space.mirrored is not None}
+    return Terminals(
+        segments=tuple(segments),
+        medoids=tuple(everything[clustering.medoids[label]] for label in order),
+        objective=clustering.objective(space, parameters.weight),
+        parameters=used,
+        seconds=seconds or {},
+        clips=tuple(zip(space.clips, space.clip_frames, space.clip_fps, strict=True)),
+        dataset={"name": dataset.name, "fingerprint": dataset.fingerprint},
+    )
+
+
+@contextmanager
+def _timed(stage: str, seconds: dict[str, float]) -> Iterator[None]:
+    started = time.perf_counter()
+    yield
+    seconds[stage] = time.perf_counter() - started
