@@ -18,16 +18,18 @@ from webapp.api.exports import export_blueprint
 from webapp.api.filmstrip import filmstrip_blueprint
 from webapp.api.motion import motion_blueprint
 from webapp.api.recordings import recordings_blueprint
+from webapp.api.search import search_blueprint
 from webapp.api.stage import stage_blueprint
 from webapp.api.uploads import Limits, upload_blueprint
 from webapp.components import changes, errors, features, job_bar, shell
 from webapp.components import stage as stage_component
-from webapp.pages import clip, library, motifs, sweeps
+from webapp.pages import clip, library, motifs, search, sweeps
 from webapp.virtual import open_any
 
 PAGES = {  # beside the library: name in the address (a key of links.VIEW_KEYS) -> module with page() and register()
     "motifs": motifs,
     "sweeps": sweeps,
+    "search": search,
     "clip": clip,
 }
 
@@ -61,6 +63,7 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> dash.
         filmstrip_blueprint(open_motion),
         export_blueprint(workspace),
         recordings_blueprint(workspace, open_motion),
+        search_blueprint(workspace),
     ):
         app.server.register_blueprint(blueprint)
     stage_component.register(app)

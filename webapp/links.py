@@ -11,6 +11,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from urllib.parse import parse_qsl, quote, urlencode
 
+from webapp import settings
+
 VIEW_KEYS = {  # what a page shows beside the selection: kept in the store "view", each page with keys of its own
     "library": ("tab", "files"),
     "motifs": (
@@ -28,11 +30,29 @@ VIEW_KEYS = {  # what a page shows beside the selection: kept in the store "view
         "step",
     ),
     "sweeps": ("x", "y", "seeds"),
+    "search": (
+        *("query", "parts", "level", "route", "label", "named", "lasting", "top"),  # see webapp/searching.py
+        *("hit", "look", "study", "asks", "measure"),
+        *settings.keys("search"),
+    ),
     "clip": ("chart", "angles", "joints", "rig", "channels", "span"),
 }
 PAGES = tuple(VIEW_KEYS)
-OF_DATASET = ("walk", "weights", "other", "gained", "joints")  # what makes no sense any more with another data set
-FREE_TEXT = frozenset()  # keys that may hold any text one can print, such as names of clips
+OF_DATASET = (
+    "walk",
+    "weights",
+    "other",
+    "gained",
+    "joints",
+    "query",
+    "hit",
+    "label",
+    "named",
+    "asks",
+)  # what makes no sense any more with another data set
+FREE_TEXT = frozenset(
+    {"query", "hit", "label", "named", "asks"}
+)  # keys that may hold any text one can print, such as names of clips
 MAX_QUERY = 4000
 _SELECTION_KEYS = ("motif", "motion", "edge", "transition", "clip", "start", "end")
 _MAX_NUMBER = 10**7
@@ -166,7 +186,7 @@ def _view(page: str, values: Mapping[str, str], problems: list[str]) -> dict[str
 
 def _view_value(key: str, text: str) -> bool:
     if key in FREE_TEXT:
-        return len(text) <= 300 and text.isprintable()
+        return len(text) <= 1000 and text.isprintable()
     return bool(re.fullmatch(r"[-0-9A-Za-z.,:_~ ]{1,300}", text))
 
 

@@ -16,6 +16,7 @@ from core.workspace import Job, Workspace, WorkspaceError
 
 METHOD_OF: dict[str, str] = {  # page -> the method it shows
     "map": "map",
+    "search": "search",
 }
 MOST_LETTERS = 300  # of a value in a link
 

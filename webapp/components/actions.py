@@ -15,6 +15,11 @@ def copies(text: str) -> dict[str, str]:
     return {"data-copy": text}
 
 
+def similar(clip: str, start: int, end: int) -> dict[str, str]:
+    """Attributes for a button: a click goes to the Search page and looks for frames ``[start, end)`` of a clip."""
+    return {"data-similar": json.dumps({"clip": clip, "start": int(start), "end": int(end)})}
+
+
 def sends(store: str, value: Mapping[str, object], *, every_time: bool = False) -> dict[str, str]:
     """Attributes for a button: a click puts ``value`` into ``store``; ``every_time``: also when it is there already."""
     return {"data-store": store, "data-value": json.dumps(value), **({"data-stamp": "yes"} if every_time else {})}

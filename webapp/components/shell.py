@@ -14,6 +14,7 @@ PAGES = (  # path, label, icon
     ("library", "Library", "library"),
     ("motifs", "Motifs", "graph"),
     ("sweeps", "Sweeps", "sweep"),
+    ("search", "Search", "search"),
     ("clip", "Clip", "pulse"),
 )
 

@@ -158,7 +158,7 @@ def _controls(app: Dash, workspace: Workspace) -> None:
     def show_range(shown, selection):
         if not shown:
             return None
-        return layout.range_bar(shown["clip"], shown["fps"], *editing.selected(shown, selection))
+        return layout.range_bar(shown["clip"], shown["fps"], shown["frames"], *editing.selected(shown, selection))
 
 
 def _draw(app: Dash, workspace: Workspace) -> None:

@@ -12,7 +12,7 @@ from core.editing.curves import TRAVEL, ClipCurves
 from core.mocap.dataset import Dataset
 from core.poses.angles import JOINTS
 from webapp.clips import CHARTS, KINDS, Choice, joint_words, offered_joints
-from webapp.components.actions import sends
+from webapp.components.actions import sends, similar
 from webapp.components.errors import empty_state
 from webapp.components.icons import icon
 from webapp.components.page_head import page_head
@@ -237,10 +237,13 @@ def _unit(unit: str) -> str:
     return {"deg": "°"}.get(unit, f" {unit}")
 
 
-def range_bar(clip: str, fps: float, start: int | None, end: int | None) -> list[Component]:
-    """What is selected of the clip, and what can be done with it."""
+def range_bar(clip: str, fps: float, frames: int, start: int | None, end: int | None) -> list[Component]:
+    """What is selected of the clip, which has so many frames, and what can be done with it."""
+    first, last = (0, frames) if start is None or end is None else (start, end)
+    alike = dmc.Button("More like this", size="compact-sm", variant="default", **similar(clip, first, last))
     if start is None or end is None:
-        return [html.Span("No range selected: drag over the chart, and it plays on the Stage.", className="muted")]
+        hint = "No range selected: drag over the chart, and it plays on the Stage."
+        return [html.Span(hint, className="muted"), html.Div(className="spacer"), alike]
     said = f"{start / fps:.2f} to {end / fps:.2f} s"
     more = f"{(end - start) / fps:.2f} s, frames {start} to {end}"
     whole = sends("selection", {"clip": clip})
@@ -248,6 +251,7 @@ def range_bar(clip: str, fps: float, start: int | None, end: int | None) -> list
         html.Span(["Selected ", html.B(said, className="number")]),
         html.Span(more, className="muted number"),
         html.Div(className="spacer"),
+        alike,
         dmc.Button(
             "Zoom in on it", size="compact-sm", variant="default", attributes={"root": {"data-clip-zoom": "range"}}
         ),

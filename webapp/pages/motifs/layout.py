@@ -15,7 +15,7 @@ from dash.development.base_component import Component
 from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
 from core.workspace import Job, MotifNote
-from webapp.components.actions import copies, sends
+from webapp.components.actions import copies, sends, similar
 from webapp.components.errors import empty_state
 from webapp.components.icons import icon
 from webapp.components.page_head import page_head
@@ -304,7 +304,11 @@ def selection_panel(
             **sends("selection", {"motif": motif.id}),
         )
         name = notes[motif.id].name if motif.id in notes else ""
-        return _panel_head(name or f"Motif {motif.id}", f"{len(motif.segments)} motions", together)
+        number = int(selection.get("motion", motif.medoid))
+        wanted = motif.segments[number if 0 <= number < len(motif.segments) else motif.medoid]
+        alike = dmc.Button("More like this", size="compact-sm", variant="default", **similar(*wanted))
+        actions = html.Div([alike, together], className="head-menus")
+        return _panel_head(name or f"Motif {motif.id}", f"{len(motif.segments)} motions", actions)
     edge = find_edge(graph, selection["edge"]) if "edge" in selection else None
     if edge is not None:
         return _panel_head(f"From {edge.source} to {edge.target}", f"seen {edge.count}×")

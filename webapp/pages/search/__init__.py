@@ -1,0 +1,20 @@
+"""Search: the search itself, and what people and labels say of it."""
+
+from dash import Dash
+from dash.development.base_component import Component
+
+from core.workspace import Workspace
+from webapp.pages.search import callbacks, layout, study
+
+__all__ = ["page", "register"]
+
+
+def page() -> Component:
+    """The page before it knows what there is to show."""
+    return layout.page({"agree": study.layout()})
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """All of the page's callbacks."""
+    callbacks.register(app, workspace)
+    study.register(app, workspace)
