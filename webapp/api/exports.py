@@ -30,22 +30,20 @@ def export_blueprint(workspace: Workspace) -> Blueprint:
     """The routes of one workspace; errors are JSON in plain words."""
     routes = Blueprint("exports", __name__, url_prefix="/api")
 
-    @routes.errorhandler(Refusal)
-    def _refused(error: Refusal) -> tuple[Response, int]:
-        return jsonify(error=str(error)), error.status
+    answer_refusals(routes)
 
     @routes.get("/motifs.json")
     def motifs_json() -> Response:
         dataset, graph, _ = _asked(workspace)
         notes = results.motif_notes(workspace, dataset.name, _parameters())
         text = json.dumps(graph.to_json(dataset, notes), ensure_ascii=False, allow_nan=False)
-        return _attachment(text, "application/json", f"{dataset.name}-motifs.json")
+        return attachment(text, "application/json", f"{dataset.name}-motifs.json")
 
     @routes.get("/motifs.csv")
     def motifs_csv() -> Response:
         dataset, graph, _ = _asked(workspace)
         notes = results.motif_notes(workspace, dataset.name, _parameters())
-        return _attachment(motions_csv(dataset, graph, notes), "text/csv", f"{dataset.name}-motifs.csv")
+        return attachment(motions_csv(dataset, graph, notes), "text/csv", f"{dataset.name}-motifs.csv")
 
     @routes.get("/stability.json")
     def stability_json() -> Response:
@@ -53,24 +51,32 @@ def export_blueprint(workspace: Workspace) -> Blueprint:
         found = results.stability(workspace, dataset.name, _parameters(), request.args.get("stability"))
         if found is None:
             raise Refusal("The stability of these motifs has not been measured yet.", 404)
-        return _attachment(json.dumps(found.to_json()), "application/json", f"{dataset.name}-stability.json")
+        return attachment(json.dumps(found.to_json()), "application/json", f"{dataset.name}-stability.json")
 
     @routes.get("/walk/<key>.json")
     def walk_json(key: str) -> Response:
         walk = analyses.kept(workspace, "walk", key) if re.fullmatch(r"[0-9a-f]{8,64}", key) else None
         if walk is None:
             raise Refusal("This walk is no longer there; make it again on the Motifs page.", 404)
-        return _attachment(json.dumps(kept.walk_json(walk)), "application/json", "walk.json")
+        return attachment(json.dumps(kept.walk_json(walk)), "application/json", "walk.json")
 
     @routes.get("/motifs.svg")
     def motifs_svg() -> Response:
         dataset, graph, key = _asked(workspace)
         elements = results.graph_elements(dataset, key, graph)
-        return _attachment(
+        return attachment(
             graph_svg(elements, title=f"Motifs of {dataset.name}"), "image/svg+xml", f"{dataset.name}-motifs.svg"
         )
 
     return routes
+
+
+def answer_refusals(routes: Blueprint) -> None:
+    """A Refusal of these routes is JSON in plain words."""
+
+    @routes.errorhandler(Refusal)
+    def _refused(error: Refusal) -> tuple[Response, int]:
+        return jsonify(error=str(error)), error.status
 
 
 def _asked(workspace: Workspace) -> tuple[Dataset, MotifGraph, str]:
@@ -97,7 +103,8 @@ def _parameters() -> dict[str, str]:
     return {key: value for key, value in request.args.items() if key not in ("dataset", "stability")}
 
 
-def _attachment(text: str, mimetype: str, name: str) -> Response:
+def attachment(text: str, mimetype: str, name: str) -> Response:
+    """A file that the browser saves under ``name``."""
     answer = Response(text, mimetype=mimetype)
     answer.headers["Content-Disposition"] = f"attachment; filename*=UTF-8''{quote(name)}"
     return answer

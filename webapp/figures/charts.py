@@ -42,3 +42,10 @@ def themed(figure: go.Figure, scheme: str | None, *, height: int = 320, **layout
     figure.update_xaxes(**axis)
     figure.update_yaxes(**axis)
     return figure.update_layout(**layout)
+
+
+def empty() -> go.Figure:
+    """A chart before there is anything to show: no axes to flash."""
+    bare = {"visible": False}
+    clear = {"template": "none", "paper_bgcolor": "rgba(0,0,0,0)", "plot_bgcolor": "rgba(0,0,0,0)"}
+    return go.Figure(layout={"xaxis": bare, "yaxis": bare, **clear})

@@ -1,0 +1,53 @@
+"""The figures above a grammar: how many actions, how often they recur, how much the rules say."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from core.mocap.dataset import Dataset
+
+if TYPE_CHECKING:
+    from core.grammar.build import LearnedGrammar
+
+Tile = tuple[str, str, str]
+
+
+def tiles(dataset: Dataset, found: LearnedGrammar) -> list[Tile]:
+    """Name, value and explanation of each figure."""
+    terminals, grammar = found.terminals, found.grammar
+    count = sum(map(len, terminals.segments))
+    covered = sum(s.n_frames for own in terminals.segments for s in own) / max(
+        sum(c.n_frames for c in dataset.clips), 1
+    )
+    objective = terminals.objective
+    return [
+        ("Actions", str(terminals.n_terminals), "Kinds of short movements that were told apart."),
+        (
+            "Repeated",
+            f"{count / max(terminals.n_terminals, 1):.1f}×",
+            f"How often an action occurs on average: {count} pieces in all, {100 * covered:.0f} % of the frames.",
+        ),
+        (
+            "Typical share",
+            f"{100 * objective['R']:.1f} %",
+            "One typical occurrence of every action, put together, as a share of all motion (R). "
+            "Small: much is repeated. 100 %: nothing is.",
+        ),
+        (
+            "Apart",
+            f"{100 * objective['E']:.1f} %",
+            "How far occurrences lie from the typical one of their action, as a share of the largest distance of two "
+            "poses (E'). Small: all occurrences of an action look alike.",
+        ),
+        (
+            "Rules",
+            str(len(grammar.rules)),
+            f"Ways in which routines and their {len(grammar.nonterminals) - 1} phrases are put together.",
+        ),
+        (
+            "Bits",
+            f"{found.bits.total:.0f}",
+            f"What it takes to write the rules ({found.bits.grammar:.0f}) and, with them, all {len(found.sentences)} "
+            f"routines ({found.bits.sentences:.0f}). Small: the rules say much.",
+        ),
+    ]
