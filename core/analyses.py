@@ -25,7 +25,17 @@ from core.mocap.errors import RecordingError
 from core.motifs.axes import SweepParameters
 from core.parameters import Parameter, ParameterError, build, parameters_of
 from core.progress import Cancelled, Report, silent
-from core.workspace import Job, ResultDamaged, Workspace, WorkspaceError, explain, tasks, was_interrupted
+from core.workspace import (
+    Job,
+    ResultDamaged,
+    Workspace,
+    WorkspaceError,
+    explain,
+    query_files,
+    tasks,
+    was_interrupted,
+)
+from core.workspace.query_files import QueryFileParameters
 
 if TYPE_CHECKING:
     from core.mocap.dataset import Dataset
@@ -348,15 +358,26 @@ def point_key(fingerprint: str, point: Any) -> str:
     return result_key(fingerprint, Request("", "motifs", asdict(point)))
 
 
+def _read_query(workspace: Workspace, name: str, values: QueryFileParameters, report: Report) -> None:
+    """Reads an uploaded recording and keeps it under the key of the request (core/workspace/query_files.py)."""
+    query_files.read_query_file(workspace, key(workspace, query_request(name, values.upload)), values, report)
+
+
 TASKS: dict[str, Task] = {
     "import": Task("Import", tasks.ImportParameters, tasks.import_upload),
     "add": Task("Add to", tasks.AddParameters, tasks.add_upload),
     "remove": Task("Remove clips from", tasks.RemoveParameters, tasks.remove_clips),
     "edit": Task("Edit a clip of", tasks.EditParameters, tasks.edit_clip),
+    "query": Task("Read", query_files.QueryFileParameters, _read_query),
     "demo": Task("Demo", DemoParameters, _make_demo),
     "sweep": Task("Sweep", SweepParameters, _sweep, analyses=True),
     "grammar-table": Task("Compare numbers of actions", TableParameters, _grammar_table, analyses=True),
 }
+
+
+def query_request(file: str, upload: str) -> Request:
+    """The request that reads an upload, called ``file`` for people, as something to look for; kept under its key."""
+    return Request(file, "query", {"upload": upload})
 
 
 def import_request(name: str, upload: str, **options: Any) -> Request:
