@@ -59,8 +59,8 @@ def alternate(
 ) -> tuple[Clustering, float]:
     """The best clustering into ``k`` groups seen in at most ``turns`` turns from ``spans``, and its cost 1 / F.
 
-    A turn chooses medoids that no swap improves (starting from the groups ``labels`` of the spans, from a random choice
-    where None), and cuts anew. Raises ValueError where there are fewer than ``k`` spans.
+    spans: ``(n, 2)``. A turn chooses medoids that no swap improves (starting from the groups ``labels (n,)`` of the
+    spans, from a random choice where None), and cuts anew. Raises ValueError where there are fewer than ``k`` spans.
     """
     best, least, idle = None, np.inf, 0
     for turn in range(turns):

@@ -11,6 +11,8 @@ from typing import Any
 import numpy as np
 
 from core.grammar.alternation import alternate, cut_by_medoids, even_cuts
+from core.grammar.fine_tuning import fine_tune
+from core.grammar.genetic import GeneticSettings, genetic_spans
 from core.grammar.objective import Clustering
 from core.grammar.parameters import TerminalParameters
 from core.grammar.pose_space import PoseSpace, pose_space
@@ -78,7 +80,7 @@ def space_of(dataset: Dataset, parameters: TerminalParameters, report: Report = 
 
 def search(space: PoseSpace, parameters: TerminalParameters, report: Report = silent) -> Clustering:
     """The clustering of ``space`` that the method of ``parameters`` finds. Raises ValueError as find_terminals does."""
-    return _alternation(space, parameters, report)
+    return (_alternation if parameters.method == "alternation" else _paper)(space, parameters, report)
 
 
 def limits_of(parameters: TerminalParameters, fps: float) -> tuple[int, int]:
@@ -110,6 +112,26 @@ def _alternation(space: PoseSpace, parameters: TerminalParameters, report: Repor
     spans, labels = cut_by_medoids(space, space.unthinned(best.spans[best.medoids], step, thin), limits)
     rng = np.random.default_rng(parameters.seed)
     return alternate(space, k, weight, limits, rng, spans=spans, labels=labels, turns=_FINE_TURNS)[0]
+
+
+def _paper(space: PoseSpace, parameters: TerminalParameters, report: Report) -> Clustering:
+    """The paper's way: a genetic search for cuts on a grid, then fine tuning."""
+    rng = np.random.default_rng(parameters.seed)
+    limits = limits_of(parameters, space.fps)
+    settings = GeneticSettings(parameters.grid, parameters.population, parameters.generations)
+    spans = genetic_spans(space, parameters.n_terminals, parameters.weight, limits, rng, settings, report)
+    return fine_tune(
+        space,
+        spans,
+        parameters.n_terminals,
+        parameters.weight,
+        limits,
+        rng,
+        iterations=parameters.iterations,
+        furthest=max(1, parameters.grid // 2),
+        annealing=parameters.method == "annealing",
+        report=report,
+    )
 
 
 def terminals_of(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-METHODS = ("alternation",)
+METHODS = ("alternation", "paper", "annealing")
 
 
 def _parameter(default: Any, help: str, low=None, high=None, step=None, choices: tuple = (), advanced: bool = False):
@@ -46,6 +46,14 @@ class TerminalParameters:
         0.05,
         advanced=True,
     )
+    grid: int = _parameter(30, "With paper and annealing: frames between possible cuts.", 1, 1000, 1, advanced=True)
+    population: int = _parameter(
+        100, "With paper and annealing: segmentations alive at a time.", 2, 10_000, 1, advanced=True
+    )
+    generations: int = _parameter(500, "With paper and annealing: generations.", 1, 100_000, 10, advanced=True)
+    iterations: int = _parameter(
+        1000, "With paper and annealing: attempts to move single cuts.", 0, 1_000_000, 100, advanced=True
+    )
     analysis_fps: float = _parameter(30.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0, advanced=True)
     seed: int = _parameter(
         0, "Number that starts the random choices; the same number gives the same result.", 0, None, 1
@@ -56,6 +64,10 @@ class TerminalParameters:
             raise ValueError("n_terminals must be 1 to 500, weight 0 to 1, analysis_fps 5 to 240")
         if not 0.1 <= self.min_seconds <= 10 or not 2 * self.min_seconds <= self.max_seconds <= 30:
             raise ValueError("min_seconds must be 0.1 to 10, max_seconds at least twice as long and at most 30")
+        if not (1 <= self.grid <= 1000 and 2 <= self.population <= 10_000 and 1 <= self.generations <= 100_000):
+            raise ValueError("grid must be 1 to 1000, population 2 to 10000, generations 1 to 100000")
+        if not 0 <= self.iterations <= 1_000_000:
+            raise ValueError("iterations must be 0 to 1000000")
         if not 0 <= self.velocity <= 2 or self.pose not in ("positions", "angles"):
             raise ValueError("velocity must be 0 to 2 seconds, pose positions or angles")
         if self.method not in METHODS:
