@@ -93,8 +93,8 @@ def fine_tune(
     """The best clustering met on the way from ``spans (n, 2)``, clustered by PAM.
 
     iterations: of slide or resize; the poses by which they move fall from ``furthest`` to 1. limits: poses of the
-    shortest and the longest segment. annealing: worse steps are taken too, more rarely as time goes on. Raises ValueError
-    where there are fewer than ``k`` spans.
+    shortest and the longest segment. annealing: worse steps are taken too, more rarely as time goes on. Raises
+    ValueError where there are fewer than ``k`` spans.
     """
     if len(spans) < k:
         raise ValueError(f"there are only {len(spans)} segments for {k} terminals; ask for fewer, or shorter pieces")

@@ -96,22 +96,22 @@ def test_without_prices_and_weights_the_medoids_are_as_good_as_those_of_fasterpa
     assert distances[:, ours].min(1).sum() <= 1.02 * theirs.loss
 
 
-@given(seeds)
-@settings(max_examples=6)
-def test_the_alternation_comes_near_the_best_of_all(seed):
-    rng = np.random.default_rng(seed)
-    motions = rng.normal(size=(2, 3, 2))
-    values = np.concatenate([motions[i] for i in (0, 1, 0, 1)]) + 0.05 * rng.normal(size=(12, 2))
-    space = naive.toy_space(values)
-    best = naive.best_of_all(space, 2, 0.2, 2, 5)
-    found = []
-    for start in range(6):
-        spans = even_cuts(space, 2 + start % 3, (2, 5))
-        clustering, cost = alternate(space, 2, 0.2, (2, 5), np.random.default_rng(start), spans=spans)
-        spans = [tuple(span) for span in clustering.spans.tolist()]
-        assert cost == pytest.approx(naive.cost(space, spans, clustering.medoids, 0.2), rel=1e-3)
-        found.append(cost)
-    assert best - 1e-6 <= min(found) <= 1.1 * best
+def test_the_alternation_comes_near_the_best_of_all():
+    ratios = []
+    for seed in range(4):
+        rng = np.random.default_rng(seed)
+        motions = rng.normal(size=(2, 3, 2))
+        space = naive.toy_space(np.concatenate([motions[i] for i in (0, 1, 0, 1)]) + 0.05 * rng.normal(size=(12, 2)))
+        best = naive.best_of_all(space, 2, 0.2, 2, 5)
+        costs = []
+        for start in range(4):
+            spans = even_cuts(space, 2 + start % 3, (2, 5))
+            clustering, cost = alternate(space, 2, 0.2, (2, 5), np.random.default_rng(start), spans=spans)
+            spans = [tuple(span) for span in clustering.spans.tolist()]
+            assert cost == pytest.approx(naive.cost(space, spans, clustering.medoids, 0.2), rel=1e-3)
+            costs.append(cost)
+        ratios.append(min(costs) / best)
+    assert min(ratios) > 1 - 1e-5 and max(ratios) < 1.1 and np.median(ratios) < 1.02
 
 
 @given(seeds)
