@@ -23,7 +23,10 @@ _VERBS = {
     "MapParameters": "core.motion_map.build",
     "build_search_index": "core.retrieval.search",
     "SearchParameters": "core.retrieval.search",
+    "learn_grammar": "core.grammar.build",
+    "GrammarParameters": "core.grammar.build",
     "make_walk": "core.synthesis",
+    "derive": "core.synthesis",
     "stitch": "core.synthesis",
     "Workspace": "core.workspace",
 }

@@ -85,6 +85,18 @@ def _walk(dataset: Dataset, values: Any, report: Report, graph: Any) -> Any:
         raise ValueError(str(error)) from error
 
 
+def _grammar(dataset: Dataset, values: Any, report: Report, terminals: Any) -> Any:
+    from core.grammar.build import grammar_of_terminals
+
+    return grammar_of_terminals(terminals, values, report)
+
+
+def _derive(dataset: Dataset, values: Any, report: Report, learned: Any) -> Any:
+    from core.synthesis.derivations import derive
+
+    return derive(dataset, learned, values.sentence, keep_feet=values.keep_feet, seed=values.seed, report=report)
+
+
 METHODS: dict[str, Method] = {
     "motifs": _method("Motif graph", 2, "core.motifs.build", "MotifParameters", "find_motifs", unpack=_read_graph),
     # these two, compression and walk look at the motifs of the first: a new version of that makes new ones of theirs
@@ -134,5 +146,31 @@ METHODS: dict[str, Method] = {
         lambda walk, dataset: import_module("core.synthesis.kept").pack_walk(walk),
         lambda document, arrays: import_module("core.synthesis.kept").unpack_walk(document, arrays),
         needs=lambda values: ("motifs", values.graph),
+    ),
+    "terminals": _method(
+        "Terminals",
+        1,
+        "core.grammar.identification",
+        "TerminalParameters",
+        "find_terminals",
+        unpack=lambda document, arrays: import_module("core.grammar.terminals").from_json(document),
+    ),
+    "grammar": Method(
+        "Grammar",
+        1,
+        lambda: import_module("core.grammar.build").GrammarParameters,
+        _grammar,
+        lambda result, dataset: (result.to_json(), {}),
+        lambda document, arrays: import_module("core.grammar.learned").from_json(document),
+        needs=lambda values: ("terminals", values.terminals),
+    ),
+    "derive": Method(
+        "New routine",
+        1,
+        lambda: import_module("core.synthesis.parameters").DeriveParameters,
+        _derive,
+        lambda made, dataset: import_module("core.synthesis.kept_derivations").pack_derivation(made),
+        lambda document, arrays: import_module("core.synthesis.kept_derivations").unpack_derivation(document, arrays),
+        needs=lambda values: ("grammar", values.grammar),
     ),
 }

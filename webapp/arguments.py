@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import argparse
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 SOURCE_HELP = "a folder of recordings (searched recursively), one file, or WORKSPACE/NAME"
@@ -19,7 +19,7 @@ def common(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--fps", type=_fps, metavar="N", help="frames per second of AMC files (default 120)")
     parser.add_argument("--clips", type=_names, metavar="A,B,C", help="only the clips of these names")
     parser.add_argument("--labels", type=Path, metavar="FILE|DIR", help="labels: a CSV file or a folder of them")
-    parser.add_argument("--seed", type=_whole, default=0, metavar="N", help="start of random choices (default 0)")
+    parser.add_argument("--seed", type=whole, default=0, metavar="N", help="start of random choices (default 0)")
     parser.add_argument("--quiet", action="store_true", help="no progress and no summary")
 
 
@@ -37,7 +37,8 @@ def _number(text: str) -> float:
         raise argparse.ArgumentTypeError(f"{text!r} is not a number") from None
 
 
-def _whole(text: str) -> int:
+def whole(text: str) -> int:
+    """A whole number, for argparse; raises its error for anything else."""
     if not text.isdecimal() or len(text) > 9:
         raise argparse.ArgumentTypeError(f"{text!r}: expected a whole number, at least 0")
     return int(text)
@@ -100,7 +101,7 @@ def demo(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``demo``."""
     parser.add_argument("folder", type=Path, metavar="DIR", help="where to write, made where missing")
     parser.add_argument("--minutes", type=_minutes, default=6.0, help="length (default 6)")
-    parser.add_argument("--seed", type=_whole, default=0, metavar="N", help="the same seed gives the same bytes")
+    parser.add_argument("--seed", type=whole, default=0, metavar="N", help="the same seed gives the same bytes")
     parser.add_argument("--quiet", action="store_true", help="no progress and no summary")
 
 
@@ -124,7 +125,7 @@ def sweep(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("source", metavar="SOURCE", help=SOURCE_HELP)
     of_method(parser, "motifs", many=True)
-    parser.add_argument("--seeds", type=_whole, default=1, metavar="N", help="seeds at every point (default 1)")
+    parser.add_argument("--seeds", type=whole, default=1, metavar="N", help="seeds at every point (default 1)")
     parser.add_argument("--out", type=Path, required=True, metavar="sweep.csv", help="file to write, a row a point")
     parser.add_argument("--plot", type=Path, metavar="DIR", help="write charts (SVG) into this folder as well")
     common(parser)
@@ -145,8 +146,8 @@ def walk(parser: argparse.ArgumentParser) -> None:
         "--from", dest="graph", type=Path, required=True, metavar="motifs.json", help="the graph: a file of motifs"
     )
     parser.add_argument("--motifs", type=_ids, metavar="3,7,9", help="the way, motif by motif")
-    parser.add_argument("--start", type=_whole, metavar="N", help="motif to begin with")
-    parser.add_argument("--target", type=_whole, metavar="N", help="motif to come to from --start")
+    parser.add_argument("--start", type=whole, metavar="N", help="motif to begin with")
+    parser.add_argument("--target", type=whole, metavar="N", help="motif to come to from --start")
     parser.add_argument(
         "--by",
         choices=("fewest", "used"),
@@ -197,8 +198,12 @@ def _interval(text: str) -> tuple[int, int]:
     return int(start), int(end)
 
 
-def of_method(parser: argparse.ArgumentParser, method: str, many: bool = False) -> None:
-    """The parameters of a method as options, ``many``: with several values; the seed is among the common ones."""
+def of_method(
+    parser: argparse.ArgumentParser, method: str, many: bool = False, also: Mapping[str, str] | None = None
+) -> None:
+    """The parameters of a method as options, ``many``: with several values; the seed is among the common ones.
+
+    also: parameter -> another name of its option."""
     from core.analyses import parameters
     from core.motifs.axes import read_values
     from core.parameters import Parameter, ParameterError
@@ -218,8 +223,10 @@ def of_method(parser: argparse.ArgumentParser, method: str, many: bool = False) 
         if parameter.name == "seed":
             continue
         words = "|".join(map(str, parameter.words))
+        names = [f"--{parameter.name.replace('_', '-')}", (also or {}).get(parameter.name)]
         parser.add_argument(
-            f"--{parameter.name.replace('_', '-')}",
+            *filter(None, names),
+            dest=parameter.name,
             type=reader(parameter),
             default=(parameter.default,) if many else parameter.default,
             metavar="|".join(filter(None, [words, ("N,N" if many else "N") if parameter.kinds else ""])),

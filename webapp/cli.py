@@ -97,6 +97,18 @@ def _query_arguments(parser: argparse.ArgumentParser) -> None:
     arguments.on_source("search", "hits.json")(parser)
 
 
+def _grammar_arguments(parser: argparse.ArgumentParser) -> None:
+    from webapp.grammar_arguments import grammar
+
+    grammar(parser)
+
+
+def _derive_arguments(parser: argparse.ArgumentParser) -> None:
+    from webapp.grammar_arguments import derive
+
+    derive(parser)
+
+
 def _later(module: str, function: str) -> Callable[[argparse.Namespace], int]:
     def run(asked: argparse.Namespace) -> int:
         from importlib import import_module
@@ -157,6 +169,14 @@ COMMANDS = {
     ),
     "walk": Command(
         "Make new motion along a path through a motif graph.", arguments.walk, _later("webapp.walk_commands", "walk")
+    ),
+    "grammar": Command(
+        "Learn elementary actions and the rules of what follows what.",
+        _grammar_arguments,
+        _later("webapp.grammar_commands", "grammar"),
+    ),
+    "derive": Command(
+        "Make new motion that obeys a grammar.", _derive_arguments, _later("webapp.grammar_commands", "derive_")
     ),
 }
 

@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from core.grammar.chart import Chart
+from core.grammar.generation import generate
 from core.grammar.trees import Node, Symbol, build_tree, leaves, preorder
 
 START = "S"
@@ -126,6 +127,11 @@ class Grammar:
     def reconstruct(self, indices: Iterable[int]) -> tuple[int, ...]:
         """The sentence with this code; raises ValueError where the code does not fit the grammar."""
         return leaves(self.tree_of(indices))
+
+    def generate(self, seed: int | np.random.Generator = 0, max_terminals: int = 40, symbol: str | None = None) -> Node:
+        """A random tree, the same for the same seed, of about ``max_terminals`` at most; see
+        :func:`core.grammar.generation.generate`. Raises ValueError for a symbol from which nothing comes."""
+        return generate(self, np.random.default_rng(seed), symbol or self.start, max_terminals)
 
     def bits(self, trees: Iterable[Node]) -> Bits:
         """Description length of the grammar and of the sentences with these trees (SYN 5.1)."""

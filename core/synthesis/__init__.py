@@ -1,5 +1,6 @@
-"""New motion from recordings: walks through the motif graph, and pieces stitched together in any order."""
+"""New motion from recordings: walks through the motif graph, sentences of a grammar, pieces stitched in any order."""
 
+from core.synthesis.derivations import Derivation, derive, perform
 from core.synthesis.footing import Skate
 from core.synthesis.links import Link
 from core.synthesis.paths import Between, NoWay, Random, Ways, open_ways, parse_path
@@ -9,6 +10,7 @@ from core.synthesis.walks import TRANSITION, Part, Route, Walk, find_route, make
 __all__ = [
     "TRANSITION",
     "Between",
+    "Derivation",
     "Link",
     "NoWay",
     "Part",
@@ -19,11 +21,13 @@ __all__ = [
     "Stitched",
     "Walk",
     "Ways",
+    "derive",
     "find_route",
     "make_walk",
     "open_ways",
     "overlaps_between",
     "parse_path",
+    "perform",
     "seam_speed",
     "stitch",
 ]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, fields
 from typing import Any, Literal
 
+from core.grammar.build import GrammarParameters
 from core.motifs.parameters import MotifParameters
 from core.synthesis.paths import parse_path
 
@@ -49,3 +50,29 @@ class WalkParameters(MotifParameters):
     def options(self) -> dict[str, Any]:
         """What :func:`core.synthesis.walks.make_walk` takes besides the path."""
         return {name: getattr(self, name) for name in ("further", "gaps", "dead_end", "keep_feet")}
+
+
+@dataclass(frozen=True)
+class DeriveParameters(GrammarParameters):
+    """A sentence of the grammar that the inherited parameters stand for.
+
+    Raises ValueError, in plain words, for a value out of range.
+    """
+
+    sentence: str = field(
+        default="random:0:40",
+        metadata={"help": "The routine: random:SEED:MOST (actions), or the rule indices of one, 0.3.1."},
+    )
+    keep_feet: bool = field(
+        default=True, metadata={"help": "Keep standing feet where they stand; false leaves plain blending."}
+    )
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if not 1 <= len(self.sentence) <= 10_000:
+            raise ValueError("sentence: must be given, such as random:7:40")
+
+    @property
+    def grammar(self) -> dict[str, Any]:
+        """The parameters of the grammar alone."""
+        return {entry.name: getattr(self, entry.name) for entry in fields(GrammarParameters)}

@@ -33,6 +33,8 @@ KINDS = (
         "compare",
         "stability",
         "walk",
+        "grammar",
+        "derive",
     ),
 )
 

@@ -1,0 +1,186 @@
+"""From recordings to a grammar: terminals, sentences, rules (SYN sections 4 and 5)."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass, field, fields
+from typing import Any
+
+import numpy as np
+
+from core.grammar.baselines import sequitur, state_machine
+from core.grammar.identification import find_terminals
+from core.grammar.induction import Induced, induce
+from core.grammar.learned import LearnedGrammar, Sentence
+from core.grammar.motion_grammar import Bits
+from core.grammar.parameters import TerminalParameters
+from core.grammar.sentences import best_cuts
+from core.grammar.terminals import Terminals
+from core.mocap.clip import Segment
+from core.mocap.dataset import Dataset
+from core.progress import Report, silent
+
+
+def _parameter(default: Any, help: str, low=None, high=None, step=None, choices: tuple = (), advanced: bool = True):
+    metadata = {"help": help, "min": low, "max": high, "step": step, "choices": choices, "advanced": advanced}
+    return field(default=default, metadata=metadata)
+
+
+@dataclass(frozen=True)
+class GrammarParameters(TerminalParameters):
+    """How a grammar is learned, besides how its terminals are found. Metadata as there.
+
+    Raises ValueError, in plain words, for a value out of range.
+    """
+
+    sentences: str = _parameter(
+        "clips",
+        "clips = every recording is one sentence; shortest = cut recordings where the description gets shortest.",
+        choices=("clips", "shortest"), advanced=False,
+    )  # fmt: skip
+    repeats: str = _parameter(
+        "keep",
+        "keep = an action done again counts again; join = the same action several times in a row counts as one.",
+        choices=("keep", "join"), advanced=False,
+    )  # fmt: skip
+    min_sentence: int = _parameter(3, "With shortest: actions that a sentence has at least.", 1, 1000, 1)
+    candidates: int = _parameter(40, "With shortest: ways to cut that are tried.", 0, 10_000, 10)
+    align: str = _parameter(
+        "auto",
+        "pairs = every two sentences side by side; contexts = whatever stands between equal actions; auto = pairs "
+        "where there are not too many.",
+        choices=("auto", "pairs", "contexts"),
+    )  # fmt: skip
+    select: str = _parameter(
+        "joint",
+        "Which of overlapping phrases is kept: joint = the most frequent; branch = the most usual of its kind, as in "
+        "the 2011 paper; leaf = the one whose actions recur most.",
+        choices=("joint", "branch", "leaf"),
+    )  # fmt: skip
+    touching: bool = _parameter(
+        False, "Let phrases meet: more new sentences, and neighbours among their actions that were never seen."
+    )
+    merge: str = _parameter(
+        "side",
+        "Make phrases one kind where that shortens the description: side = if they also stand beside the same action; "
+        "rules = wherever; no = never.",
+        choices=("side", "rules", "no"),
+    )  # fmt: skip
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        if not (1 <= self.min_sentence <= 1000 and 0 <= self.candidates <= 10_000):
+            raise ValueError("min_sentence must be 1 to 1000, candidates 0 to 10000")
+        for entry in fields(GrammarParameters):
+            choices = entry.metadata.get("choices")
+            if choices and getattr(self, entry.name) not in choices:
+                raise ValueError(f"{entry.name} must be one of {', '.join(choices)}")
+
+    @property
+    def terminals(self) -> dict[str, Any]:
+        """The parameters of the terminals alone."""
+        return {entry.name: getattr(self, entry.name) for entry in fields(TerminalParameters)}
+
+    @property
+    def induction(self) -> dict[str, Any]:
+        """What :func:`core.grammar.induction.induce` is told."""
+        return {
+            "align_by": self.align,
+            "select_by": self.select,
+            "touching": self.touching,
+            "merge": self.merge,
+        }
+
+
+def learn_grammar(
+    dataset: Dataset, parameters: GrammarParameters | None = None, report: Report = silent
+) -> LearnedGrammar:
+    """The grammar of a data set. Deterministic: the same clips and seed give the same grammar.
+
+    Raises ValueError as :func:`core.grammar.identification.find_terminals`; ``report`` may raise to stop the work.
+    """
+    parameters = parameters or GrammarParameters()
+    terminals = find_terminals(dataset, TerminalParameters(**parameters.terminals), report)
+    return grammar_of_terminals(terminals, parameters, report)
+
+
+def grammar_of_terminals(
+    terminals: Terminals, parameters: GrammarParameters | None = None, report: Report = silent
+) -> LearnedGrammar:
+    """The grammar of what the terminals spell; of their search the parameters are not looked at.
+
+    Raises ValueError where there are no segments; ``report`` may raise to stop the work.
+    """
+    parameters = parameters or GrammarParameters()
+    seconds = dict(terminals.seconds)
+    with _timed("sentences", seconds):
+        sentences = _sentences(terminals, parameters, report)
+    with _timed("rules", seconds):
+        learned = induce((s.terminals for s in sentences), **parameters.induction, report=report)
+    return LearnedGrammar(
+        terminals=terminals,
+        sentences=sentences,
+        grammar=learned.grammar,
+        trees=learned.trees,
+        baselines=_baselines([s.terminals for s in sentences], learned),
+        parameters=asdict(parameters),
+        seconds=seconds,
+    )
+
+
+def _sentences(terminals: Terminals, parameters: GrammarParameters, report: Report) -> tuple[Sentence, ...]:
+    rows = [(name, _runs(terminals, name, parameters.repeats)) for name, _, _ in terminals.clips]
+    rows = [(name, pieces) for name, pieces in rows if pieces]
+    strings = [tuple(terminal for terminal, _ in pieces) for _, pieces in rows]
+    cuts: Sequence[tuple[int, ...]] = [()] * len(strings)
+    if parameters.sentences == "shortest":
+        cuts = best_cuts(
+            strings,
+            lambda parts: induce(parts, **parameters.induction).bits,
+            candidates=parameters.candidates,
+            shortest=parameters.min_sentence,
+            seed=parameters.seed,
+            report=report,
+        )
+    return tuple(
+        Sentence(name, tuple(pieces[start:end]))
+        for (name, pieces), own in zip(rows, cuts, strict=True)
+        for start, end in zip((0, *own), (*own, len(pieces)), strict=True)
+    )
+
+
+def _runs(terminals: Terminals, clip: str, repeats: str) -> Sequence[tuple[int, Segment]]:
+    return terminals.runs(clip) if repeats == "join" else terminals.occurrences[clip]
+
+
+def _baselines(strings: Sequence[tuple[int, ...]], learned: Induced) -> dict[str, Mapping[str, float]]:
+    """Size and bits of what the same sentences give a state machine and Sequitur.
+
+    The machine's bits: a transition is two symbols of its states and the end; a sentence's those of its probability.
+    """
+    machine, hierarchy = state_machine(strings), sequitur(strings)
+    states = len(machine.leaving)
+    told = -sum(machine.log2_probability(string) for string in strings)
+    trees = [hierarchy.parse(string) for string in strings]
+    return {
+        "state_machine": _figures(len(machine.transitions), Bits(2 * len(machine.transitions) * np.log2(states), told)),
+        "sequitur": _figures(len(hierarchy.rules), hierarchy.bits(trees)),
+    }
+
+
+def _figures(rules: int, bits: Bits) -> dict[str, float]:
+    return {
+        "rules": rules,
+        "bits_grammar": float(bits.grammar),
+        "bits_sentences": float(bits.sentences),
+        "bits_total": float(bits.total),
+    }
+
+
+@contextmanager
+def _timed(stage: str, seconds: dict[str, float]) -> Iterator[None]:
+    started = time.perf_counter()
+    yield
+    seconds[stage] = time.perf_counter() - started
