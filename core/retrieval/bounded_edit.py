@@ -16,7 +16,7 @@ from core.retrieval.explanation import explain
 from core.retrieval.frames import FrameStore
 from core.retrieval.hits import Explanation, Hit, IndexedClip
 from core.retrieval.locate import locate
-from core.retrieval.metric import Metric, Motions, clip_motions
+from core.retrieval.metric import Metric, Motions
 from core.retrieval.queries import Query
 from core.retrieval.trajectories import path_distances
 
@@ -49,9 +49,9 @@ class BoundedEdit:
         """Clips ``(k,)`` by the distance of the whole of them to the query."""
         composed = compose(self.store, query, weights)
         metric = Metric(composed.weights)
-        asked = metric.motions(composed.codes, np.array([0]), np.array([len(composed.codes)]))
+        asked = metric.motions(self.store, composed.codes, np.array([0]), np.array([len(composed.codes)]))
         every = self._all(metric)
-        others = every if len(among) == len(self.clips) else Motions(every.samples[among], every.travel[among])
+        others = every if len(among) == len(self.clips) else every[among]
         apart = _ranked_distances(metric, asked, others)
         if root_path > 0:
             starts, ends = self.store.starts[among], self.store.starts[among + 1]
@@ -93,7 +93,7 @@ class BoundedEdit:
         """All clips resampled for a metric; the last few stay."""
         kept = self._resampled
         if metric.key not in kept:
-            kept[metric.key] = clip_motions(metric, self.store)
+            kept[metric.key] = metric.clips(self.store)
             while len(kept) > _KEPT:
                 kept.popitem(last=False)
         kept.move_to_end(metric.key)
@@ -107,7 +107,7 @@ def _ranked_distances(metric: Metric, asked: Motions, others: Motions) -> np.nda
     rough = metric.rough(asked, others)
     near = np.argpartition(rough, RERANKED)[:RERANKED]
     found = np.empty(len(rough))
-    found[near] = metric.distances(asked, Motions(others.samples[near], others.travel[near]))
+    found[near] = metric.distances(asked, others[near])
     last, edge = found[near].max(), rough[near].max()
     rest = np.ones(len(rough), bool)
     rest[near] = False

@@ -13,9 +13,6 @@ from core.retrieval.frames import FrameStore, column_weights
 from core.retrieval.path_length import at_shares, path_lengths
 from core.retrieval.queries import Query, QueryPart
 
-FASTEST = 3.0
-"""Velocities of the root, in m/s and rad/s, are no more than this: how fast hardly matters beyond."""
-
 
 @dataclass(frozen=True, eq=False)
 class Composed:
@@ -37,7 +34,7 @@ def compose(store: FrameStore, query: Query, weights: Mapping[str, float]) -> Co
     query lack every part that has a weight.
     """
     parts = [part for part in query.parts if any(weights[leaf] > 0 for leaf in part.leaves)]
-    coded = [(part, *store.encode(part.motion)) for part in parts]
+    coded = [(part, *store.encode(part.clip, part.start, part.end)) for part in parts]
     kept = dict.fromkeys(LEAVES, 0.0)
     for part, _, has in coded:
         kept |= {leaf: weights[leaf] for leaf in part.leaves if leaf in has}
@@ -61,11 +58,13 @@ def root_factor(weights: Mapping[str, float]) -> float:
     return float(np.sqrt(sum(weights[leaf] for leaf in legs) / (len(legs) / len(LEAVES))))
 
 
-def active_columns(weights: Mapping[str, float], root_weight: float) -> tuple[np.ndarray, np.ndarray, int]:
-    """Columns with influence, their factors, and how many of them are of the parts: ``(d,)``, ``(d,)``, way."""
+def active_columns(weights: Mapping[str, float]) -> tuple[np.ndarray, np.ndarray, int]:
+    """Columns with influence, their factors, and how many of them are of the parts: ``(d,)``, ``(d,)``, way.
+
+    The velocities of the root are among them where the legs have a weight; its tilt never is.
+    """
     factors = column_weights(weights)
-    travel = np.full(4, root_weight * root_factor(weights), np.float32)
-    every = np.concatenate([factors, np.zeros(2, np.float32), travel])
+    every = np.concatenate([factors, np.zeros(2, np.float32), np.full(4, root_factor(weights), np.float32)])
     columns = np.flatnonzero(every > 0)
     return columns, every[columns], int((factors > 0).sum())
 

@@ -29,7 +29,8 @@ ROOT = ("tilt sideways", "tilt forward", "velocity left", "velocity forward", "v
 """Columns of the root: tilt as components of a unit vector, velocities in m/s of a body of 1.7 m, turning in rad/s."""
 
 STANDARD_HEIGHT = 1.7  # metres
-_SMOOTH = 1 / 30  # seconds either side of a frame, over which velocities are taken
+_STEP = 1 / 30  # seconds either side of a frame, over which velocities are taken
+_SMOOTH = 1 / 10  # seconds either side of a frame that it is averaged with, less and less: jitter is no motion
 _SPARSE = 3.0  # frames a second that are plenty for a mean
 
 
@@ -95,6 +96,18 @@ def part_frames(clip: Clip, axes: Axes, fps: float) -> PartFrames:
     return PartFrames(values, root, axes.leaves)
 
 
+def smoothed(values: np.ndarray, fps: float) -> np.ndarray:
+    """Frames ``(n, d)`` averaged with their neighbours up to 1/10 s away, by weights that fall evenly to nothing."""
+    reach = max(1, round(fps * _SMOOTH))
+    total, weight = values * reach, np.full((len(values), 1), reach, np.float32)
+    for k in range(1, min(reach, len(values))):
+        total[k:] += (reach - k) * values[:-k]
+        total[:-k] += (reach - k) * values[k:]
+        weight[k:] += reach - k
+        weight[:-k] += reach - k
+    return total / weight
+
+
 class _Pose:
     """World positions and rotations of a clip's canonical joints, and what is read off them."""
 
@@ -104,7 +117,7 @@ class _Pose:
         self.joints, self.height = anatomy.joints, max(anatomy.body_height, 1e-6)
         positions, rotations = forward_kinematics(clip)
         self.at = {name: positions[:, j].astype(np.float64) for name, j in self.joints.items()}
-        self.turn = {name: rotations[:, j].astype(np.float64) for name, j in self.joints.items()}
+        self.turn = {name: _matrices(rotations[:, j].astype(np.float64)) for name, j in self.joints.items()}
         self.at.setdefault("chest", self.at.get("spine", self.at["pelvis"]))
         self.turn.setdefault("chest", self.turn.get("spine", self.turn["pelvis"]))
 
@@ -169,7 +182,7 @@ class _Pose:
         yaw = np.unwrap(np.arctan2(-left[:, 2], left[:, 0]))
         back = quat.from_yaw(-yaw)
         tilt = quat.rotate(back, up)
-        half = max(1, round(self.clip.fps * _SMOOTH))
+        half = max(1, round(self.clip.fps * _STEP))
         at = np.arange(self.n)
         before, after = np.maximum(at - half, 0), np.minimum(at + half, self.n - 1)
         seconds = np.maximum(after - before, 1) / self.clip.fps
@@ -184,16 +197,27 @@ class _Pose:
         return self.at[b] - self.at[a]
 
     def _axes(self, joint: str, frames: Mapping[str, np.ndarray], rows: tuple[int, ...]) -> list[np.ndarray]:
-        return [quat.rotate(self.turn[joint], np.broadcast_to(frames[joint][row], (self.n, 3))) for row in rows]
+        return [self.turn[joint] @ frames[joint][row] for row in rows]
 
     def _in(self, joint: str, frames: Mapping[str, np.ndarray], *vectors: np.ndarray) -> np.ndarray:
         """World vectors as seen from a joint's frame, side by side."""
-        back = quat.conjugate(self.turn[joint])
-        return np.concatenate([quat.rotate(back, v) @ frames[joint].T for v in vectors], axis=1)
+        turn = self.turn[joint] @ frames[joint].T
+        return np.concatenate([np.einsum("nj,nji->ni", v, turn) for v in vectors], axis=1)
 
     def _seen(self, joint: str, *vectors: np.ndarray) -> np.ndarray:
-        back = quat.conjugate(self.turn[joint])
-        return np.stack([_unit(quat.rotate(back, v)) for v in vectors], axis=1)
+        return np.stack([_unit(np.einsum("nj,nji->ni", v, self.turn[joint])) for v in vectors], axis=1)
+
+
+def _matrices(q: np.ndarray) -> np.ndarray:
+    """Unit quaternions ``(n, 4)`` as matrices ``(n, 3, 3)``."""
+    w, x, y, z = np.ascontiguousarray(q.T)
+    found = np.empty((len(q), 3, 3))
+    found[:, 0, 0], found[:, 1, 1] = 1 - 2 * (y * y + z * z), 1 - 2 * (x * x + z * z)
+    found[:, 2, 2] = 1 - 2 * (x * x + y * y)
+    found[:, 0, 1], found[:, 1, 0] = 2 * (x * y - w * z), 2 * (x * y + w * z)
+    found[:, 0, 2], found[:, 2, 0] = 2 * (x * z + w * y), 2 * (x * z - w * y)
+    found[:, 1, 2], found[:, 2, 1] = 2 * (y * z - w * x), 2 * (y * z + w * x)
+    return found
 
 
 def _unit(vectors: np.ndarray) -> np.ndarray:

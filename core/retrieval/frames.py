@@ -18,7 +18,8 @@ UNITS = np.array([1 / 127] * (N_COLUMNS + 2) + [1 / 25] * (len(ROOT) - 2), np.fl
 """What one step of a code stands for, per column: unit vectors to about half a degree, velocities to 4 cm/s (and no
 faster than 5 m/s or 5 rad/s)."""
 
-_FOR_AXES = 50  # clips of a skeleton that its axes are taken from
+_AROUND = 4  # frames beside a stretch that its own depend on
+_FOR_AXES = 500  # clips of a skeleton that its axes are taken from
 
 
 def encode(frames: PartFrames) -> np.ndarray:
@@ -103,11 +104,22 @@ class FrameStore:
         start = min(round(segment.start * rate), n - 1)
         return clip, start, max(start + 1, min(round(segment.end * rate), n))
 
-    def encode(self, clip: Clip) -> tuple[np.ndarray, tuple[str, ...]]:
-        """Codes ``(n, ...)`` of any clip, of the index or not, and the leaves that its skeleton has."""
+    def encode(self, clip: Clip, start: int = 0, end: int | None = None) -> tuple[np.ndarray, tuple[str, ...]]:
+        """Codes ``(n, ...)`` of frames ``[start, end)`` of any clip, of the index or not, and the leaves that it has.
+
+        What lies around the stretch counts for its velocities, as it does in the index.
+        """
+        end = clip.n_frames if end is None else end
+        step = clip.fps / self.fps
+        whole = next((k for k in range(_AROUND, 20) if abs(k * step - round(k * step)) < 1e-3), 0)
+        before = min(whole, int(start / step))
+        while before and abs(before * step - round(before * step)) > 1e-3:
+            before -= 1
+        first, last = start - round(before * step), min(clip.n_frames, end + round(_AROUND * step))
         axes = self.axes.get(clip.skeleton.names) or find_axes([clip])
-        frames = part_frames(clip, axes, self.fps)
-        return encode(frames), frames.leaves
+        frames = part_frames(clip.cut(first, last), axes, self.fps)
+        n = int((end - start - 1) / step + 1e-6) + 1
+        return encode(frames)[before : before + n], frames.leaves
 
     def pack(self) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
         """As a JSON document and arrays (n, ...)."""

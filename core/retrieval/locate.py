@@ -7,13 +7,14 @@ warping.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
 from numba import njit
 
 from core.retrieval.compose import Composed
+from core.retrieval.descriptors import N_COLUMNS, smoothed
 from core.retrieval.frames import FrameStore
 from core.retrieval.metric import Metric
 from core.retrieval.path_length import at_shares, path_lengths
@@ -23,7 +24,8 @@ KEYS = 8  # frames of the query that the coarse look compares
 TEMPOS = (0.7, 0.84, 1.0, 1.19, 1.41)  # lengths of windows, in lengths of the query
 STRIDE = 4  # at most so many frames between two that the coarse look sees
 POOL = 256  # windows that are compared by the metric, at least
-_REFINED = 64  # frames of the query that warping looks at, at most
+WARPED = 0.7  # how much the cost of warping frame onto frame counts in the end, beside the metric
+_REFINED = 150  # frames of the query that warping looks at, at most
 
 
 class Place(NamedTuple):
@@ -51,10 +53,11 @@ class _Windows:
 def locate(store: FrameStore, query: Composed, among: np.ndarray, top: int, root_path: float = 0.0) -> list[Place]:
     """At most ``top`` stretches of the clips numbered ``(k,)``, best first; none lies over most of another."""
     metric = Metric(query.weights)
-    asked = metric.motions(query.codes, np.array([0]), np.array([len(query.codes)]))
+    query = replace(query, codes=np.rint(smoothed(query.codes.astype(np.float32), store.fps)).astype(np.int8))
+    asked = metric.motions(store, query.codes, np.array([0]), np.array([len(query.codes)]))
 
     def apart(windows: _Windows) -> np.ndarray:
-        found = metric.distances(asked, metric.motions(store.codes, windows.start, windows.end))
+        found = metric.distances(asked, metric.motions(store, store.codes, windows.start, windows.end))
         if root_path > 0:
             paths = path_distances(query.codes, store.codes, windows.start, windows.end, store.fps)
             found = (1 - root_path) * found + root_path * paths
@@ -64,12 +67,8 @@ def locate(store: FrameStore, query: Composed, among: np.ndarray, top: int, root
     distances = apart(windows)
     best = np.argsort(distances, kind="stable")[: 3 * top + 10]
     windows, distances = windows.take(best), distances[best]
-    refined = _refine(store, query, metric, windows)
-    again = apart(refined)
-    better = again <= distances
-    for name in ("start", "end"):
-        setattr(windows, name, np.where(better, getattr(refined, name), getattr(windows, name)))
-    distances = np.where(better, again, distances)
+    windows, warped = _refine(store, query, metric, windows)
+    distances = (1 - WARPED) * apart(windows) + WARPED * warped
     return [_place(store, query, metric, windows, k, distances[k]) for k in _apart(windows, distances, top)]
 
 
@@ -164,22 +163,27 @@ def _minima(score, offsets, reach):
     return np.array(found, np.int64)
 
 
-def _refine(store: FrameStore, query: Composed, metric: Metric, windows: _Windows) -> _Windows:
-    """The windows with the ends that dynamic time warping gives them, looked for a quarter of their length around."""
+def _refine(store: FrameStore, query: Composed, metric: Metric, windows: _Windows) -> tuple[_Windows, np.ndarray]:
+    """The windows with the ends that dynamic time warping gives them, looked for a quarter of their length around, and
+
+    what the warping costs a frame of the query, ``(k,)`` from 0 to 1.
+    """
     step = max(1, -(-len(query.codes) // _REFINED))
-    asked = query.codes[::step].astype(np.float32) * metric.scales
-    start, end = windows.start.copy(), windows.end.copy()
+    scales = metric.scales
+    scales[N_COLUMNS:] = 0  # postures alone: how fast one travels changes with the tempo
+    asked = query.codes[::step].astype(np.float32) * scales
+    start, end, cost = windows.start.copy(), windows.end.copy(), np.empty(len(windows.clip))
     for k, clip in enumerate(windows.clip):
         more = (end[k] - start[k]) // 4
         low, high = max(store.starts[clip], start[k] - more), min(store.starts[clip + 1], end[k] + more)
-        frames = store.codes[low:high:step].astype(np.float32) * metric.scales
-        first, last = warped_stretch(asked, frames, metric.cap)
+        frames = store.codes[low:high:step].astype(np.float32) * scales
+        first, last, cost[k] = warped_stretch(asked, frames, metric.cap)
         start[k], end[k] = low + first * step, min(high, low + (last - 1) * step + 1)
-    return _Windows(windows.clip, start, end)
+    return _Windows(windows.clip, start, end), cost / len(asked)
 
 
-def warped_stretch(query: np.ndarray, frames: np.ndarray, cap: float) -> tuple[int, int]:
-    """The stretch ``[start, end)`` of ``frames`` (m, d) onto which ``query`` (n, d) is warped at the least cost.
+def warped_stretch(query: np.ndarray, frames: np.ndarray, cap: float) -> tuple[int, int, float]:
+    """The stretch ``[start, end)`` of ``frames`` (m, d) onto which ``query`` (n, d) is warped at the least cost, and that.
 
     A pair of frames costs ``min(1, distance / cap)``; every frame of the query is used, steps go on in either or both.
     Raises ValueError for empty sequences or unlike dimensions.
@@ -217,7 +221,7 @@ def _warped_stretch(query, frames, cap):
     for j in range(m):
         if cost[j] < cost[last]:
             last = j
-    return begun[last], last + 1
+    return begun[last], last + 1, cost[last]
 
 
 def _apart(windows: _Windows, distances: np.ndarray, top: int) -> list[int]:
@@ -242,6 +246,6 @@ def _place(store, query: Composed, metric: Metric, windows: _Windows, k: int, di
     within = None
     if end - start < TEMPOS[0] * len(query.codes) - 1:  # the clip holds no more
         frames = store.codes[start:end].astype(np.float32) * metric.scales
-        within = warped_stretch(frames, query.codes.astype(np.float32) * metric.scales, metric.cap)
+        within = warped_stretch(frames, query.codes.astype(np.float32) * metric.scales, metric.cap)[:2]
     first = int(store.starts[clip])
     return Place(clip, start - first, end - first, float(1 - distance), within)

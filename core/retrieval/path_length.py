@@ -5,11 +5,25 @@ A slow and a fast performance of one action then have the same samples, and stan
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 from numba import njit
 
 STILL = 1e-3
 """Added to the way of every frame step, so that a motion that stands still is read at equal steps of time."""
+
+
+class Samples(NamedTuple):
+    """Stretches read at equal steps of their way.
+
+    values: ``(n_stretches, n_samples, d)`` float32. steps: ``(n_stretches, n_groups)`` mean way of each group of
+    columns from one frame to the next. means: ``(n_stretches, d)`` mean over the frames.
+    """
+
+    values: np.ndarray
+    steps: np.ndarray
+    means: np.ndarray
 
 
 def path_lengths(values: np.ndarray) -> np.ndarray:
@@ -27,47 +41,64 @@ def at_shares(values: np.ndarray, lengths: np.ndarray, shares: np.ndarray) -> np
     return values[low] * (1 - rest) + values[high] * rest
 
 
-def resample_all(
+def sample_all(
     codes: np.ndarray,
     columns: np.ndarray,
     scales: np.ndarray,
-    way: int,
+    groups: np.ndarray,
     starts: np.ndarray,
     ends: np.ndarray,
     n_samples: int,
-) -> np.ndarray:
+) -> Samples:
     """Each stretch ``[start, end)`` of ``codes`` (n, width) int8 as ``n_samples`` frames at equal steps of its way.
 
-    columns: ``(d,)`` those that are read; scales: ``(d,)`` what a code of each stands for. way: the way is that of the
-    first ``way`` of them. Returns ``(n_stretches, n_samples, d)`` float32. Raises ValueError for a stretch that is
-    empty or not there.
+    columns: ``(d,)`` those that are read; scales: ``(d,)`` what a code of each stands for; groups: ``(d,)`` the group
+    that each belongs to, from 0, in blocks; those of group -1, at the end, are no part of the way. Raises ValueError
+    for a stretch that is empty or not there.
     """
     starts, ends, columns = (np.asarray(values, np.int64) for values in (starts, ends, columns))
+    groups = np.asarray(groups, np.int64)
     if len(starts) and (starts.min() < 0 or ends.max() > len(codes) or (ends <= starts).any()):
         raise ValueError("a stretch is empty or lies outside the frames")
     if n_samples < 2:
         raise ValueError("at least 2 samples are needed")
-    return _resample_all(codes, columns, np.asarray(scales, np.float32), way, starts, ends, n_samples)
+    way = int((groups >= 0).sum())
+    bounds = np.searchsorted(groups[:way], np.arange(groups.max() + 2))
+    return Samples(*_sample_all(codes, columns, np.asarray(scales, np.float32), bounds, starts, ends, n_samples))
 
 
 @njit(cache=True, nogil=True, fastmath=True)
-def _resample_all(codes, columns, scales, way, starts, ends, n_samples):
-    d = len(columns)
-    found = np.empty((len(starts), n_samples, d), np.float32)
-    squares = scales * scales
+def _sample_all(codes, columns, scales, bounds, starts, ends, n_samples):
+    d, n_groups = len(columns), len(bounds) - 1
+    values = np.empty((len(starts), n_samples, d), np.float32)
+    steps = np.zeros((len(starts), n_groups), np.float32)
+    means = np.zeros((len(starts), d), np.float32)
     longest = 1
     for c in range(len(starts)):
         longest = max(longest, ends[c] - starts[c])
     lengths = np.empty(longest, np.float32)
+    here, before = np.empty(d, np.float32), np.empty(d, np.float32)
     for c in range(len(starts)):
         first, n = starts[c], ends[c] - starts[c]
-        lengths[0] = 0.0
-        for f in range(1, n):
+        for f in range(n):
+            for e in range(d):
+                before[e] = here[e]
+                here[e] = np.float32(codes[first + f, columns[e]]) * scales[e]
+                means[c, e] += here[e]
+            if f == 0:
+                lengths[0] = 0.0
+                continue
             total = np.float32(0.0)
-            for e in range(way):
-                apart = np.float32(codes[first + f, columns[e]]) - np.float32(codes[first + f - 1, columns[e]])
-                total += apart * apart * squares[e]
+            for g in range(n_groups):
+                part = np.float32(0.0)
+                for e in range(bounds[g], bounds[g + 1]):
+                    apart = here[e] - before[e]
+                    part += apart * apart
+                steps[c, g] += np.sqrt(part)
+                total += part
             lengths[f] = lengths[f - 1] + np.sqrt(total) + np.float32(STILL)
+        means[c] /= n
+        steps[c] /= max(n - 1, 1)
         f = 0
         for k in range(n_samples):
             aim = lengths[n - 1] * np.float32(k / (n_samples - 1))
@@ -79,5 +110,5 @@ def _resample_all(codes, columns, scales, way, starts, ends, n_samples):
             for e in range(d):
                 low = np.float32(codes[first + f, columns[e]])
                 high = np.float32(codes[first + other, columns[e]])
-                found[c, k, e] = (low + (high - low) * rest) * scales[e]
-    return found
+                values[c, k, e] = (low + (high - low) * rest) * scales[e]
+    return values, steps, means
