@@ -1,4 +1,4 @@
-"""How far two motions are apart: by an edit distance of their parts along their way, and by what they are as a whole."""
+"""How far two motions are apart: by an edit distance of their parts along their way and by what they are as wholes."""
 
 from __future__ import annotations
 
