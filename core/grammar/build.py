@@ -22,6 +22,8 @@ from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.progress import Report, silent
 
+ENOUGH_CLIPS = 8  # recordings that can be sentences by themselves: fewer have little to be compared
+
 
 def _parameter(default: Any, help: str, low=None, high=None, step=None, choices: tuple = (), advanced: bool = True):
     metadata = {"help": help, "min": low, "max": high, "step": step, "choices": choices, "advanced": advanced}
@@ -36,9 +38,10 @@ class GrammarParameters(TerminalParameters):
     """
 
     sentences: str = _parameter(
-        "clips",
-        "clips = every recording is one sentence; shortest = cut recordings where the description gets shortest.",
-        choices=("clips", "shortest"), advanced=False,
+        "auto",
+        "clips = every recording is one sentence; shortest = cut recordings where that makes the description shortest; "
+        "auto = clips where there are eight or more.",
+        choices=("auto", "clips", "shortest"), advanced=False,
     )  # fmt: skip
     repeats: str = _parameter(
         "keep",
@@ -135,7 +138,8 @@ def _sentences(terminals: Terminals, parameters: GrammarParameters, report: Repo
     rows = [(name, pieces) for name, pieces in rows if pieces]
     strings = [tuple(terminal for terminal, _ in pieces) for _, pieces in rows]
     cuts: Sequence[tuple[int, ...]] = [()] * len(strings)
-    if parameters.sentences == "shortest":
+    few = len(strings) < ENOUGH_CLIPS and parameters.sentences == "auto"
+    if few or parameters.sentences == "shortest":
         cuts = best_cuts(
             strings,
             lambda parts: induce(parts, **parameters.induction).bits,

@@ -87,26 +87,66 @@ def merge_kinds(sentences: Sequence[Sentence], trees: Sequence[Node], sharing: s
     """
     if sharing not in ("side", "rules"):
         raise ValueError(f"sharing must be side or rules, not {sharing!r}")
-    rules = {_rule(node) for tree in trees for node in preorder(tree) if not node.is_leaf}
-    uses = Counter(node.symbol for tree in trees for node in preorder(tree) if not node.is_leaf)
+    description = Description(trees)
     contexts = contexts_of(sentences, trees)
     names: dict[str, str] = {}
-    now = _length(rules, uses)
     while True:
-        best = None
-        for a, b in sorted(_pairs(rules)):
-            if sharing == "side" and not alike(contexts[a], contexts[b]):
-                continue
-            merged, used = _merged(rules, a, b), _used(uses, a, b)
-            length = _length(merged, used)
-            if length < now - 1e-9 and (best is None or length < best[0]):
-                best = length, a, b, merged, used
-        if best is None:
+        pairs = _pairs(description.rules)
+        if sharing == "side":
+            pairs = {(a, b) for a, b in pairs if alike(contexts[a], contexts[b])}
+        gains = sorted((description.gain(a, b), a, b) for a, b in pairs)
+        if not gains or gains[0][0] >= -1e-9:
             break
-        now, a, b, rules, uses = best
+        _, a, b = gains[0]
+        description.merge(a, b)
         names = {old: a if new == b else new for old, new in names.items()} | {b: a}
         contexts[a] |= contexts.pop(b)
     return tuple(renamed(tree, names) for tree in trees)
+
+
+class Description:
+    """Rules of trees, how often each left side is rewritten, and what merging two of them would do to the bits."""
+
+    def __init__(self, trees: Sequence[Node]) -> None:
+        inner = [node for tree in trees for node in preorder(tree) if not node.is_leaf]
+        self.uses = Counter(node.symbol for node in inner)
+        self.rules = {_rule(node) for node in inner}
+        self.choices = Counter(left for left, _ in self.rules)
+        self.terminals = len({s for _, right in self.rules for s in right if not isinstance(s, str)})
+        self.holding: dict[str, set[tuple[str, Right]]] = {left: set() for left in self.choices}
+        for rule in self.rules:
+            for name in _names(rule):
+                self.holding[name].add(rule)
+
+    def gain(self, a: str, b: str) -> float:
+        """By how many bits the total changes (SYN equation 6, as :meth:`Grammar.bits`) where b becomes a."""
+        old = self.holding[b]
+        new = {_with(rule, a, b) for rule in old} - self.rules
+        choices = Counter(left for left, _ in new)
+        choices.subtract(left for left, _ in old)
+        written = sum(2 + len(right) for _, right in self.rules) - 1
+        less = sum(2 + len(right) for _, right in old) - sum(2 + len(right) for _, right in new)
+        symbols = len(self.choices) + self.terminals + 1
+        bits = (written - less) * np.log2(symbols - 1) - written * np.log2(symbols)
+        for left in {a, b, *choices} - {b}:
+            before, used = self.choices[left], self.uses[left]
+            after = before + choices[left] + (self.choices[b] + choices[b] if left == a else 0)
+            bits += (used + (self.uses[b] if left == a else 0)) * np.log2(after) - used * np.log2(before)
+        return float(bits - self.uses[b] * np.log2(self.choices[b]))
+
+    def merge(self, a: str, b: str) -> None:
+        """Makes b an a."""
+        old = self.holding.pop(b)
+        for rule in old:
+            for name in _names(rule) - {b}:
+                self.holding[name].discard(rule)
+        new = {_with(rule, a, b) for rule in old}
+        for rule in new:
+            for name in _names(rule):
+                self.holding[name].add(rule)
+        self.rules = (self.rules - old) | new
+        self.choices = Counter(left for left, _ in self.rules)
+        self.uses[a] += self.uses.pop(b)
 
 
 def _rule(node: Node) -> tuple[str, Right]:
@@ -130,21 +170,10 @@ def _pairs(rules: set[tuple[str, Right]]) -> set[tuple[str, str]]:
     return {(a, b) for (a, b), n in common.items() if 2 * n >= min(choices[a], choices[b])}
 
 
-def _merged(rules: set[tuple[str, Right]], a: str, b: str) -> set[tuple[str, Right]]:
-    return {
-        (a if left == b else left, tuple(a if s == b else s for s in right) if b in right else right)
-        for left, right in rules
-    }
+def _with(rule: tuple[str, Right], a: str, b: str) -> tuple[str, Right]:
+    left, right = rule
+    return a if left == b else left, tuple(a if symbol == b else symbol for symbol in right)
 
 
-def _used(uses: Mapping[str, int], a: str, b: str) -> dict[str, int]:
-    return {left: n + uses[b] * (left == a) for left, n in uses.items() if left != b}
-
-
-def _length(rules: set[tuple[str, Right]], uses: Mapping[str, int]) -> float:
-    """Total description length in bits, as :meth:`Grammar.bits`."""
-    choices = Counter(left for left, _ in rules)
-    terminals = {s for _, right in rules for s in right if not isinstance(s, str)}
-    written = sum(2 + len(right) for _, right in rules) - 1
-    told = sum(n * np.log2(choices[left]) for left, n in uses.items())
-    return written * np.log2(len(choices) + len(terminals) + 1) + float(told)
+def _names(rule: tuple[str, Right]) -> set[str]:
+    return {rule[0], *(symbol for symbol in rule[1] if isinstance(symbol, str))}

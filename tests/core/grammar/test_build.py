@@ -37,7 +37,7 @@ def test_labels_are_terminals(demo, learned) -> None:
         terminals_of_labels(demo.select([]))
 
 
-@pytest.mark.parametrize("changes", [{}, {"sentences": "shortest", "candidates": 5}, {"repeats": "join"}])
+@pytest.mark.parametrize("changes", [{"sentences": "clips"}, {"candidates": 5}, {"repeats": "join"}])
 def test_every_sentence_is_reconstructed_and_the_clips_are_covered(demo, changes) -> None:
     found = grammar_of_terminals(terminals_of_labels(demo), GrammarParameters(**changes))
     codes = [found.grammar.rule_indices(tree) for tree in found.trees]

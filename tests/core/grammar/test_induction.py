@@ -8,8 +8,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from core.grammar.constituents import END
+from core.grammar.alignment import Hypotheses, align, align_contexts, align_pairs, links
+from core.grammar.constituents import END, Description, grammar_of, read_off, renamed
 from core.grammar.induction import induce
+from core.grammar.selection import select
 from core.grammar.trees import leaves
 
 LETTERS = "rdpsfm"
@@ -51,6 +53,76 @@ def test_section_5_1_is_learned() -> None:
     assert learned.bits == bits.total
 
 
+def longest_common(a, b) -> int:
+    """Of subsequences, by recursion."""
+    if not a or not b:
+        return 0
+    if a[0] == b[0]:
+        return 1 + longest_common(a[1:], b[1:])
+    return max(longest_common(a[1:], b), longest_common(a, b[1:]))
+
+
+def spans_of(hypotheses: Hypotheses) -> dict[tuple[int, int, int], int]:
+    rows = list(zip(*(column.tolist() for column in hypotheses), strict=True))
+    assert len({row[:3] for row in rows}) == len(rows)
+    return {row[:3]: row[3] for row in rows}
+
+
+@settings(max_examples=60, deadline=None)
+@given(SENTENCES)
+def test_alignment_links_as_much_as_can_be_and_exchanges_what_is_between(sentences) -> None:
+    different = list(dict.fromkeys(sentences))
+    groups: dict[tuple[int, int, int], set] = {}
+    for k, m in itertools.combinations(range(len(different)), 2):
+        a, b = different[k], different[m]
+        found = links(a, b)
+        assert all(a[i] == b[j] for i, j in found)
+        assert all(x[0] < y[0] and x[1] < y[1] for x, y in itertools.pairwise(found))
+        assert len(found) == longest_common(a, b)
+        for (i, j), (p, q) in itertools.pairwise([(-1, -1), *found, (len(a), len(b))]):
+            if found and (p - i > 1 or q - j > 1):
+                one, other = (k, i + 1, p), (m, j + 1, q)
+                joined = groups.get(one, {one}) | groups.get(other, {other})
+                groups.update(dict.fromkeys(joined, joined))
+    spans = spans_of(align_pairs(different))
+    assert set(spans) == set(groups)
+    for one, other in itertools.combinations(spans, 2):
+        assert (spans[one] == spans[other]) == (other in groups[one])
+
+
+@settings(max_examples=40, deadline=None)
+@given(SENTENCES)
+def test_hypotheses_of_a_kind_have_one_context(sentences) -> None:
+    different = list(dict.fromkeys(sentences))
+    for hypotheses in (align_pairs(different), align_contexts(different)):
+        contexts, words = {}, {}
+        for (k, i, j), kind in spans_of(hypotheses).items():
+            framed = (END, *different[k], END)
+            contexts.setdefault(kind, set()).add((framed[i], framed[j + 1]))
+            words.setdefault(kind, set()).add(different[k][i:j])
+        assert all(len(own) == 1 for own in contexts.values())
+        assert all(len(own) > 1 for own in words.values())
+
+
+@settings(max_examples=40, deadline=None)
+@given(SENTENCES, st.sampled_from(["joint", "branch", "leaf"]), st.booleans())
+def test_constituents_do_not_cross_and_none_was_left_out_without_need(sentences, by, touching) -> None:
+    different = list(dict.fromkeys(sentences))
+    hypotheses = align_pairs(different)
+    chosen = select(different, hypotheses, None, by, touching)
+    for (k, i, j), kind in spans_of(hypotheses).items():
+        clash = []
+        for b in chosen[k]:
+            if (b.start, b.end) == (i, j):
+                assert b.kind == kind
+                continue
+            crossing = i < b.start < j < b.end or b.start < i < b.end < j
+            meeting = not touching and i < j and b.start < b.end and (b.end == i or j == b.start)
+            edge = (i == j and i in (b.start, b.end)) or (b.start == b.end and b.start in (i, j))
+            clash.append(crossing or meeting or edge)
+        assert any(clash) != any((b.start, b.end) == (i, j) for b in chosen[k])
+
+
 OPTIONS = [
     {"align_by": align_by, "select_by": select_by, "touching": touching, "merge": merge}
     for align_by, select_by, touching, merge in (
@@ -82,6 +154,22 @@ def test_without_merging_no_new_neighbours_are_ever_made(sentences, align_by) ->
     for word in itertools.chain.from_iterable(itertools.product(range(4), repeat=n) for n in range(1, 5)):
         if grammar.accepts(word):
             assert set(itertools.pairwise((END, *word, END))) <= seen
+
+
+@settings(max_examples=40, deadline=None)
+@given(SENTENCES)
+def test_what_merging_kinds_would_gain_is_what_it_gains(sentences) -> None:
+    different = list(dict.fromkeys(sentences))
+    trees = read_off(different, select(different, align(different), None, "joint", True))
+    grammar, numbered = grammar_of(trees)
+    before = grammar.bits(numbered).total
+    kinds = [name for name in grammar.nonterminals if name != "S"]
+    for a, b in itertools.combinations(kinds, 2):
+        merged, numbered = grammar_of([renamed(tree, {b: a}) for tree in trees])
+        description = Description(trees)
+        assert description.gain(a, b) == pytest.approx(merged.bits(numbered).total - before)
+        description.merge(a, b)
+        assert description.rules == {(rule.left, rule.right) for rule in merged.rules}
 
 
 def test_nothing_to_learn_from() -> None:
