@@ -18,7 +18,11 @@ from core.retrieval.hits import Explanation, Hit, IndexedClip
 from core.retrieval.queries import Query
 
 FORMAT = "motionscape/search/1"
-ENGINES = {"bounded-edit": ("core.retrieval.bounded_edit", "BoundedEdit")}
+ENGINES = {
+    "bounded-edit": ("core.retrieval.bounded_edit", "BoundedEdit"),
+    "parts": ("core.retrieval.parts_index", "Parts"),
+    "printed": ("core.retrieval.parts_index", "Printed"),
+}
 """Method -> module and class of its engine."""
 
 INTERVALS = 20
@@ -40,10 +44,17 @@ class SearchParameters:
 
     method: str = _parameter(
         "bounded-edit",
-        "bounded-edit = how the postures change, by an edit distance; the default.",
+        "bounded-edit = how the postures change, by an edit distance; the default. parts = the 2009 paper's patterns "
+        "of parts of the body, repaired. printed = the same with the paper's own matching, to compare with.",
         choices=tuple(ENGINES),
     )
     analysis_fps: float = _parameter(30.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0, advanced=True)
+    pattern_error: float = _parameter(
+        0.6,
+        "With parts and printed: how far a movement may be from its pattern, as a share of their spread; "
+        "less makes more patterns.",
+        0.1, 5.0, 0.1, advanced=True,
+    )  # fmt: skip
     seed: int = _parameter(0, "Number that starts the random choices; equal numbers give equal indexes.", 0, None, 1)
 
     def __post_init__(self) -> None:
@@ -51,6 +62,8 @@ class SearchParameters:
             raise ValueError(f"method must be one of {', '.join(ENGINES)}, not {str(self.method)[:40]!r}")
         if not 5 <= self.analysis_fps <= 240:
             raise ValueError(f"analysis_fps must be 5 to 240, not {self.analysis_fps}")
+        if not 0.1 <= self.pattern_error <= 5:
+            raise ValueError(f"pattern_error must be 0.1 to 5, not {self.pattern_error}")
 
 
 class Engine(Protocol):

@@ -1,0 +1,215 @@
+"""What an index keeps of one node of the body: its axes, pattern library and pattern index lists (PCR section 3.3)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from core.poses.body_parts import LEVEL, leaves_of
+from core.poses.features import principal_directions
+from core.retrieval.descriptors import BLOCKS, N_COLUMNS
+from core.retrieval.frames import UNITS
+from core.retrieval.patterns import FIRST_K, PatternLibrary, build_library
+from core.retrieval.segmentation import normalise_segments, ppca_cuts
+
+THRESHOLDS: Mapping[int, float] = {4: 0.05, 3: 0.1, 2: 1.0, 1: 15.0}
+"""The paper's R for levels 4 (leaves) to 1 (whole body), section 3.3."""
+
+TRAVELLING = ("lower_body", "whole_body")
+"""Nodes that may see the root's velocity and turning as well: the legs carry it."""
+
+_TRAVEL = np.arange(N_COLUMNS + 2, N_COLUMNS + 6)
+_FASTEST = 3.0  # m/s and rad/s: how fast hardly matters beyond
+_AXES = 8  # principal axes of a node: more make patterns no better and segmentation slower
+_FOR_AXES = 60_000  # frames they are taken from
+_FOR_PATTERNS = 40_000  # segments that the patterns are learned from; all others take the nearest
+
+
+@dataclass(frozen=True)
+class PatternSettings:
+    """How lists of patterns are made.
+
+    centring: share of the average posture of the ``around`` seconds before and after a frame that is taken off it.
+    max_error: of adaptive k-means, see core.retrieval.patterns; most: patterns of a node; first_k: its first k.
+    travel: whether the nodes of TRAVELLING also see how the root travels.
+    """
+
+    centring: float
+    max_error: float
+    seed: int = 0
+    around: float = 4.0
+    travel: bool = False
+    most: int = 1400
+    first_k: int = FIRST_K
+
+
+class NodeReport(NamedTuple):
+    """A row of the paper's Tables 1 and 2: frames of a segment (mean, standard deviation), segments and patterns."""
+
+    node: str
+    level: int
+    mean_frames: float
+    deviation: float
+    segments: int
+    patterns: int
+
+
+@dataclass(frozen=True, eq=False)
+class SymbolList:
+    """Pattern index list of a motion: symbols ``(m,)`` int32; cuts ``(m + 1,)``: where its segments begin and end."""
+
+    symbols: np.ndarray
+    cuts: np.ndarray
+
+
+@dataclass(frozen=True, eq=False)
+class NodeIndex:
+    """One node of all clips.
+
+    mean ``(c,)``, basis ``(c, d)``: principal axes of the node's columns. length: the reference frame number.
+    symbols ``(n_segments,)`` int32: patterns of the segments; begins, ends ``(n_segments,)`` int32: their frames, of
+    all clips one after another; starts ``(n_clips + 1,)``: offsets of the clips among the segments.
+    """
+
+    node: str
+    mean: np.ndarray
+    basis: np.ndarray
+    length: int
+    library: PatternLibrary
+    symbols: np.ndarray
+    begins: np.ndarray
+    ends: np.ndarray
+    starts: np.ndarray
+
+    @property
+    def middles(self) -> np.ndarray:
+        """Middle of each segment in frames ``(n_segments,)``, ascending."""
+        return (self.begins + self.ends) / 2
+
+    def windows(self, first: np.ndarray, last: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Ranges of segments, ``(n,)`` each, whose middles lie in frames ``[first, last)``, ``(n,)`` each."""
+        return np.searchsorted(self.middles, first), np.searchsorted(self.middles, last)
+
+    def listed(self, columns: np.ndarray) -> SymbolList:
+        """The pattern index list of a motion whose centred node columns are ``(n, c)``."""
+        track = self._track(columns)
+        cuts = ppca_cuts(track, THRESHOLDS[LEVEL[self.node]])
+        rows = normalise_segments(track, cuts[:-1], cuts[1:], self.length).reshape(len(cuts) - 1, -1)
+        return SymbolList(self.library.nearest(rows), cuts)
+
+    def extended(self, tracks: Iterator[np.ndarray], first_frame: int) -> NodeIndex:
+        """With more clips, given by their centred node columns ``(n, c)``: nearest patterns, nothing learned anew."""
+        offset, symbols, begins, ends, counts = first_frame, [], [], [], []
+        for columns in tracks:
+            if columns.shape[1] == 0:
+                counts.append(0)
+            else:
+                found = self.listed(columns)
+                symbols.append(found.symbols)
+                begins.append(found.cuts[:-1] + offset)
+                ends.append(found.cuts[1:] + offset)
+                counts.append(len(found.symbols))
+            offset += len(columns)
+        return replace(
+            self,
+            symbols=np.concatenate([self.symbols, *symbols]).astype(np.int32),
+            begins=np.concatenate([self.begins, *begins]).astype(np.int32),
+            ends=np.concatenate([self.ends, *ends]).astype(np.int32),
+            starts=np.concatenate([self.starts, self.starts[-1] + np.cumsum(counts)]).astype(np.int64),
+        )
+
+    def report(self) -> NodeReport:
+        """The node's row of the paper's Tables 1 and 2."""
+        frames = self.ends - self.begins
+        spread = (float(frames.mean()), float(frames.std())) if len(frames) else (0.0, 0.0)
+        return NodeReport(self.node, LEVEL[self.node], *spread, len(frames), len(self.library.patterns))
+
+    def pack(self) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+        """As a JSON document and arrays (n, ...)."""
+        names = ("mean", "basis", "symbols", "begins", "ends", "starts")
+        arrays = {name: getattr(self, name) for name in names}
+        arrays |= {"patterns": self.library.patterns, "scale": self.library.scale}
+        return {"node": self.node, "length": self.length}, arrays
+
+    @classmethod
+    def unpack(cls, document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> NodeIndex:
+        """Back from :meth:`pack` (n, ...)."""
+        given = dict(arrays)
+        library = PatternLibrary(given.pop("patterns"), given.pop("scale"))
+        return cls(str(document["node"]), length=int(document["length"]), library=library, **given)
+
+    def _track(self, columns: np.ndarray) -> np.ndarray:
+        return np.ascontiguousarray((columns - self.mean) @ self.basis, np.float32)
+
+
+def build_node(node: str, tracks: Sequence[np.ndarray], settings: PatternSettings) -> NodeIndex | None:
+    """The index of one node of all clips, given by their centred node columns ``(n, c)`` (c = 0: the clip lacks it).
+
+    None where no clip has the node.
+    """
+    there = [track for track in tracks if track.shape[1]]
+    if not there:
+        return None
+    step = max(1, sum(map(len, there)) // _FOR_AXES)
+    mean, basis, _ = principal_directions(np.concatenate([track[::step] for track in there]), 0.999)
+    mean, basis = mean.astype(np.float32), basis[:, :_AXES].astype(np.float32)
+    offset, values, begins, ends, counts = 0, [], [], [], []
+    for track in tracks:
+        if track.shape[1]:
+            values.append(np.ascontiguousarray((track - mean) @ basis, np.float32))
+            cuts = ppca_cuts(values[-1], THRESHOLDS[LEVEL[node]])
+            begins.append(cuts[:-1] + offset)
+            ends.append(cuts[1:] + offset)
+        else:
+            values.append(np.zeros((len(track), basis.shape[1]), np.float32))
+        counts.append(len(cuts) - 1 if track.shape[1] else 0)
+        offset += len(track)
+    begin, end = np.concatenate(begins), np.concatenate(ends)
+    length = max(2, round(float((end - begin).mean())))
+    rows = normalise_segments(np.concatenate(values), begin, end, length).reshape(len(begin), -1)
+    library, labels = _learned(rows, settings)
+    starts = np.concatenate([[0], np.cumsum(counts)]).astype(np.int64)
+    return NodeIndex(node, mean, basis, length, library, labels, begin.astype(np.int32), end.astype(np.int32), starts)
+
+
+def _learned(rows: np.ndarray, settings: PatternSettings) -> tuple[PatternLibrary, np.ndarray]:
+    """Library of segments ``(n, ...)`` and all their patterns; of very many a seeded sample is learned from."""
+    chosen = np.arange(len(rows))
+    if len(rows) > _FOR_PATTERNS:
+        chosen = np.sort(np.random.default_rng(settings.seed).permutation(len(rows))[:_FOR_PATTERNS])
+    library, labels = build_library(
+        rows[chosen],
+        max_error=settings.max_error,
+        most=settings.most,
+        seed=settings.seed,
+        first_k=settings.first_k,
+    )
+    return library, labels if len(chosen) == len(rows) else library.assign(rows)
+
+
+def node_columns(node: str, codes: np.ndarray, has: Sequence[str], settings: PatternSettings, fps: float) -> np.ndarray:
+    """The centred columns ``(n, c)`` float32 of a node, from a clip's codes ``(n, ...)`` (core.retrieval.frames).
+
+    has: leaves of the clip's skeleton; c = 0 where it lacks one of the node's.
+    """
+    leaves = leaves_of(node)
+    if any(leaf not in has for leaf in leaves):
+        return np.zeros((len(codes), 0), np.float32)
+    columns = np.concatenate([np.arange(BLOCKS[leaf].start, BLOCKS[leaf].stop) for leaf in leaves])
+    values = codes[:, columns] * UNITS[columns]
+    if settings.centring > 0:
+        values = centred(values, settings.centring, round(settings.around * fps))
+    if settings.travel and node in TRAVELLING:
+        values = np.concatenate([values, np.clip(codes[:, _TRAVEL] * UNITS[_TRAVEL], -_FASTEST, _FASTEST)], axis=1)
+    return values
+
+
+def centred(values: np.ndarray, share: float, around: int) -> np.ndarray:
+    """``values`` (n, c) less ``share`` of their mean over the ``around`` frames either side: ``(n, c)`` float32."""
+    sums = np.concatenate([np.zeros((1, values.shape[1])), np.cumsum(values, axis=0, dtype=np.float64)])
+    at = np.arange(len(values))
+    first, last = np.maximum(at - around, 0), np.minimum(at + around + 1, len(values))
+    return (values - share * (sums[last] - sums[first]) / (last - first)[:, None]).astype(np.float32)
