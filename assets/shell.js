@@ -22,7 +22,7 @@
     put(pairs, shown.parameters);
     for (const key of shown.keys[page()] || []) put(pairs, { [key]: (shown.view || {})[key] });
     put(pairs, shown.selection);
-    if (shown.chosen !== "{}" || (shown.view || {}).walk) put(pairs, shown.stage);
+    if (shown.chosen !== "{}" || (shown.view || {}).walk || (shown.view || {}).sentence) put(pairs, shown.stage);
     const address = location.pathname + "?" + pairs.toString().replace(/%2C/g, ",").replace(/%3A/g, ":");
     if (address !== location.pathname + location.search) history.replaceState(history.state, "", address);
     return address;

@@ -6,7 +6,7 @@
   const REST = 90; // milliseconds the pointer stays before anything is fetched
   const PATIENCE = 400; // milliseconds
   const KEPT = 15000; // milliseconds: a name that is given meanwhile is soon seen
-  const OTHER = ["motif", "motion", "edge", "transition", "clip", "start", "end", "time", "speed", "layout", "camera"];
+  const OTHER = ["motif", "motion", "edge", "transition", "action", "segment", "clip", "start", "end", "as", "time", "speed", "layout", "camera"];
   const requests = new Map(); // address -> promise of a request, null where there is nothing to play
   let current = Promise.resolve();
   let timer = 0;

@@ -35,6 +35,7 @@ VIEW_KEYS = {  # what a page shows beside the selection: kept in the store "view
         *("hit", "look", "study", "asks", "measure"),
         *settings.keys("search"),
     ),
+    "grammar": ("view", "routine", "sentence", "pick", "up", "alt", "counts", *settings.keys("grammar")),
     "clip": ("chart", "angles", "joints", "rig", "channels", "span"),
 }
 PAGES = tuple(VIEW_KEYS)
@@ -49,12 +50,13 @@ OF_DATASET = (
     "label",
     "named",
     "asks",
+    *("routine", "sentence", "pick", "up", "alt"),
 )  # what makes no sense any more with another data set
 FREE_TEXT = frozenset(
     {"query", "hit", "label", "named", "asks"}
 )  # keys that may hold any text one can print, such as names of clips
 MAX_QUERY = 4000
-_SELECTION_KEYS = ("motif", "motion", "edge", "transition", "clip", "start", "end")
+_SELECTION_KEYS = ("motif", "motion", "edge", "transition", "action", "segment", "clip", "start", "end", "as")
 _MAX_NUMBER = 10**7
 
 
@@ -63,7 +65,9 @@ class View:
     """What the link shows. ``parameters`` are the method's, as text; ``selection`` is one of
 
     {"motif": int[, "motion": int]}, {"edge": "SOURCE-TARGET"[, "transition": int]},
-    {"clip": name[, "start": frame, "end": frame]} (frames of the clip's own rate, end exclusive).
+    {"action": int[, "segment": int]} (of the Grammar page),
+    {"clip": name[, "start": frame, "end": frame][, "as": "actions"]} (frames of the clip's own rate, end exclusive;
+    as: coloured by its actions).
     ``stage`` is the Stage's own business (moment, camera ...), ``view`` the page's (see VIEW_KEYS): short strings
     handed back as they came.
     """
@@ -145,6 +149,8 @@ def _first_values(query: str, problems: list[str]) -> dict[str, str]:
 def _selection(values: Mapping[str, str], problems: list[str]) -> dict[str, int | str]:
     if "motif" in values:
         return _with_numbers("motif", _number(values, "motif", problems), values, ("motion",), problems)
+    if "action" in values:
+        return _with_numbers("action", _number(values, "action", problems), values, ("segment",), problems)
     if "edge" in values:
         match = re.fullmatch(r"(\d{1,6})-(\d{1,6})", values["edge"])
         if not match:
@@ -153,6 +159,7 @@ def _selection(values: Mapping[str, str], problems: list[str]) -> dict[str, int 
         return _with_numbers("edge", edge, values, ("transition",), problems)
     if values.get("clip"):
         chosen = _with_numbers("clip", values["clip"], values, ("start", "end"), problems)
+        chosen |= {"as": values["as"]} if values.get("as") == "actions" else {}
         if ("start" in chosen) == ("end" in chosen) and chosen.get("start", 0) < chosen.get("end", 1):
             return chosen
         problems.append("“start” and “end” in the link must come together, start before end.")

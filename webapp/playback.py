@@ -12,6 +12,7 @@ from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.motifs.graph import Edge, Motif, MotifGraph
 from core.workspace import Workspace, WorkspaceError
+from webapp import actions_playing
 from webapp.components.errors import notice
 from webapp.figures.tables import clock
 from webapp.results import comparing, mixing, motif_graph, motif_notes
@@ -143,6 +144,8 @@ def selected_request(
         return None  # the mixture plays (assets/blend.js)
     try:
         dataset = workspace.open(dataset_name)
+        if "action" in selection or selection.get("as") == "actions":
+            return actions_playing.stage_request(workspace, dataset, view, selection)
         graph = motif_graph(workspace, dataset_name, parameters) if "clip" not in selection else None
         said = motif_notes(workspace, dataset_name, parameters) if "motif" in selection else {}
         names = {motif: note.name for motif, note in said.items()}
@@ -152,7 +155,11 @@ def selected_request(
 
 
 def missing(
-    workspace: Workspace, dataset_name: str | None, parameters: Mapping[str, Any] | None, selection: Mapping[str, Any]
+    workspace: Workspace,
+    dataset_name: str | None,
+    parameters: Mapping[str, Any] | None,
+    selection: Mapping[str, Any],
+    view: Mapping[str, str] | None = None,
 ) -> str | None:
     """What a selection names that is not there, in plain words; None where it is, or where nobody can tell yet."""
     if not selection or not dataset_name:
@@ -161,6 +168,8 @@ def missing(
         if "clip" in selection:
             known = selection["clip"] in workspace.open(dataset_name).names
             return None if known else f"“{dataset_name}” has no clip called “{selection['clip']}”."
+        if "action" in selection:
+            return actions_playing.missing(workspace, dataset_name, view, selection)
         graph = motif_graph(workspace, dataset_name, parameters)
     except WorkspaceError:
         return None
@@ -186,7 +195,7 @@ def register(app: Dash, workspace: Workspace) -> None:
         prevent_initial_call=True,
     )
     def play(selection, _key, view, dataset_name, parameters):
-        gone = missing(workspace, dataset_name, parameters, selection)
+        gone = missing(workspace, dataset_name, parameters, selection, view)
         if gone:
             set_props("notices", {"sendNotifications": [notice("That is not there", gone, "orange", id="not-there")]})
             set_props("selection", {"data": {}})

@@ -10,7 +10,7 @@ from typing import Any
 from core import analyses
 from core.analyses import Request
 
-_COMMANDS = ("motifs", "stability", "map")  # those whose options are the parameters of the method
+_COMMANDS = ("motifs", "stability", "map", "grammar")  # those whose options are the parameters of the method
 
 
 def both(workspace: Path, request: Request) -> dict[str, str]:
@@ -18,7 +18,8 @@ def both(workspace: Path, request: Request) -> dict[str, str]:
     made = {"Copy as Python": script(workspace, request)}
     if request.method in _COMMANDS:
         return {"Copy as command": command(workspace, request), **made}
-    return {"Copy as commands": walk_commands(workspace, request), **made} if request.method == "walk" else made
+    two = {"walk": walk_commands, "derive": derive_commands}.get(request.method)
+    return {"Copy as commands": two(workspace, request), **made} if two else made
 
 
 def command(workspace: Path, request: Request, out: str = "") -> str:
@@ -39,6 +40,17 @@ def walk_commands(workspace: Path, request: Request) -> str:
     words += [] if values["keep_feet"] else ["--plain"]
     words += ["--gaps", values["gaps"], "--dead-end", values["dead_end"], "--out", "walk.bvh"]
     return f"{command(workspace, graph)}\n{shlex.join(words)}"
+
+
+def derive_commands(workspace: Path, request: Request) -> str:
+    """The grammar, then the routine: two commands."""
+    values = analyses.normalise(request).parameters
+    names = {p.name for p in analyses.parameters("grammar")}
+    grammar = Request(request.dataset, "grammar", {name: values[name] for name in names})
+    words = ["motionscape", "derive", f"{workspace}/{request.dataset}", "--from", "grammar.json"]
+    words += ["--sentence", values["sentence"], "--seed", str(values["seed"])]
+    words += [*([] if values["keep_feet"] else ["--plain"]), "--out", "routine.bvh"]
+    return f"{command(workspace, grammar)}\n{shlex.join(words)}"
 
 
 def script(workspace: Path, request: Request) -> str:

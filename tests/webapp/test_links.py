@@ -16,6 +16,8 @@ SELECTIONS = st.one_of(
     st.builds(lambda a, b: {"edge": f"{a}-{b}"}, st.integers(0, 999), st.integers(0, 999)),
     st.builds(lambda name, start, n: {"clip": name, "start": start, "end": start + n + 1}, NAMES, NUMBERS, NUMBERS),
     st.builds(lambda name: {"clip": name}, NAMES),
+    st.fixed_dictionaries({"action": NUMBERS}, optional={"segment": NUMBERS}),
+    st.builds(lambda name: {"clip": name, "as": "actions"}, NAMES),
 )
 VIEWS = st.builds(
     View,
@@ -59,6 +61,11 @@ def test_an_interval_needs_both_ends_in_order():
     assert parse("/library", "?clip=a&start=3")[0].selection == {"clip": "a"}
     assert parse("/library", "?clip=a&start=9&end=3")[0].selection == {"clip": "a"}
     assert parse("/library", "?clip=a&start=3&end=9")[0].selection == {"clip": "a", "start": 3, "end": 9}
+
+
+def test_only_what_we_know_colours_a_clip():
+    assert parse("/grammar", "?clip=a&as=actions")[0].selection == {"clip": "a", "as": "actions"}
+    assert parse("/grammar", "?clip=a&as=ghosts")[0].selection == {"clip": "a"}
 
 
 def test_a_flood_is_refused():

@@ -15,6 +15,7 @@ PAGES = (  # path, label, icon
     ("motifs", "Motifs", "graph"),
     ("sweeps", "Sweeps", "sweep"),
     ("search", "Search", "search"),
+    ("grammar", "Grammar", "branches"),
     ("clip", "Clip", "pulse"),
 )
 

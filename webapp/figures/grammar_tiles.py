@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from core.mocap.dataset import Dataset
 
 if TYPE_CHECKING:
-    from core.grammar.build import LearnedGrammar
+    from core.grammar.learned import LearnedGrammar
 
 Tile = tuple[str, str, str]
 

@@ -1,0 +1,72 @@
+/* The routines of the recordings as strings of coloured squares, and the tree of the chosen one. */
+(function () {
+  "use strict";
+  const parts = (window.motionscapeGrammar = window.motionscapeGrammar || {});
+  const { element, clock, plural } = parts;
+  let now = {}; // the routine whose tree is shown
+
+  const selectionOf = (routine, first, end) => ({
+    clip: routine.clip, start: routine.leaves[first][0], end: routine.leaves[end - 1][1], as: "actions",
+  });
+
+  function row(routine, number) {
+    const line = element("li");
+    const button = element("button", "routine-row");
+    button.type = "button";
+    button.dataset.routine = number;
+    const name = `${routine.clip}, ${clock(routine.seconds[0])} to ${clock(routine.seconds[1])}`;
+    button.setAttribute("aria-label", `Routine ${number + 1}: ${name}, ${plural(routine.actions.length, "action")}`);
+    button.title = `${name}: ${routine.actions.map((id) => parts.action(id).name).join(", ")}`;
+    const squares = element("span", "routine-squares");
+    squares.append(...routine.actions.map((id) => {
+      const square = element("span", "routine-square");
+      square.style.setProperty("--tone", parts.action(id).colour);
+      return square;
+    }));
+    button.append(element("span", "number routine-number", String(number + 1)), element("span", "ellipsis routine-clip", routine.clip),
+      element("span", "muted number", clock(routine.seconds[0])), squares);
+    line.append(button);
+    return line;
+  }
+
+  function play(routine, first = 0, end = routine.leaves.length) {
+    const selection = selectionOf(routine, first, end);
+    window.motionscapeAhead.play(selection);
+    window.dash_clientside.set_props("selection", { data: selection });
+  }
+
+  parts.drawRoutines = (shown, data, view) => {
+    const list = parts.find("routine-list");
+    if (!list || !data?.routines) return;
+    if (parts.fresh(list, [data.key, data.names])) parts.redraw(list, data.routines.map(row));
+    if (!shown || shown.key !== data.key) return;
+    const routine = data.routines[shown.number];
+    now = { routine, number: shown.number };
+    for (const button of list.querySelectorAll(".routine-row")) {
+      const here = Number(button.dataset.routine) === shown.number;
+      button.classList.toggle("chosen", here);
+      button.setAttribute("aria-pressed", String(here));
+    }
+    parts.find("routine-title").textContent = `Routine ${shown.number + 1}`;
+    parts.find("routine-count").textContent = `${routine.clip}, ${plural(routine.actions.length, "action")}`;
+    parts.showTree(parts.find("routine-tree"), shown.svg, ({ first, end }) => play(routine, first, end));
+    parts.link("routine-svg", `/api/grammar-tree.svg?${parts.query(view, { routine: shown.number })}`);
+  };
+
+  document.addEventListener("click", (event) => {
+    if (event.target.closest?.("#routine-play") && now.routine) play(now.routine);
+    const button = event.target.closest?.(".routine-row");
+    if (!button) return;
+    const number = Number(button.dataset.routine);
+    parts.change({ routine: number ? String(number) : "" });
+    play(parts.data.routines[number]);
+  });
+
+  window.addEventListener("stage-frame", (event) => {
+    const box = parts.find("routine-tree");
+    if (!box?.offsetParent || !now.routine) return;
+    const item = event.detail.items[0];
+    const here = item && item.clip === now.routine.clip && item.dataset === parts.data.dataset;
+    parts.lightTree(box, here ? now.routine.leaves.findIndex(([start, end]) => item.frame >= start && item.frame < end) : -1);
+  });
+})();
