@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -56,12 +57,22 @@ def alternate(
     labels: np.ndarray | None = None,
     turns: int = 10,
     price: float = 0.0,
+    surplus: Sequence[float] = (),
 ) -> tuple[Clustering, float]:
     """The best clustering into ``k`` groups seen in at most ``turns`` turns from ``spans``, and its cost 1 / F.
 
     spans: ``(n, 2)``. A turn chooses medoids that no swap improves (starting from the groups ``labels (n,)`` of the
-    spans, from a random choice where None), and cuts anew. Raises ValueError where there are fewer than ``k`` spans.
+    spans, from a random choice where None), and cuts anew. surplus: turns before these with so many times ``k`` groups,
+    of which each time those go that are missed least: it keeps rare motions from being swallowed before the cuts have
+    found them. Raises ValueError where there are fewer than ``k`` spans.
     """
+    begin = spans, labels
+    for share in surplus:
+        medoids = _choose(space, spans, labels, min(len(spans), max(k, round(share * k))), weight, rng)
+        spans, labels = cut_by_medoids(space, spans[medoids], limits, price)
+        if len(spans) < k:
+            spans, labels = begin
+            break
     best, least, idle = None, np.inf, 0
     for turn in range(turns):
         medoids = _choose(space, spans, labels, k, weight, rng)
@@ -101,14 +112,25 @@ def _choose(space, spans, labels, k, weight, rng) -> np.ndarray:
 
 
 def _central(distances, weights, prices, labels, k) -> np.ndarray:
-    """The best medoid within each group; for groups that have gone, what is worst served by the others."""
+    """The best medoid within each group; without the groups that are missed least, where there are more than ``k``, and
+    with what is worst served, where there are fewer."""
     medoids: list[int] = []
     for label in np.unique(labels):
         members = np.flatnonzero(labels == label)
         costs = prices[members] + weights[members] @ distances[np.ix_(members, members)]
         medoids.append(int(members[costs.argmin()]))
+    while len(medoids) > k:
+        del medoids[_dispensable(distances[:, medoids], weights, prices[medoids])]
     while len(medoids) < k:
         served = weights * distances[:, medoids].min(1)
         served[medoids] = -1
         medoids.append(int(served.argmax()))
     return np.array(medoids, np.int64)
+
+
+def _dispensable(to_medoids: np.ndarray, weights: np.ndarray, prices: np.ndarray) -> int:
+    """Which of the medoids costs least to do without; to_medoids: distances ``(n, k)``, at least two medoids."""
+    order = np.argsort(to_medoids, axis=1)[:, :2]
+    first, second = np.take_along_axis(to_medoids, order, 1).T
+    losses = np.bincount(order[:, 0], weights * (second - first), len(prices)) - prices
+    return int(losses.argmin())

@@ -56,37 +56,39 @@ def candidate_costs(
     frames = np.ascontiguousarray(np.concatenate(medoids), np.float32)
     for start in range(0, n, _BLOCK):
         stop = min(start + _BLOCK, n)
-        table = pose_distances(np.asarray(x[start : min(stop + longest, n)], np.float32), frames)
+        table = pose_distances(frames, np.asarray(x[start : min(stop + longest, n)], np.float32))
         _costs(table, lengths, shortest, costs[start:stop], nearest[start:stop])
     return costs, nearest
 
 
 @numba.njit(cache=True, fastmath={"reassoc", "contract", "nsz"}, nogil=True)
 def _costs(table, lengths, shortest, costs, nearest):
-    """table: distances of poses (rows) to the frames of all medoids, one medoid after the other (columns)."""
-    n = len(table)
-    for s in range(len(costs)):
-        for c in range(min(costs.shape[1], n - s - shortest + 1)):
-            length = shortest + c
-            least, label, first = np.float32(np.inf), -1, 0
-            for k in range(len(lengths)):
-                own = lengths[k]
-                longer = max(length, own)
-                enough, total = least * longer, np.float32(0)
-                if length >= own:
-                    for m in range(length):
-                        total += table[s + m, first + m * own // length]
-                        if total >= enough:
-                            break
-                else:
-                    for m in range(own):
-                        total += table[s + m * length // own, first + m]
-                        if total >= enough:
-                            break
+    """table: distances of the frames of all medoids, one medoid after the other (rows), to poses (columns).
+
+    The frame that stands beside another, floor(m l' / l), is counted up, as a division a frame would take most of the
+    time; a candidate is left as soon as it costs more than with another medoid.
+    """
+    n, first = table.shape[1], 0
+    for k in range(len(lengths)):
+        own = lengths[k]
+        for s in range(len(costs)):
+            for c in range(min(costs.shape[1], n - s - shortest + 1)):
+                length = shortest + c
+                longer, shorter = max(length, own), min(length, own)
+                enough = costs[s, c] * (np.float32(longer) / np.float32(length))
+                total, beside, carried = np.float32(0), 0, 0
+                for m in range(longer):
+                    total += table[first + beside, s + m] if length >= own else table[first + m, s + beside]
+                    if total >= enough:
+                        break
+                    carried += shorter
+                    if carried >= longer:
+                        carried -= longer
+                        beside += 1
                 if total < enough:
-                    least, label = total / longer, k
-                first += own
-            costs[s, c], nearest[s, c] = least * length, label
+                    costs[s, c] = total * (np.float32(length) / np.float32(longer))
+                    nearest[s, c] = k
+        first += own
 
 
 @numba.njit(cache=True, nogil=True)

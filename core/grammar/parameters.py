@@ -22,10 +22,10 @@ class TerminalParameters:
 
     n_terminals: int = _parameter(20, "How many elementary actions to tell apart.", 1, 500, 1)
     weight: float = _parameter(
-        0.1, "Higher: fewer, longer repeats count more; lower: likeness within an action counts more.", 0.0, 1.0, 0.05
+        0.02, "Higher: fewer, longer repeats count more; lower: likeness within an action counts more.", 0.0, 1.0, 0.01
     )
-    min_seconds: float = _parameter(0.5, "The shortest piece an action may have, in seconds.", 0.1, 10.0, 0.1)
-    max_seconds: float = _parameter(3.0, "The longest piece an action may have, in seconds.", 0.2, 30.0, 0.1)
+    min_seconds: float = _parameter(1.0, "The shortest piece an action may have, in seconds.", 0.1, 10.0, 0.1)
+    max_seconds: float = _parameter(3.4, "The longest piece an action may have, in seconds.", 0.2, 30.0, 0.1)
     method: str = _parameter(
         "alternation",
         "alternation = fast; paper = the 2011 paper's genetic search and fine tuning (slow); annealing = the same, "
