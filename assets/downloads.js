@@ -1,4 +1,4 @@
-/* Saving what is on the page: charts as PNG, SVG or CSV, tables as CSV. */
+/* Saving what is on the page: charts as PNG, SVG or CSV, drawings as PNG or SVG, tables as CSV. */
 (function () {
   "use strict";
 
@@ -7,9 +7,9 @@
     return (picker && picker.value) || "motionscape";
   };
 
-  function save(text, name) {
+  function save(content, name, type = "text/csv") {
     const link = document.createElement("a");
-    link.href = URL.createObjectURL(new Blob([text], { type: "text/csv" }));
+    link.href = URL.createObjectURL(new Blob([content], { type }));
     link.download = name;
     link.click();
     setTimeout(() => URL.revokeObjectURL(link.href), 10000);
@@ -47,6 +47,25 @@
     else window.Plotly.downloadImage(plot, { format: kind, filename: name, scale: kind === "png" ? 2 : 1 });
   }
 
+  /** A drawing that the server makes; as a picture at twice its size. */
+  async function drawing(target, kind, name) {
+    const address = window.motionscapeDrawings[target]();
+    const answer = address && (await fetch(address));
+    if (!answer || !answer.ok) return;
+    const text = await answer.text();
+    if (kind === "svg") return save(text, name + ".svg", "image/svg+xml");
+    const image = new Image();
+    image.src = URL.createObjectURL(new Blob([text], { type: "image/svg+xml" }));
+    await image.decode();
+    const canvas = document.createElement("canvas");
+    const scale = Math.min(2, 16000 / image.height);
+    canvas.width = Math.round(image.width * scale);
+    canvas.height = Math.round(image.height * scale);
+    canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
+    URL.revokeObjectURL(image.src);
+    canvas.toBlob((blob) => blob && save(blob, name + ".png", "image/png"));
+  }
+
   const clientside = (window.dash_clientside = window.dash_clientside || {});
   clientside.downloads = {
     fetch(ready) {
@@ -66,6 +85,7 @@
     const { save: what, target, kind } = button.dataset;
     const name = `${dataset()} ${button.dataset.name}`;
     if (what === "chart") chart(target, kind, name);
+    else if (what === "drawing") drawing(target, kind, name);
     else {
       const api = await window.dash_ag_grid.getApiAsync(target).catch(() => null);
       const columns = api && api.getColumns().map((column) => column.getColId()).filter((id) => !["strip", "key"].includes(id));

@@ -2,8 +2,6 @@
 (function () {
   "use strict";
   const clientside = (window.dash_clientside = window.dash_clientside || {});
-  const ACTIONS = ["#4e79a7", "#f28e2b", "#59a14f", "#e15759", "#b07aa1", "#9c755f", "#76b7b2", "#d4a720", "#ff9da7", "#79706e"];
-  const colour = (action) => ACTIONS[action % ACTIONS.length];
   const element = (name, className, text) => {
     const made = document.createElement(name);
     if (className) made.className = className;
@@ -16,10 +14,10 @@
     node.style.width = Math.max((100 * (end - start)) / seconds, 0.15) + "%";
   };
 
-  function labelBlock([start, end, action], actions, seconds) {
+  function labelBlock([start, end, action], { actions, colours }, seconds) {
     const block = element("span", "timeline-label", actions[action]);
     block.title = `${actions[action]}, ${clock(start)} to ${clock(end)}`;
-    block.style.setProperty("--tone", colour(action));
+    block.style.setProperty("--tone", colours[action]);
     place(block, start, end, seconds);
     return block;
   }
@@ -56,7 +54,7 @@
     time.dataset.fps = clip.fps;
     if (data.actions.length) {
       const labels = element("div", "timeline-labels");
-      labels.append(...clip.labels.map((label) => labelBlock(label, data.actions, clip.seconds)));
+      labels.append(...clip.labels.map((label) => labelBlock(label, data, clip.seconds)));
       time.append(labels);
     }
     const motions = element("div", "timeline-motions");
@@ -75,16 +73,17 @@
     return rows;
   }
 
-  function legend(box, actions) {
+  function legend(box, { actions, colours }) {
     box.replaceChildren(...actions.slice(0, 24).map((action, i) => {
       const entry = element("span", "timeline-key", action);
-      entry.style.setProperty("--tone", colour(i));
+      entry.style.setProperty("--tone", colours[i]);
       return entry;
     }));
     if (actions.length > 24) box.append(element("span", "muted", `and ${actions.length - 24} more`));
   }
 
   function mark(box, selection) {
+    chosen = selection;
     const motif = selection && selection.motif !== undefined ? String(selection.motif) : null;
     box.classList.toggle("one-motif", motif !== null);
     for (const block of box.querySelectorAll(".timeline-motion")) {
@@ -143,6 +142,17 @@
   setInterval(cursor, 80);
 
   let drawn = null;
+
+  /** Where the drawing of what is shown lies: this order, scale, motif and theme. */
+  function drawing(selection) {
+    if (!drawn) return null;
+    const motif = selection && selection.motif !== undefined ? { motif: selection.motif } : {};
+    const scheme = document.documentElement.dataset.mantineColorScheme || "light";
+    return `${drawn.data.drawing}&${new URLSearchParams({ order: drawn.order, scale: drawn.scale, ...motif, scheme })}`;
+  }
+  let chosen = null;
+  window.motionscapeDrawings = Object.assign(window.motionscapeDrawings || {}, { timeline: () => drawing(chosen) });
+
   clientside.timeline = {
     draw(data, order, scale, selection) {
       const box = document.getElementById("timeline-rows");
@@ -155,7 +165,7 @@
         const rows = ordered(data.rows, order, (selection || {}).motif);
         box.classList.toggle("labelled", data.actions.length > 0);
         box.replaceChildren(...rows.map((clip) => row(clip, data, longest, scale === "fill")));
-        legend(document.getElementById("timeline-legend"), data.actions);
+        legend(document.getElementById("timeline-legend"), data);
       }
       mark(box, selection);
       return clientside.no_update;

@@ -53,9 +53,29 @@ def derive_commands(workspace: Path, request: Request) -> str:
     return f"{command(workspace, grammar)}\n{shlex.join(words)}"
 
 
+def compare_commands(workspace: Path, first: Request, second: Request) -> str:
+    """Both motif graphs, then the comparison: three commands."""
+    made = [command(workspace, request, f"{name}.json") for name, request in (("a", first), ("b", second))]
+    return "\n".join([*made, "motionscape compare a.json b.json --out comparison.json"])
+
+
+def compare_script(workspace: Path, first: Request, second: Request) -> str:
+    """A Python script that finds both motif graphs and compares them."""
+    lines = [
+        "from core import MotifParameters, Workspace, find_motifs",
+        "from core.motifs.compare import compare",
+        "",
+        f"dataset = Workspace({str(workspace)!r}).open({first.dataset!r})",
+        *(f"{name} = find_motifs(dataset, MotifParameters({_given(r)}))" for name, r in (("a", first), ("b", second))),
+        "result = compare(a, b)",
+        "print([(fate.motif, fate.change, fate.partners) for fate in result.a])",
+    ]
+    return "\n".join(lines) + "\n"
+
+
 def script(workspace: Path, request: Request) -> str:
     """A Python script that gives the result, computed where it is not kept."""
-    given = ", ".join(f"{name}={value!r}" for name, value in _not_default(request).items())
+    given = _given(request)
     if request.method == "motifs":
         lines = [
             "from core import MotifParameters, Workspace, find_motifs",
@@ -91,6 +111,10 @@ def _path(text: str) -> list[str]:
 def _not_default(request: Request) -> Mapping[str, Any]:
     filled = analyses.normalise(request).parameters
     return {p.name: filled[p.name] for p in analyses.parameters(request.method) if filled[p.name] != p.default}
+
+
+def _given(request: Request) -> str:
+    return ", ".join(f"{name}={value!r}" for name, value in _not_default(request).items())
 
 
 def _text(value: Any) -> str:

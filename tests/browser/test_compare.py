@@ -57,6 +57,9 @@ def test_two_results_side_by_side(comparison, show):
     bars = page.locator("#compare-flow .flow-bar")
     expect(bars).to_have_count(len(comparison.a) + len(comparison.b) + 2)
 
+    copied = page.locator("#compare-again").get_by_role("button", name="Copy as commands").get_attribute("data-copy")
+    assert copied.count("motionscape motifs") == 2 and copied.endswith("compare a.json b.json --out comparison.json")
+
     _rows_play_beside_their_partners(page, comparison)
     _filters_list_one_kind(page, comparison)
     _new_motifs_play_alone(page, comparison)
@@ -150,6 +153,8 @@ def test_stability_is_measured_shown_and_hidden(workspace, show, tmp_path):
         page.get_by_text("Save the figures (JSON)").click()
     download.value.save_as(tmp_path / "stability.json")
     assert json.loads((tmp_path / "stability.json").read_text())["repeats"]
+    copied = page.get_by_role("button", name="Copy as command").get_attribute("data-copy")
+    assert copied.startswith("motionscape stability ") and "--analysis-fps 15 --repetitions 1" in copied
     page.keyboard.press("Escape")
 
     page.evaluate("dash_clientside.set_props('selection', {data: {motif: 0}})")

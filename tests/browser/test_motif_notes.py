@@ -63,6 +63,13 @@ def test_a_motif_is_named_found_and_shown_along_the_clips(show, address):
     page.wait_for_function(
         "() => [...document.querySelectorAll('.timeline-time')].every(one => one.style.width === '100%')"
     )
+    for label, head in (("Drawing (SVG)", b"<svg "), ("Picture (PNG)", b"\x89PNG")):
+        page.get_by_role("button", name="Save the drawing: timeline").click()
+        with page.expect_download() as download:
+            page.get_by_role("menuitem", name=label).click()
+        saved = Path(download.value.path()).read_bytes()
+        assert saved.startswith(head) and len(saved) > 5000 and "demo timeline." in download.value.suggested_filename
+        expect(page.get_by_role("menuitem", name=label)).to_be_hidden()
     page.locator(".timeline-clip").first.click()
     expect(page.locator(".timeline-clip").first).to_have_class(re.compile("chosen"))
 

@@ -11,6 +11,7 @@ import pytest
 
 from core import analyses
 from core.mocap.bvh import read_bvh
+from core.motifs.compare import compare
 from core.workspace import Workspace
 from tests.webapp.generated import walkers
 from webapp import recipes
@@ -63,6 +64,29 @@ def test_any_result_has_a_script(workspace):
     found = {}
     exec(recipes.script(workspace.path, request), found)
     assert found["result"].to_json() == analyses.run(workspace, request).to_json()
+
+
+def test_stability_has_a_command(workspace, tmp_path, monkeypatch):
+    request = analyses.Request("two walkers", "stability", dict(REQUEST.parameters) | {"repetitions": 1})
+    wanted = analyses.run(workspace, request).to_json()
+    monkeypatch.chdir(tmp_path)
+    workspace.results.remove(analyses.key(workspace, request))
+    text = recipes.both(workspace.path, request)["Copy as command"]
+    assert main([*shlex.split(text)[1:], "--quiet"]) == 0
+    found = json.loads((tmp_path / "stability.json").read_text())
+    assert found["motifs"] == wanted["motifs"] and found["repeats"] == wanted["repeats"]
+
+
+def test_comparing_has_commands_and_a_script(workspace, tmp_path, monkeypatch):
+    other = analyses.Request("two walkers", "motifs", {**REQUEST.parameters, "seed": 1})
+    wanted = compare(analyses.run(workspace, REQUEST), analyses.run(workspace, other))
+    monkeypatch.chdir(tmp_path)
+    for line in recipes.compare_commands(workspace.path, REQUEST, other).split("\n"):
+        assert main([*shlex.split(line)[1:], "--quiet"]) == 0
+    assert json.loads((tmp_path / "comparison.json").read_text()) == json.loads(json.dumps(wanted.to_json()))
+    found = {}
+    exec(recipes.compare_script(workspace.path, REQUEST, other), found)
+    assert found["result"].to_json() == wanted.to_json()
 
 
 def test_defaults_are_left_out(workspace):

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
+from xml.etree import ElementTree
 
 import numpy as np
 
@@ -11,6 +13,7 @@ from core.motifs.graph import Motif, MotifGraph
 from core.workspace import MotifNote
 from tests.webapp.generated import walkers
 from webapp.figures.timeline import motif_colour, timeline
+from webapp.figures.timeline_drawing import timeline_svg
 
 
 def graph(*motifs: tuple[Segment, ...]) -> MotifGraph:
@@ -34,3 +37,38 @@ def test_names_of_people_stand_beside_the_number():
     found = timeline(dataset, graph((Segment("walk", 0, 60),)), {0: MotifNote(name="stride")})
     assert found["motifs"]["0"]["name"] == "0 stride"
     assert found["motifs"]["0"]["colour"] == motif_colour(0) != motif_colour(1)
+
+
+def boxes(svg: str, attribute: str, value: str) -> list[tuple[float, float]]:
+    """Left and right of the rectangles with this attribute."""
+    found = [e for e in ElementTree.fromstring(svg).iter() if e.tag.endswith("rect") and e.get(attribute) == value]
+    return [(float(e.get("x", 0)), float(e.get("x", 0)) + float(e.get("width"))) for e in found]
+
+
+def test_the_drawing_holds_every_block_where_it_belongs():
+    dataset = walkers(("walk & run", "stroll"), seconds=4.0, fps=60.0)
+    dataset = replace(dataset, labels=(Label("stroll", 0, 120, "<idle>"),))
+    data = timeline(dataset, graph((Segment("walk & run", 120, 240), Segment("stroll", 0, 60))))
+    svg = timeline_svg(data)
+    (left, right), other = boxes(svg, "fill", motif_colour(0))
+    whole = boxes(svg, "fill", "#dfe4ea")
+    assert [round(right - left), round(left - whole[0][0])] == [round((whole[0][1] - whole[0][0]) / 2)] * 2
+    assert other[0] == whole[1][0] and "walk &amp; run" in svg and "&lt;idle&gt;" in svg
+    assert len(boxes(svg, "fill-opacity", ".38")) == 1
+    assert len(re.findall('opacity=".3"', timeline_svg(data, motif=7))) == 2
+    assert "<svg" in timeline_svg(timeline(replace(dataset, labels=(), clips=()), graph()))
+
+
+def test_the_drawing_follows_order_and_scale():
+    dataset = walkers(("a", "b"), seconds=4.0)
+    dataset = replace(dataset, clips=(dataset.clips[0], replace_length(dataset.clips[1])))
+    data = timeline(dataset, graph((Segment("b", 0, 10), Segment("b", 20, 30), Segment("a", 0, 60))))
+    names = lambda svg: re.findall(r">(a|b)<title", svg)  # noqa: E731
+    assert names(timeline_svg(data)) == ["a", "b"] and names(timeline_svg(data, "chosen", motif=0)) == ["b", "a"]
+    widths = lambda svg: [round(b - a) for a, b in boxes(svg, "fill", "#dfe4ea")]  # noqa: E731
+    (same, short), (full, filled) = widths(timeline_svg(data)), widths(timeline_svg(data, scale="fill"))
+    assert short < same == full == filled
+
+
+def replace_length(clip):
+    return replace(clip, root_positions=clip.root_positions[:60], rotations=clip.rotations[:60])

@@ -1,4 +1,4 @@
-"""Downloads of results: ``GET /api/motifs.json``, ``.csv``, ``.svg``, ``/api/stability.json?dataset=...&rho=...``."""
+"""Downloads of results under /api: motifs.json, .csv and .svg, timeline.svg, stability.json; walks by their key."""
 
 from __future__ import annotations
 
@@ -16,6 +16,10 @@ from core.workspace import Workspace, WorkspaceError
 from webapp import results
 from webapp.figures.drawing import graph_svg
 from webapp.figures.tables import motions_csv
+from webapp.figures.timeline import timeline
+from webapp.figures.timeline_drawing import timeline_svg
+
+NOT_SETTINGS = ("dataset", "stability", "order", "scale", "motif", "scheme")
 
 
 class Refusal(Exception):
@@ -68,6 +72,20 @@ def export_blueprint(workspace: Workspace) -> Blueprint:
             graph_svg(elements, title=f"Motifs of {dataset.name}"), "image/svg+xml", f"{dataset.name}-motifs.svg"
         )
 
+    @routes.get("/timeline.svg")
+    def timeline_drawing() -> Response:
+        dataset, graph, _ = _asked(workspace)
+        given, chosen = request.args, request.args.get("motif", "")
+        data = timeline(dataset, graph, results.motif_notes(workspace, dataset.name, _parameters()))
+        text = timeline_svg(
+            data,
+            given.get("order", "name"),
+            given.get("scale", "same"),
+            int(chosen) if chosen.isdecimal() else None,
+            given.get("scheme", "light"),
+        )
+        return _attachment(text, "image/svg+xml", f"{dataset.name}-timeline.svg")
+
     return routes
 
 
@@ -100,7 +118,7 @@ def _asked(workspace: Workspace) -> tuple[Dataset, MotifGraph, str]:
 
 
 def _parameters() -> dict[str, str]:
-    return {key: value for key, value in request.args.items() if key not in ("dataset", "stability")}
+    return {key: value for key, value in request.args.items() if key not in NOT_SETTINGS}
 
 
 def attachment(text: str, mimetype: str, name: str) -> Response:

@@ -12,11 +12,20 @@ KINDS = {"png": "Picture (PNG)", "svg": "Drawing (SVG)", "csv": "Numbers (CSV)"}
 
 def chart_menu(graph_id: str, name: str) -> Component:
     """A button that saves the chart in the dcc.Graph ``graph_id`` under ``name`` plus the dataset's name."""
-    items = [dmc.MenuItem(label, **_saves("chart", graph_id, kind, name)) for kind, label in KINDS.items()]
+    return _menu("chart", graph_id, name, *KINDS)
+
+
+def drawing_menu(drawing: str, name: str) -> Component:
+    """A button that saves a drawing of the server's; in a script, motionscapeDrawings[drawing] says where it lies."""
+    return _menu("drawing", drawing, name, "png", "svg")
+
+
+def _menu(what: str, target: str, name: str, *kinds: str) -> Component:
+    items = [dmc.MenuItem(KINDS[kind], **_saves(what, target, kind, name)) for kind in kinds]
     return dmc.Menu(
         shadow="md",
         position="bottom-end",
-        children=[dmc.MenuTarget(_button(f"Save the chart: {name}")), dmc.MenuDropdown(items)],
+        children=[dmc.MenuTarget(_button(f"Save the {what}: {name}")), dmc.MenuDropdown(items)],
     )
 
 

@@ -10,6 +10,7 @@ from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
 from core.workspace import MotifNote
 
+ACTIONS = ("#4e79a7", "#f28e2b", "#59a14f", "#e15759", "#b07aa1", "#9c755f", "#76b7b2", "#d4a720", "#ff9da7", "#79706e")
 GOLDEN = 0.6180339887498949  # turns of the colour circle from one motif to the next: neighbours never look alike
 
 
@@ -24,7 +25,8 @@ def timeline(dataset: Dataset, graph: MotifGraph, notes: Mapping[int, MotifNote]
     """What assets/timeline.js draws, in seconds of the clips:
 
     ``rows``: {clip, fps, seconds, share (of its frames in motifs), motions: [[start, end, motif, number]], labels:
-    [[start, end, action number]]}; ``motifs``: id -> {name, colour, motions}; ``actions``: names, by number.
+    [[start, end, action number]]}; ``motifs``: id -> {name, colour, motions}; ``actions``: names by number;
+    ``colours``: theirs.
     """
     rates = {clip.name: clip.fps for clip in dataset.clips}
     motions: dict[str, list[list[float]]] = {name: [] for name in rates}
@@ -59,6 +61,7 @@ def timeline(dataset: Dataset, graph: MotifGraph, notes: Mapping[int, MotifNote]
             for m in graph.motifs
         },
         "actions": actions,
+        "colours": [ACTIONS[number % len(ACTIONS)] for number in range(len(actions))],
     }
 
 

@@ -16,8 +16,8 @@ from core.motifs.graph import MotifGraph
 from core.motifs.neighbours import neighbours, other_seeds
 from core.motifs.parameters import MotifParameters
 from core.workspace import Job, Workspace, WorkspaceError
-from webapp import jobs, results
-from webapp.components.actions import sends
+from webapp import jobs, recipes, results
+from webapp.components.actions import copies, sends
 from webapp.components.downloads import table_download
 from webapp.components.errors import empty_state, notice
 from webapp.components.running import running
@@ -72,7 +72,14 @@ def _result() -> list[Component]:
         className="compare-filter",
         **{"aria-label": "Which changes to list"},
     )
-    bar = html.Div([control, html.Div(className="spacer"), table_download("compare-table", "comparison")])
+    bar = html.Div(
+        [
+            control,
+            html.Div(className="spacer"),
+            html.Div(id="compare-again", className="head-menus"),
+            table_download("compare-table", "comparison"),
+        ]
+    )
     bar.className = "table-bar"
     heads = html.Div([html.Span("This result"), html.Span("The other result")], className="compare-heads muted")
     return [
@@ -176,6 +183,7 @@ def _show(app: Dash, workspace: Workspace) -> None:
         Output("compare-flow-data", "data"),
         Output("compare-filter", "data"),
         Output("compare-filter", "value"),
+        Output("compare-again", "children"),
         Input("compare-keys", "data"),
         State("view", "data"),
         State("dataset", "data"),
@@ -184,9 +192,10 @@ def _show(app: Dash, workspace: Workspace) -> None:
     def show_result(keys, view, name, parameters):
         found = _compared(workspace, name, parameters, view) if keys else None
         if found is None:
-            return no_update, no_update, no_update, no_update
+            return (no_update,) * 5
         comparison, names = found[2], _names(workspace, name, parameters)
-        return figure.sentence(comparison), figure.flow(comparison, names), figure.filters(comparison), "all"
+        again = _again(workspace, name, parameters, view["other"])
+        return figure.sentence(comparison), figure.flow(comparison, names), figure.filters(comparison), "all", again
 
     @app.callback(
         Output("compare-table", "rowData"),
@@ -251,6 +260,16 @@ def _play(app: Dash, workspace: Workspace) -> None:
             return no_update
 
     app.clientside_callback(ClientsideFunction("compare", "play"), Input("compare-request", "data"))
+
+
+def _again(workspace: Workspace, name: str, parameters: Mapping[str, Any] | None, other: str) -> list[Component]:
+    """Buttons that copy what gives the comparison again."""
+    both = results.motif_request(name, parameters), results.motif_request(name, read_parameters(other))
+    made = {
+        "Copy as commands": recipes.compare_commands(workspace.path, *both),
+        "Copy as Python": recipes.compare_script(workspace.path, *both),
+    }
+    return [dmc.Button(label, size="compact-sm", variant="default", **copies(text)) for label, text in made.items()]
 
 
 def _shown(view: Mapping[str, str] | None) -> bool:

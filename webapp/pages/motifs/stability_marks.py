@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 from urllib.parse import urlencode
 
@@ -13,8 +15,8 @@ from dash.development.base_component import Component
 from core import analyses
 from core.parameters import ParameterError
 from core.workspace import Job, Workspace, WorkspaceError
-from webapp import jobs, results, theme
-from webapp.components.actions import sends
+from webapp import jobs, recipes, results, theme
+from webapp.components.actions import copies, sends
 from webapp.components.errors import notice
 from webapp.components.icons import icon
 from webapp.components.job_bar import stage_words
@@ -152,7 +154,9 @@ def register(app: Dash, workspace: Workspace) -> None:
             return (no_update,) * 4
         words = "Stability" if percent is None else f"Stability {percent} %"
         query = urlencode({"dataset": name or "", **(parameters or {}), "stability": text or ""})
-        return shown_values(found), status(text, found, job, query), words, of
+        request = results.stability_request(name, parameters, text) if found else None
+        copied = recipes.both(workspace.path, request) if request else {}
+        return shown_values(found), status(text, found, job, query, copied), words, of
 
     app.clientside_callback(
         ClientsideFunction("stability", "draw"),
@@ -184,15 +188,22 @@ def shown_values(found: Stability | None) -> dict[str, Any] | None:
     }
 
 
-def status(text: str | None, found: Stability | None, job: Job | None, query: str) -> Component | None:
-    """One line: how far it is, or what came of it."""
+def status(
+    text: str | None,
+    found: Stability | None,
+    job: Job | None,
+    query: str,
+    copied: Mapping[str, str] = MappingProxyType({}),
+) -> Component | None:
+    """One line: how far it is, or what came of it; copied: what gives it again, to copy, by what the buttons say."""
     if found is not None:
         mean = f"{found.overall.mean():.0%}" if len(found.motifs) else "–"
         said = f"Mean stability {mean}, over {len(found.repeats)} repeats. "
         link = html.A(
             "Save the figures (JSON)", href=f"/api/stability.json?{query}", download="", className="text-link"
         )
-        return html.Div([said, link])
+        again = [dmc.Button(label, size="compact-xs", variant="subtle", **copies(t)) for label, t in copied.items()]
+        return html.Div([said, link, html.Div(again, className="stability-again")])
     if job is not None and job.alive:
         cancel = dmc.Button(
             "Cancel",

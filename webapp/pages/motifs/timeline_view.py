@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from urllib.parse import urlencode
+
 import dash_mantine_components as dmc
 from dash import Dash, Input, Output, State, dcc, html, no_update
 from dash.dependencies import ClientsideFunction
@@ -9,6 +11,7 @@ from dash.development.base_component import Component
 
 from core.workspace import Workspace
 from webapp import results
+from webapp.components.downloads import drawing_menu
 from webapp.figures.timeline import timeline
 
 ORDERS = (("name", "By name"), ("share", "Least in motifs first"), ("chosen", "Chosen motif first"))
@@ -39,6 +42,8 @@ def layout() -> Component:
                         **{"aria-label": "Scale of time"},
                     ),
                     html.Div(id="timeline-legend", className="timeline-legend"),
+                    html.Div(className="spacer"),
+                    drawing_menu("timeline", "timeline"),
                 ],
             ),
             html.Div(id="timeline-rows", className="card timeline-rows", role="list", **{"aria-label": "Clips"}),
@@ -67,7 +72,9 @@ def register(app: Dash, workspace: Workspace) -> None:
         graph = results.motif_graph(workspace, name, parameters)
         if graph is None:
             return no_update
-        return timeline(workspace.open(name), graph, results.motif_notes(workspace, name, parameters))
+        made = timeline(workspace.open(name), graph, results.motif_notes(workspace, name, parameters))
+        address = f"/api/timeline.svg?{urlencode({'dataset': name, **(parameters or {})})}"
+        return made | {"drawing": address}
 
     app.clientside_callback(
         ClientsideFunction("timeline", "draw"),
