@@ -154,7 +154,7 @@ def test_stability_is_measured_shown_and_hidden(workspace, show, tmp_path):
     download.value.save_as(tmp_path / "stability.json")
     assert json.loads((tmp_path / "stability.json").read_text())["repeats"]
     copied = page.get_by_role("button", name="Copy as command").get_attribute("data-copy")
-    assert copied.startswith("motionscape stability ") and "--analysis-fps 15 --repetitions 1" in copied
+    assert copied.startswith("motionscape stability ") and "--analysis-fps 15.0 --repetitions 1" in copied
     page.keyboard.press("Escape")
 
     page.evaluate("dash_clientside.set_props('selection', {data: {motif: 0}})")
