@@ -84,7 +84,7 @@ def export_blueprint(workspace: Workspace) -> Blueprint:
             int(chosen) if chosen.isdecimal() else None,
             given.get("scheme", "light"),
         )
-        return _attachment(text, "image/svg+xml", f"{dataset.name}-timeline.svg")
+        return attachment(text, "image/svg+xml", f"{dataset.name}-timeline.svg")
 
     return routes
 
