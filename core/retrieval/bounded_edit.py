@@ -20,7 +20,7 @@ from core.retrieval.metric import Metric, Motions
 from core.retrieval.queries import Query
 from core.retrieval.trajectories import path_distances
 
-RERANKED = 1024
+RERANKED = 3000
 """Clips that get the exact distance; of more, the others follow in the order of the rough one."""
 
 _KEPT = 3  # settings of weights whose clips stay resampled
@@ -31,6 +31,7 @@ class BoundedEdit:
 
     def __init__(self, store: FrameStore):
         self.store = store
+        self._wholes = [Segment(clip.name, 0, clip.frames) for clip in store.clips]
         self._resampled: OrderedDict[bytes, Motions] = OrderedDict()
 
     @property
@@ -59,8 +60,8 @@ class BoundedEdit:
                 composed.codes, self.store.codes, starts, ends, self.store.fps
             )
         order = np.argsort(apart, kind="stable")[:top]
-        found = [(self.clips[among[k]], float(1 - apart[k])) for k in order]
-        return [Hit(Segment(clip.name, 0, clip.frames), score) for clip, score in found]
+        found = zip(among[order].tolist(), (1 - apart[order]).tolist(), strict=True)
+        return [Hit(self._wholes[clip], score) for clip, score in found]
 
     def rank_intervals(
         self, query: Query, weights: Mapping[str, float], *, among: np.ndarray, top: int, root_path: float

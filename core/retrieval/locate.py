@@ -101,46 +101,60 @@ def _keys(query: Composed, metric: Metric) -> tuple[np.ndarray, np.ndarray]:
 
 @njit(cache=True, nogil=True, fastmath=True)
 def _table(codes, starts, among, offsets, keys, scales, cap, stride):
-    """How far every coarse frame of the clips is from every key: ``(total, n_keys)``, 0 to 1."""
-    n_keys, width = keys.shape
-    table = np.empty((offsets[-1], n_keys), np.float32)
-    row = np.empty(width, np.float32)
-    scaled = keys * scales
+    """How far every coarse frame of the clips is from every key: ``(n_keys, total)``, 0 to 1."""
+    n_keys, used, block = len(keys), np.flatnonzero(scales), 64
+    table = np.empty((n_keys, offsets[-1]), np.float32)
+    mine, far = np.zeros((len(used), block), np.float32), np.empty(block, np.float32)
     for c in range(len(among)):
-        first = starts[among[c]]
-        for i in range(offsets[c + 1] - offsets[c]):
-            for e in range(width):
-                row[e] = np.float32(codes[first + i * stride, e]) * scales[e]
+        first, coarse = starts[among[c]], offsets[c + 1] - offsets[c]
+        for low in range(0, coarse, block):  # a block of frames at a time, side by side: no sums across
+            many = min(block, coarse - low)
+            for i in range(many):
+                frame = codes[first + (low + i) * stride]
+                for u in range(len(used)):
+                    mine[u, i] = np.float32(frame[used[u]]) * scales[used[u]]
             for k in range(n_keys):
-                far = np.float32(0.0)
-                for e in range(width):
-                    apart = row[e] - scaled[k, e]
-                    far += apart * apart
-                table[offsets[c] + i, k] = min(np.float32(1.0), np.sqrt(far) / cap)
+                for i in range(block):
+                    far[i] = np.float32(0.0)
+                for u in range(len(used)):
+                    key, theirs = keys[k, used[u]] * scales[used[u]], mine[u]
+                    for i in range(block):
+                        apart = theirs[i] - key
+                        far[i] += apart * apart
+                row = table[k, offsets[c] + low : offsets[c] + low + many]
+                for i in range(many):
+                    row[i] = min(np.float32(1.0), np.sqrt(far[i]) / cap)
     return table
 
 
 @njit(cache=True, nogil=True, fastmath=True)
 def _score_windows(table, frames, offsets, times, n, tempos, stride):
     """Per coarse frame of the clips the mean distance of the best window that starts there, and its length."""
-    n_keys = len(times)
-    score = np.full(len(table), np.float32(2.0))
-    length = np.zeros(len(table), np.int64)
+    n_keys, total = table.shape
+    score = np.full(total, np.float32(2.0))
+    length = np.zeros(total, np.int64)
+    longest = 1
     for c in range(len(frames)):
-        at, last = offsets[c], offsets[c + 1] - offsets[c] - 1
+        longest = max(longest, offsets[c + 1] - offsets[c])
+    sums = np.empty(longest, np.float32)
+    for c in range(len(frames)):
+        at, coarse = offsets[c], offsets[c + 1] - offsets[c]
         for tempo in tempos:
             window = max(1, round(tempo * n))
             if window > frames[c]:
                 if tempo > tempos[0]:
                     continue
                 window = frames[c]  # a clip shorter than every window is one itself
-            for i in range((frames[c] - window) // stride + 1):
-                found = np.float32(0.0)
-                for k in range(n_keys):
-                    found += table[at + min(last, i + int(times[k] * (window - 1) / stride + 0.5)), k]
-                found /= n_keys
-                if found < score[at + i]:
-                    score[at + i] = found
+            count = (frames[c] - window) // stride + 1
+            sums[:count] = 0.0
+            for k in range(n_keys):
+                shift = at + min(int(times[k] * (window - 1) / stride + 0.5), coarse - count)
+                row = table[k, shift : shift + count]
+                for i in range(count):
+                    sums[i] += row[i]
+            for i in range(count):
+                if sums[i] / n_keys < score[at + i]:
+                    score[at + i] = sums[i] / n_keys
                     length[at + i] = window
     return score, length
 
@@ -183,7 +197,7 @@ def _refine(store: FrameStore, query: Composed, metric: Metric, windows: _Window
 
 
 def warped_stretch(query: np.ndarray, frames: np.ndarray, cap: float) -> tuple[int, int, float]:
-    """The stretch ``[start, end)`` of ``frames`` (m, d) onto which ``query`` (n, d) is warped at the least cost, and that.
+    """The stretch ``[start, end)`` of ``frames`` (m, d) onto which ``query`` (n, d) is warped cheapest, and the cost.
 
     A pair of frames costs ``min(1, distance / cap)``; every frame of the query is used, steps go on in either or both.
     Raises ValueError for empty sequences or unlike dimensions.

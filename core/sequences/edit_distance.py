@@ -30,24 +30,34 @@ def bounded_edit_distances(
 def _distances(a, many, cap, gap, reach):
     n, (k, m, d) = len(a), many.shape
     found = np.empty(k, np.float32)
-    row = np.empty(m + 1, np.float32)
-    far = np.float32(1e9)
+    turned = np.empty((d, m), np.float32)  # samples side by side: a row of costs at a time, without sums across
+    row, price = np.empty(m + 1, np.float32), np.empty(m, np.float32)
+    far, scale = np.float32(1e9), np.float32(1.0) / cap
     for c in range(k):
+        for j in range(m):
+            for e in range(d):
+                turned[e, j] = many[c, j, e]
         for j in range(m + 1):
-            row[j] = j * gap if j <= reach else far
+            row[j] = np.float32(j) * gap if j <= reach else far
         for i in range(n):
             low, high = max(0, i - reach), min(m, i + reach + 1)
-            diagonal = row[low]
-            row[low] = (i + 1) * gap if low == 0 else far
+            here = price[: high - low]  # slices: counting from zero, the compiler makes vectors of the loops
+            for j in range(high - low):
+                here[j] = np.float32(0.0)
+            for e in range(d):
+                mine, theirs = a[i, e], turned[e, low:high]
+                for j in range(high - low):
+                    apart = mine - theirs[j]
+                    here[j] += apart * apart
+            for j in range(high - low):
+                here[j] = min(np.float32(1.0), np.sqrt(here[j]) * scale)
+            diagonal, left = row[low], np.float32(i + 1) * gap if i + 1 <= reach else far
+            row[low] = left
             for j in range(low, high):
-                total = np.float32(0.0)
-                for e in range(d):
-                    apart = a[i, e] - many[c, j, e]
-                    total += apart * apart
-                best = diagonal + min(np.float32(1.0), np.sqrt(total) / cap)
-                diagonal = row[j + 1]
-                best = min(best, min(row[j], diagonal) + gap)
-                row[j + 1] = best
+                above = row[j + 1]
+                left = min(diagonal + here[j - low], min(above, left) + gap)
+                row[j + 1] = left
+                diagonal = above
             if high < m:
                 row[high + 1] = far
         found[c] = row[m] / max(n, m)
