@@ -85,8 +85,8 @@ def normalise(request: Request) -> Request:
 
 def compute(dataset: Dataset, method: str, values: Mapping[str, Any], report: Report = silent) -> Any:
     """The result of ``method`` on a data set in memory; nothing is kept. Raises ParameterError, AnalysisError."""
-    built, needs = build(_kind(method), values), METHODS[method].needs
-    given = (compute(dataset, *needs(built), report),) if needs else ()
+    built = build(_kind(method), values)
+    given = [compute(dataset, *need, report) for need in METHODS[method].needs(built)]
     return METHODS[method].compute(dataset, built, report, *given)
 
 
@@ -217,7 +217,7 @@ def _perform(workspace: Workspace, job: Job, report: Report) -> Any:
 
 def _computed(workspace: Workspace, dataset: Dataset, method: Method, values: Mapping[str, Any], report: Report) -> Any:
     built = build(method.parameters(), values)
-    given = (_made(workspace, dataset, *method.needs(built), report),) if method.needs else ()
+    given = [_made(workspace, dataset, *need, report) for need in method.needs(built)]
     return method.compute(dataset, built, report, *given)
 
 

@@ -18,6 +18,9 @@ Kept = tuple[dict[str, Any], dict[str, np.ndarray]]
 """A result as it is stored: a JSON document and named arrays of any shape (n, ...)."""
 
 
+Need = tuple[str, dict[str, Any]]
+
+
 @dataclass(frozen=True)
 class Method:
     """A way to analyse a data set.
@@ -26,8 +29,8 @@ class Method:
     parameters: gives the dataclass of its parameters (see core.parameters); called late, imports are heavy.
     compute: (data set, parameters, report) -> result.
     pack, unpack: result and data set -> JSON document and arrays of any shape (n, ...), and back.
-    needs: where it works on another method's result, parameters -> (that method, its parameters); ``compute`` takes
-    that result as a fourth argument.
+    needs: where it works on results of other methods, parameters -> (method, its parameters) of each; ``compute`` takes
+    those results as further arguments.
     """
 
     title: str
@@ -36,7 +39,7 @@ class Method:
     compute: Callable[..., Any]
     pack: Callable[[Any, Dataset], Kept]
     unpack: Callable[[dict[str, Any], dict[str, np.ndarray]], Any]
-    needs: Callable[[Any], tuple[str, dict[str, Any]]] | None = None
+    needs: Callable[[Any], tuple[Need, ...]] = lambda values: ()
 
 
 def _read_graph(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Any:
@@ -97,6 +100,12 @@ def _derive(dataset: Dataset, values: Any, report: Report, learned: Any) -> Any:
     return derive(dataset, learned, values.sentence, keep_feet=values.keep_feet, seed=values.seed, report=report)
 
 
+def _bake_off(dataset: Dataset, values: Any, report: Report, learned: Any, graph: Any) -> Any:
+    from core.synthesis.bakeoff import bake_off
+
+    return bake_off(dataset, learned, graph, values, report)
+
+
 METHODS: dict[str, Method] = {
     "motifs": _method("Motif graph", 2, "core.motifs.build", "MotifParameters", "find_motifs", unpack=_read_graph),
     # these two, compression and walk look at the motifs of the first: a new version of that makes new ones of theirs
@@ -136,7 +145,7 @@ METHODS: dict[str, Method] = {
         _compress,
         lambda result, dataset: (result.to_json(), {}),
         lambda document, arrays: import_module("core.motifs.compressed_dataset").from_json(document),
-        needs=lambda values: ("motifs", asdict(values)),
+        needs=lambda values: (("motifs", asdict(values)),),
     ),
     "walk": Method(
         "Walk",
@@ -145,7 +154,7 @@ METHODS: dict[str, Method] = {
         _walk,
         lambda walk, dataset: import_module("core.synthesis.kept").pack_walk(walk),
         lambda document, arrays: import_module("core.synthesis.kept").unpack_walk(document, arrays),
-        needs=lambda values: ("motifs", values.graph),
+        needs=lambda values: (("motifs", values.graph),),
     ),
     "terminals": _method(
         "Terminals",
@@ -162,7 +171,7 @@ METHODS: dict[str, Method] = {
         _grammar,
         lambda result, dataset: (result.to_json(), {}),
         lambda document, arrays: import_module("core.grammar.learned").from_json(document),
-        needs=lambda values: ("terminals", values.terminals),
+        needs=lambda values: (("terminals", values.terminals),),
     ),
     "derive": Method(
         "New routine",
@@ -171,6 +180,15 @@ METHODS: dict[str, Method] = {
         _derive,
         lambda made, dataset: import_module("core.synthesis.kept_derivations").pack_derivation(made),
         lambda document, arrays: import_module("core.synthesis.kept_derivations").unpack_derivation(document, arrays),
-        needs=lambda values: ("grammar", values.grammar),
+        needs=lambda values: (("grammar", values.grammar),),
+    ),
+    "bakeoff": Method(
+        "Comparison of four ways",
+        1,
+        lambda: import_module("core.synthesis.bakeoff").BakeoffParameters,
+        _bake_off,
+        lambda found, dataset: import_module("core.synthesis.kept_bakeoff").pack_bakeoff(found),
+        lambda document, arrays: import_module("core.synthesis.kept_bakeoff").unpack_bakeoff(document, arrays),
+        needs=lambda values: (("grammar", values.grammar), ("motifs", {"seed": values.seed})),
     ),
 }
