@@ -129,6 +129,15 @@ METHODS: dict[str, Method] = {
         pack=lambda index, dataset: index.pack(),
         unpack=lambda document, arrays: import_module("core.retrieval.search").unpack(document, arrays),
     ),
+    "ranking": _method(
+        "Rankings by several engines",
+        1,
+        "core.rankings",
+        "RankingParameters",
+        "rank_dataset",
+        pack=lambda rankings, dataset: rankings.pack(),
+        unpack=lambda document, arrays: import_module("core.rankings").unpack(document, arrays),
+    ),
     "features": _method(
         "Features",
         1,

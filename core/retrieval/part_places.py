@@ -77,10 +77,10 @@ def judged(
     """How alike windows of the clips and the query are by all nodes together: ``(n,)``, 0 to 1.
 
     windows: node -> its ranges of segments, ``(n,)`` first and end. The nodes' scores go through the hierarchy as
-    square roots: what is somewhat alike in all parts comes before what is very much so in some and not in others.
+    cube roots: what is somewhat alike in all parts comes before what is very much so in some and not in others.
     """
     scores = {
-        node: np.sqrt(window_scores(nodes[node].symbols, *windows[node], gain, wanted.gap))
+        node: np.cbrt(window_scores(nodes[node].symbols, *windows[node], gain, wanted.gap))
         for node, gain in gains.items()
     }
     return propagate(scores, wanted.weights, wanted.alpha)
