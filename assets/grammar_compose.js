@@ -103,6 +103,7 @@
     find("compose-error").classList.toggle("hidden", !error);
     find("compose-error").textContent = error || "";
     const there = ready();
+    find("compose-string").dataset.shown = busy ? "" : KEYS.map((key) => now.asked?.[key] || "").join(" ");
     find("compose-said").textContent = busy ? "Making the routine …" : there
       ? `${plural(now.actions.length, "action")}, ${now.seconds.toFixed(1)} s. ${now.novel ? "Nobody performed it like this." : "It occurs like this in the recordings."}`
       : error ? "" : "Press New routine: chance makes one that keeps to the rules.";
@@ -190,8 +191,8 @@
 
   parts.drawCompose = (data, shown, selection) => {
     view = shown || {};
-    const entered = view.view === "compose" && !on;
-    on = view.view === "compose" && Boolean(find("compose-tree"));
+    const entered = view.show === "compose" && !on;
+    on = view.show === "compose" && Boolean(find("compose-tree"));
     if (!on || !parts.data.key) return;
     if (!view.sentence) return actions.new();
     const [, , most] = /^random:(\d+):(\d+)/.exec(view.sentence) || [];

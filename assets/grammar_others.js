@@ -41,10 +41,10 @@
   parts.drawOthers = (data, view) => {
     const box = find("compose-others");
     if (!box) return;
-    const wanted = view.view === "compose" && view.alt;
+    const wanted = view.show === "compose" && view.alt;
     box.classList.toggle("hidden", !wanted);
     if (!wanted) {
-      if (playing && view.view === "compose" && parts.compose().ready) parts.compose().play();
+      if (playing && view.show === "compose" && parts.compose().ready) parts.compose().play();
       playing = "";
       return;
     }

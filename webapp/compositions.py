@@ -44,7 +44,7 @@ def register() -> None:
 
 def is_composing(view: View) -> bool:
     """Whether the Grammar page makes routines: then a new routine plays, and not what is selected."""
-    return (view or {}).get("view") == "compose"
+    return (view or {}).get("show") == "compose"
 
 
 def asked_of(view: View, *more: str) -> dict[str, str]:

@@ -35,7 +35,7 @@ VIEW_KEYS = {  # what a page shows beside the selection: kept in the store "view
         *("hit", "look", "study", "asks", "measure"),
         *settings.keys("search"),
     ),
-    "grammar": ("view", "routine", "sentence", "pick", "up", "alt", "counts", *settings.keys("grammar")),
+    "grammar": ("show", "routine", "sentence", "pick", "up", "alt", "counts", *settings.keys("grammar")),
     "clip": ("chart", "angles", "joints", "rig", "channels", "span"),
 }
 PAGES = tuple(VIEW_KEYS)

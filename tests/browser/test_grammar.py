@@ -23,7 +23,7 @@ def view_of(page: Page) -> dict[str, str]:
 
 
 def choose_view(page: Page, name: str) -> None:
-    page.locator("#grammar-view").get_by_text(name, exact=True).click()
+    page.locator("#grammar-show").get_by_text(name, exact=True).click()
 
 
 def test_from_nothing_to_actions_and_back_to_a_link(show, workspace):
@@ -120,7 +120,7 @@ def test_a_name_is_kept_and_seen_everywhere(show, workspace):
 
 def test_rules_and_how_a_routine_is_built(show, workspace):
     found = learned(workspace)
-    page = show(LINK + "&view=rules")
+    page = show(LINK + "&show=rules")
     wait_for_string(page)
     expect(page.locator(".phrase-card")).to_have_count(len(found.grammar.nonterminals))
     expect(page.locator(".phrase-card").first).to_contain_text("A routine")
@@ -182,5 +182,7 @@ def test_links_that_make_no_sense_say_so(show):
     page = show(LINK.replace("14", "0") + "&action=2")
     expect(page.locator(".mantine-Notification-root").first).to_contain_text("n_terminals", timeout=PATIENCE)
     page.goto(base(page) + LINK + "&action=99")
-    expect(page.locator(".mantine-Notification-root").first).to_contain_text("no action 99; it has 14", timeout=PATIENCE)
+    expect(page.locator(".mantine-Notification-root").first).to_contain_text(
+        "no action 99; it has 14", timeout=PATIENCE
+    )
     expect(page).to_have_url(re.compile("grammar-n_terminals=14"))

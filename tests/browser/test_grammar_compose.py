@@ -27,6 +27,17 @@ def press(page: Page, name: str) -> None:
     page.locator(f'[data-compose="{name}"]').click()
 
 
+def settled(page: Page) -> dict[str, str]:
+    """Waits until what is shown is what the address says; gives that."""
+    page.wait_for_function(
+        "() => { const view = new URLSearchParams(location.search);"
+        " return document.getElementById('compose-string').dataset.shown"
+        " === ['sentence', 'pick', 'up'].map((key) => view.get(key) || '').join(' '); }",
+        timeout=PATIENCE,
+    )
+    return view_of(page)
+
+
 def wait_for_sentence(page: Page, actions: list[int]) -> None:
     page.wait_for_function(
         "actions => !document.querySelector('#compose-string.busy')"
@@ -39,7 +50,7 @@ def wait_for_sentence(page: Page, actions: list[int]) -> None:
 
 def test_a_routine_from_chance_to_the_library(show, workspace):
     found = learned(workspace)
-    page = show(LINK + "&view=compose", viewport={"width": 1700, "height": 950})
+    page = show(LINK + "&show=compose", viewport={"width": 1700, "height": 950})
     wait_for_routine(page)
     assert view_of(page)["sentence"] == "random:1:40"
     first = actions_of(page)
@@ -67,28 +78,30 @@ def test_a_routine_from_chance_to_the_library(show, workspace):
     wait_for_routine(page)
     press(page, "undo")
     wait_for_sentence(page, first)
-    page.locator("#grammar-view").get_by_text("Actions", exact=True).click()
+    page.locator("#grammar-show").get_by_text("Actions", exact=True).click()
     page.locator(".action-card").first.click()
     wait_for_stage(page, "Action 0")
 
 
 def _a_part_grows_and_shrinks(page: Page, actions: list[int]) -> None:
+    within = page.locator(".compose-step.within")
     page.locator(".compose-step .action-chip").nth(len(actions) // 2).click()
-    expect(page.locator("#compose-chosen")).to_contain_text("action")
-    sizes = [page.locator(".compose-step.within").count()]
+    expect(page).to_have_url(re.compile(f"pick={len(actions) // 2}"))
+    settled(page)
+    sizes = [within.count()]
     while page.locator('[data-compose="larger"]').is_enabled():
         up = int(view_of(page).get("up", "0"))
         press(page, "larger")
         expect(page).to_have_url(re.compile(f"up={up + 1}"))
-        page.wait_for_function("() => !document.querySelector('#compose-string.busy')", timeout=PATIENCE)
-        sizes.append(page.locator(".compose-step.within").count())
+        settled(page)
+        sizes.append(within.count())
     assert sizes == sorted(sizes) and sizes[-1] == len(actions)
     expect(page.locator(".tree-chosen")).to_have_count(1)
     if len(sizes) > 1:
         press(page, "smaller")
-        page.wait_for_function("n => document.querySelectorAll('.compose-step.within').length === n", arg=sizes[-2])
+        expect(within).to_have_count(sizes[-2])
         press(page, "larger")
-        page.wait_for_function("n => document.querySelectorAll('.compose-step.within').length === n", arg=sizes[-1])
+        expect(within).to_have_count(sizes[-1])
 
 
 def _one_of_four_others_is_chosen(page: Page, found, before: list[int]) -> list[int]:
@@ -101,7 +114,7 @@ def _one_of_four_others_is_chosen(page: Page, found, before: list[int]) -> list[
     assert page.evaluate("motionscapeStage.figures") == count and page.evaluate("motionscapeStage.layout") == "side"
     page.get_by_role("button", name="Use A").click()
     expect(page.locator("#compose-others")).to_be_hidden()
-    page.wait_for_function("() => !document.querySelector('#compose-string.busy')", timeout=PATIENCE)
+    settled(page)
     wait_for_routine(page)
     changed = actions_of(page)
     assert changed != before and found.grammar.accepts(changed)
@@ -128,7 +141,7 @@ def _it_is_saved(page: Page, workspace, actions: list[int]) -> None:
 
 
 def test_a_link_to_a_routine_of_other_rules_says_so(show):
-    page = show(LINK + "&view=compose&sentence=999.1.4")
+    page = show(LINK + "&show=compose&sentence=999.1.4")
     expect(page.locator("#compose-error")).to_contain_text("does not obey these rules", timeout=PATIENCE)
     press(page, "new")
     wait_for_routine(page)

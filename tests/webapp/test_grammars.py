@@ -105,7 +105,7 @@ def test_names_are_kept_by_the_frames_they_were_given_to(workspace, found):
 
 
 def _composed(workspace, **view):
-    return compositions.composed(workspace, "demo", {**VIEW, "view": "compose", **view})
+    return compositions.composed(workspace, "demo", {**VIEW, "show": "compose", **view})
 
 
 def test_a_new_routine_is_shown_played_and_saved(workspace, client, found, tmp_path):
@@ -142,7 +142,7 @@ def test_the_chosen_part_grows_to_the_whole_routine(workspace, found):
 
 
 def test_four_other_ways_keep_what_is_outside_the_part(workspace, found):
-    view = {**VIEW, "view": "compose", "sentence": "random:3:12", "pick": "1", "up": "9", "alt": "2"}
+    view = {**VIEW, "show": "compose", "sentence": "random:3:12", "pick": "1", "up": "9", "alt": "2"}
     data = compositions.alternatives(workspace, "demo", view)
     assert json.loads(json.dumps(data)) == data and 1 <= len(data["others"]) <= 4
     assert len({tuple(other["actions"]) for other in data["others"]}) == len(data["others"])

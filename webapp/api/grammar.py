@@ -1,7 +1,8 @@
 """Downloads of grammars: ``GET /api/grammar.json``, ``grammar-actions.csv``, ``grammar-rules.csv`` and
 
 ``grammar-tree.svg``, each with ``?dataset=...&grammar-n_terminals=...`` (a tree: ``&routine=N`` of the recordings, or
-``&sentence=CODE`` of a new one), and ``GET /api/derivation/<key>.json``: where every frame of a new routine comes from.
+``&sentence=CODE`` of a new one), ``GET /api/derivation/<key>.json``: where every frame of a new routine comes from, and
+``GET /api/bakeoff/<key>.json``: the comparison of four ways.
 """
 
 from __future__ import annotations
@@ -13,9 +14,10 @@ from flask import Blueprint, Response, request
 from core.grammar.learned import LearnedGrammar
 from core.grammar.trees import leaves
 from core.mocap.dataset import Dataset
+from core.synthesis.kept_bakeoff import bakeoff_json
 from core.synthesis.kept_derivations import derivation_json
 from core.workspace import MotifNote, Workspace, WorkspaceError
-from webapp import compositions, grammars, settings, theme
+from webapp import bakeoffs, compositions, grammars, settings, theme
 from webapp.api.exports import Refusal, answer_refusals, attachment
 from webapp.components.filmstrip import icon_data_uri
 from webapp.figures import actions, rules
@@ -28,6 +30,13 @@ def grammar_blueprint(workspace: Workspace) -> Blueprint:
     """The routes of one workspace; errors are JSON in plain words."""
     routes = Blueprint("grammar", __name__, url_prefix="/api")
     answer_refusals(routes)
+    _learned(routes, workspace)
+    _made(routes, workspace)
+    return routes
+
+
+def _learned(routes: Blueprint, workspace: Workspace) -> None:
+    """What was learned from recordings."""
 
     @routes.get("/grammar.json")
     def grammar_json() -> Response:
@@ -76,6 +85,10 @@ def grammar_blueprint(workspace: Workspace) -> Blueprint:
         )
         return attachment(svg, "image/svg+xml", f"{dataset.name}-tree.svg")
 
+
+def _made(routes: Blueprint, workspace: Workspace) -> None:
+    """What was made with it."""
+
     @routes.get("/derivation/<key>.json")
     def derivation(key: str) -> Response:
         made = compositions.kept(workspace, key)
@@ -83,7 +96,12 @@ def grammar_blueprint(workspace: Workspace) -> Blueprint:
             raise Refusal("This routine is no longer there; make it again on the Grammar page.", 404)
         return attachment(json.dumps(derivation_json(made)), "application/json", "routine.json")
 
-    return routes
+    @routes.get("/bakeoff/<key>.json")
+    def bakeoff(key: str) -> Response:
+        made = bakeoffs.kept(workspace, key)
+        if made is None:
+            raise Refusal("This comparison is no longer there; make it again on the Grammar page.", 404)
+        return attachment(json.dumps(bakeoff_json(made)), "application/json", "comparison.json")
 
 
 def _asked(workspace: Workspace) -> tuple[Dataset, LearnedGrammar, dict[int, MotifNote]]:

@@ -70,7 +70,7 @@ def register(app: Dash, workspace: Workspace) -> None:
         State("routine-data", "data"),
     )
     def draw(view, _data, _place, name, before):
-        if (view or {}).get("view") != "routines" or not name:
+        if (view or {}).get("show") != "routines" or not name:
             return no_update
         found, key = grammars.learned(workspace, name, view), settings.key_of(workspace, grammars.PAGE, name, view)
         if found is None or key is None:

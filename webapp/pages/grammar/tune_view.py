@@ -212,7 +212,7 @@ def _follow(app: Dash, workspace: Workspace) -> None:
         State("tune-seen", "data"),
     )
     def look(view, name, _seen, _finished, _there, spoken, seen):
-        if (view or {}).get("view") != "tune" or not name:
+        if (view or {}).get("show") != "tune" or not name:
             return (no_update,) * 4
         try:
             points = grammar_points.points(workspace, name, view)

@@ -1,4 +1,4 @@
-"""The views below the recordings: one at a time, chosen in the store "view" (assets/views.js shows it)."""
+"""The views below the recordings: one at a time, chosen under "show" in the store "view" (assets/views.js)."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
 from core.workspace import Workspace
-from webapp.pages.grammar import actions_view, compose_view, routines_view, tune_view
+from webapp.pages.grammar import actions_view, compare_view, compose_view, routines_view, tune_view
 
 
 class Part(NamedTuple):
@@ -37,6 +37,7 @@ PARTS = (
     Part("routines", "Routines", routines_view.layout, routines_view.register),
     Part("compose", "Compose", compose_view.layout, compose_view.register),
     Part("tune", "How many actions", tune_view.layout, tune_view.register),
+    Part("compare", "Compare", compare_view.layout, compare_view.register),
 )
 
 
@@ -45,25 +46,25 @@ def register(app: Dash, workspace: Workspace) -> None:
     for part in PARTS:
         part.register(app, workspace)
     app.clientside_callback(
-        ClientsideFunction("views", "chosen"), Input("grammar-view", "value"), State("view", "data")
+        ClientsideFunction("views", "chosen"), Input("grammar-show", "value"), State("view", "data")
     )
     app.clientside_callback(
         ClientsideFunction("views", "show"),
-        Output("grammar-view", "value"),
+        Output("grammar-show", "value"),
         Input("view", "data"),
-        Input("grammar-view", "id"),
+        Input("grammar-show", "id"),
     )
 
 
 def is_shown(view: Mapping[str, str] | None, value: str) -> bool:
     """Whether ``value`` is the view that people see now."""
-    return ((view or {}).get("view") or PARTS[0].value) == value
+    return ((view or {}).get("show") or PARTS[0].value) == value
 
 
 def switch() -> Component:
     """The control that chooses among the views."""
     return dmc.SegmentedControl(
-        id="grammar-view",
+        id="grammar-show",
         data=[{"value": part.value, "label": part.label} for part in PARTS],
         value=PARTS[0].value,
         size="xs",
@@ -78,7 +79,7 @@ def panels() -> list[Component]:
         html.Div(
             part.layout(),
             className="view-panel" + (" hidden" if number else ""),
-            **{"data-key": "view", "data-value": part.value},
+            **{"data-key": "show", "data-value": part.value},
         )
         for number, part in enumerate(PARTS)
     ]
