@@ -97,14 +97,14 @@
     return made;
   }
 
-  function row(hit, top) {
+  function row(hit, low, top) {
     const made = element("div", "search-hit");
     made.setAttribute("role", "listitem");
     made.dataset.hit = hit.name;
     const picture = element("img", "search-strip");
     Object.assign(picture, { src: hit.strip, alt: "", loading: "lazy", draggable: false });
     const bar = element("span", "search-score-bar");
-    bar.style.width = `${Math.round(100 * Math.max(0, Math.min(1, hit.score / top)))}%`;
+    bar.style.width = `${Math.round((100 * (hit.score - low)) / Math.max(top - low, 1e-9))}%`;
     const score = element("span", "search-score", bar, element("b", "number", hit.score.toFixed(3)));
     const facts = element("span", "search-facts muted", [hit.when, hit.label].filter(Boolean).join(" · "));
     const words = element("span", "search-words", element("span", "search-name ellipsis", hit.clip), facts, score);
@@ -126,12 +126,14 @@
     return made;
   }
 
+  const took = (ms) => (ms < 10 ? `${ms.toFixed(1)} ms` : ms < 2000 ? `${Math.round(ms)} ms` : `${(ms / 1000).toFixed(1)} s`);
+
   function head(box, found) {
     const { total, hits, milliseconds } = found;
     const count = hits.length < total ? `${hits.length} of ${total}` : `${total}`;
     const noun = found.level === "clip" ? "clip" : "moment";
     box.replaceChildren(element("h2", "", "Hits"),
-      element("span", "muted number", `${count} ${noun}${total === 1 ? "" : "s"}, found in ${milliseconds < 10 ? milliseconds.toFixed(1) : Math.round(milliseconds)} ms`),
+      element("span", "muted number", `${count} ${noun}${total === 1 ? "" : "s"}, found in ${took(milliseconds)}`),
       element("span", "spacer"), element("span", "search-key muted", "which parts match when: ", element("i", "search-key-none"), " not at all", element("i", "search-key-full"), " alike"));
   }
 
@@ -155,8 +157,8 @@
     if (mark !== drawn || !box.firstChild) {
       drawn = mark;
       head(title, found);
-      const top = Math.max(...found.hits.map((hit) => hit.score), 1e-9);
-      const rows = found.hits.map((hit) => row(hit, top));
+      const scores = found.hits.map((hit) => hit.score);
+      const rows = found.hits.map((hit) => row(hit, Math.min(0, ...scores), Math.max(...scores)));
       box.replaceChildren(...rows);
       if (!rows.length) box.append(element("p", "muted search-nothing", nothing(found)));
       for (const one of rows) seen.observe(one);

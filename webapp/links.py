@@ -34,6 +34,7 @@ VIEW_KEYS = {  # what a page shows beside the selection: kept in the store "view
         *("query", "parts", "level", "route", "label", "named", "lasting", "top"),  # see webapp/searching.py
         *("hit", "look", "study", "asks", "measure"),
         *settings.keys("search"),
+        *settings.keys("ranking"),
     ),
     "grammar": ("show", "routine", "sentence", "pick", "up", "alt", "counts", *settings.keys("grammar")),
     "clip": ("chart", "angles", "joints", "rig", "channels", "span"),

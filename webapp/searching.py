@@ -7,13 +7,15 @@ import threading
 import time
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 from core import analyses
 from core.mocap.clip import Label, Segment
 from core.mocap.dataset import Dataset
 from core.retrieval.hits import Explanation, Hit
-from core.retrieval.queries import Query, QueryPart
+from core.retrieval.plausibility import plausibility
+from core.retrieval.queries import Query, QueryPart, whole_query
 from core.retrieval.search import SearchIndex
 from core.workspace import Workspace, WorkspaceError
 from webapp import settings
@@ -127,12 +129,50 @@ def find(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None)
     return found
 
 
+def warm(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None) -> threading.Thread | None:
+    """Opens the index of a view, and searches it once, behind the scenes: the first search that a person waits for is
+
+    then as quick as any. None where there is none, or it is warm.
+    """
+    key = settings.key_of(workspace, PAGE, dataset.name, view)
+    with _lock:
+        if key is None or (workspace.path, key) in _warm or not dataset.clips:
+            return None
+        _warm.add((workspace.path, key))
+
+    def search() -> None:
+        clip = min(dataset.clips, key=lambda clip: clip.n_frames)
+        query = whole_query(clip, 0, min(clip.n_frames, round(2 * clip.fps)))
+        with suppress(ValueError):
+            index = index_of(workspace, dataset.name, view)
+            for level in ("clip", "interval"):
+                index.explain(query, index.search(query, level=level, top=1)[0])
+
+    thread = threading.Thread(target=search, daemon=True)
+    thread.start()
+    return thread
+
+
 def explain(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None, hit: Segment) -> Explanation:
     """Why a stretch is like the query of a view. Raises ValueError, KeyError or WorkspaceError in plain words."""
     asked, index = read(view), index_of(workspace, dataset.name, view)
     if asked is None or index is None:
         raise WorkspaceError("There is no query, or the index has not been built yet.")
     return index.explain(query_of(workspace, dataset, asked.pieces), hit, weights=asked.weights)
+
+
+def doubt(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None, query: Query) -> str:
+    """Why a query in pieces looks like nobody's motion, in plain words; "" where it does not, or nobody can tell.
+
+    The default engine knows the postures; where only another's index is there, nothing is said.
+    """
+    index = index_of(workspace, dataset.name, dict(view or {}) | {f"{PAGE}-method": "bounded-edit"})
+    if index is None or not query.hybrid:
+        return ""
+    try:
+        return plausibility(index, query).message or ""
+    except ValueError:
+        return ""
 
 
 def labels_by_clip(dataset: Dataset) -> dict[str, list[Label]]:
@@ -225,5 +265,6 @@ def _lasting(text: str | None) -> tuple[float, float]:
     return (_number(low, 0.0), _number(high, float("inf"))) if dash else (0.0, float("inf"))
 
 
+_warm: set[tuple] = set()  # workspace and key of indexes that have been searched
 _found: OrderedDict[tuple[str, str], Found] = OrderedDict()
 _lock = threading.Lock()

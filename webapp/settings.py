@@ -17,6 +17,7 @@ from core.workspace import Job, Workspace, WorkspaceError
 METHOD_OF: dict[str, str] = {  # page -> the method it shows
     "map": "map",
     "search": "search",
+    "ranking": "ranking",  # a view of the Search page
     "grammar": "grammar",
 }
 MOST_LETTERS = 300  # of a value in a link

@@ -103,10 +103,19 @@ def test_without_an_index_there_are_no_hits_but_a_query(workspace, dataset):
     assert "hits" not in data and data["pieces"][0]["clip"] == "walk" and data["request"]["items"]
 
 
+def test_an_index_is_opened_before_anybody_waits_for_it(workspace, dataset):
+    thread = searching.warm(workspace, dataset, {})
+    assert thread is not None
+    thread.join(30)
+    assert not thread.is_alive() and searching.warm(workspace, dataset, {}) is None
+    assert searching.warm(workspace, dataset, {"search-analysis_fps": "15"}) is None  # there is none
+
+
 def test_a_query_in_pieces_names_its_parts(workspace, dataset):
     pieces = [Piece("walk", 0, 90, leaves_of("upper_body")), Piece("dash", 10, 130, leaves_of("lower_body"))]
     data = found_data(workspace, dataset, {"query": write_query(pieces)})
     assert [piece["gives"] for piece in data["pieces"]] == ["Upper body", "Lower body"]
+    assert isinstance(data["doubt"], str)
     assert data["hits"] and data["level"] == "interval"
 
 

@@ -8,6 +8,7 @@ from urllib.parse import quote
 from flask import Blueprint, Response, jsonify, request
 
 from core.mocap.dataset import Dataset
+from core.rankings import evaluate
 from core.workspace import Workspace, WorkspaceError
 from webapp import links, searching, settings
 from webapp.api.asked import BadRequest, answer_errors
@@ -53,6 +54,22 @@ def search_blueprint(workspace: Workspace) -> Blueprint:
         parameters |= {"weights": found.asked.weights, "level": found.level, "root_path": found.asked.route}
         document = figures.hits_json(dataset, found.query, found.milliseconds, found.hits, parameters)
         return _attachment(json.dumps(document, ensure_ascii=False), "application/json", f"{dataset.name}-hits.json")
+
+    @routes.get("/ranking.json")
+    def ranking_json() -> Response:
+        dataset, view = _asked(workspace)
+        rankings = settings.result_of(workspace, "ranking", dataset.name, view)
+        if rankings is None:
+            raise BadRequest("The engines have not been compared with these settings yet.", 404)
+        try:
+            scores = evaluate(rankings, dataset)
+        except ValueError as error:
+            raise BadRequest(f"{error}") from None
+        head = {"format": "motionscape/evaluation/1", "dataset": {"name": dataset.name}}
+        document = (
+            head | {"parameters": dict(rankings.parameters), "seconds": dict(rankings.seconds)} | scores.to_json()
+        )
+        return _attachment(json.dumps(document), "application/json", f"{dataset.name}-evaluation.json")
 
     @routes.get("/ratings.csv")
     def ratings_csv() -> Response:

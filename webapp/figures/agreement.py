@@ -85,11 +85,14 @@ def query_words(segment: Segment) -> str:
     return f"{segment.clip}, {segment.start} to {segment.end}"
 
 
-def table(caption: str, head: Sequence[str], rows: Sequence[Sequence[str]]) -> Component:
-    """A small table with a caption; the first column names the rows."""
+def table(caption: str, head: Sequence[str], rows: Sequence[Sequence[str | Component]]) -> Component:
+    """A small table with a caption; the first column names the rows, that of all queries stands out."""
     columns = html.Tr([html.Th(name, scope="col") for name in head])
     body = [
-        html.Tr([html.Th(row[0], scope="row"), *(html.Td(cell, className="number") for cell in row[1:])])
+        html.Tr(
+            [html.Th(row[0], scope="row"), *(html.Td(cell, className="number") for cell in row[1:])],
+            className="whole" if row[0] == ALL else "",
+        )
         for row in rows
     ]
     return html.Div(

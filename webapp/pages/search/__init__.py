@@ -4,17 +4,18 @@ from dash import Dash
 from dash.development.base_component import Component
 
 from core.workspace import Workspace
-from webapp.pages.search import callbacks, layout, study
+from webapp.pages.search import callbacks, evaluation, layout, study
 
 __all__ = ["page", "register"]
 
 
 def page() -> Component:
     """The page before it knows what there is to show."""
-    return layout.page({"agree": study.layout()})
+    return layout.page({"agree": study.layout(), "evaluate": evaluation.layout()})
 
 
 def register(app: Dash, workspace: Workspace) -> None:
     """All of the page's callbacks."""
     callbacks.register(app, workspace)
     study.register(app, workspace)
+    evaluation.register(app, workspace)

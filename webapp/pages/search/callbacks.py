@@ -123,6 +123,7 @@ def found_data(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] |
     """The query and its hits as assets/search.js draws them. Raises ValueError, in plain words, for a bad query."""
     asked = searching.read(view)
     if asked is None:
+        searching.warm(workspace, dataset, view)
         return {}
     query = searching.query_of(workspace, dataset, asked.pieces)
     sources = [searching.source_of(workspace, dataset, piece) for piece in asked.pieces]
@@ -143,9 +144,10 @@ def found_data(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] |
             figures.hit_row(dataset, hit, rank, searching.label_of(labels, hit.segment))
             for rank, hit in enumerate(found.hits, 1)
         ]
+        doubt = searching.doubt(workspace, dataset, view, query)
     except ValueError as error:
         return data | {"error": _sentence(str(error))}
-    return data | {"hits": rows, "total": found.total, "milliseconds": round(found.milliseconds, 1)}
+    return data | {"hits": rows, "total": found.total, "milliseconds": round(found.milliseconds, 1), "doubt": doubt}
 
 
 def _menus(app: Dash, workspace: Workspace) -> None:
@@ -159,9 +161,8 @@ def _menus(app: Dash, workspace: Workspace) -> None:
     def show_menus(found, key, name, view):
         if not key or not name:
             return []
-        earlier = method.earlier_menu(workspace, METHOD, name, bool(key))
         found = found or {}
-        return [*earlier, _download(workspace, name, view, found["level"])] if found.get("hits") else earlier
+        return [_download(workspace, name, view, found["level"])] if found.get("hits") else []
 
 
 def _download(workspace: Workspace, name: str, view: Mapping[str, str], level: str) -> Component:
