@@ -85,7 +85,9 @@ def normalise(request: Request) -> Request:
 
 def compute(dataset: Dataset, method: str, values: Mapping[str, Any], report: Report = silent) -> Any:
     """The result of ``method`` on a data set in memory; nothing is kept. Raises ParameterError, AnalysisError."""
-    built = build(_kind(method), values)
+    built, extends = build(_kind(method), values), METHODS[method].extends
+    if extends and extends(built):
+        raise ParameterError("An earlier result can only be gone on from in the workspace that keeps it.")
     given = [compute(dataset, *need, report) for need in METHODS[method].needs(built)]
     return METHODS[method].compute(dataset, built, report, *given)
 
@@ -116,7 +118,19 @@ def stored(workspace: Workspace, request: Request) -> Any | None:
 
 def kept(workspace: Workspace, method: str, result_key: str) -> Any | None:
     """The result of ``method`` under this key (:func:`key`), or None. Raises NameRefused for what is no key."""
-    return _load(workspace, method, result_key)
+    with _lock:
+        known = (workspace.path, method, result_key) in _results
+    return _load(workspace, method, result_key) if known or _is_of(workspace, method, result_key) else None
+
+
+def _is_of(workspace: Workspace, method: str, result_key: str) -> bool:
+    """Whether what is stored under a key from outside can be a result of this method."""
+    try:
+        found = workspace.results.get(result_key)
+    except ResultDamaged:
+        return False
+    kind = str(found[0].get("format", "")).split("/") if found else []
+    return found is not None and (len(kind) < 2 or kind[1] not in METHODS or kind[1] == method)
 
 
 def submit(workspace: Workspace, request: Request) -> Job:
@@ -209,16 +223,27 @@ def _perform(workspace: Workspace, job: Job, report: Report) -> Any:
         method = METHODS[asked["method"]]
         report("opening", 0.0)
         dataset = workspace.open_fingerprint(asked["fingerprint"])
-        result = _computed(workspace, dataset, method, asked["parameters"], report)
+        result = _computed(workspace, dataset, asked["method"], asked["parameters"], report)
         workspace.results.put(job.key, *method.pack(result, dataset))
-        _remember(workspace, job.key, result)
+        _remember(workspace, asked["method"], job.key, result)
     return result
 
 
-def _computed(workspace: Workspace, dataset: Dataset, method: Method, values: Mapping[str, Any], report: Report) -> Any:
+def _computed(workspace: Workspace, dataset: Dataset, name: str, values: Mapping[str, Any], report: Report) -> Any:
+    method = METHODS[name]
     built = build(method.parameters(), values)
     given = [_made(workspace, dataset, *need, report) for need in method.needs(built)]
+    if method.extends and method.extends(built):
+        given.append(_earlier(workspace, name, method.extends(built)))
     return method.compute(dataset, built, report, *given)
+
+
+def _earlier(workspace: Workspace, method: str, result_key: str) -> Any:
+    """The result that another goes on from. Raises AnalysisError where it is no longer there, or another method's."""
+    found = kept(workspace, method, result_key)
+    if found is None:
+        raise AnalysisError(f"{METHODS[method].title}: the earlier result is no longer there; compute it anew.")
+    return found
 
 
 def _made(workspace: Workspace, dataset: Dataset, method: str, values: Mapping[str, Any], report: Report) -> Any:
@@ -227,9 +252,9 @@ def _made(workspace: Workspace, dataset: Dataset, method: str, values: Mapping[s
     made_key = result_key(dataset.fingerprint, request)
     result = _load(workspace, method, made_key)
     if result is None:
-        result = _computed(workspace, dataset, METHODS[method], request.parameters, report)
+        result = _computed(workspace, dataset, method, request.parameters, report)
         workspace.results.put(made_key, *METHODS[method].pack(result, dataset))
-        _remember(workspace, made_key, result)
+        _remember(workspace, method, made_key, result)
     return result
 
 
@@ -244,8 +269,8 @@ def _await(workspace: Workspace, job: Job, report: Report) -> Job:
 
 def _load(workspace: Workspace, method: str, result_key: str) -> Any | None:
     with _lock:
-        if (workspace.path, result_key) in _results:
-            return _results[workspace.path, result_key]
+        if (workspace.path, method, result_key) in _results:
+            return _results[workspace.path, method, result_key]
     try:
         found = workspace.results.get(result_key)
         result = METHODS[method].unpack(*found) if found else None
@@ -255,13 +280,13 @@ def _load(workspace: Workspace, method: str, result_key: str) -> Any | None:
         workspace.results.remove(result_key)
         return None
     if result is not None:
-        _remember(workspace, result_key, result)
+        _remember(workspace, method, result_key, result)
     return result
 
 
-def _remember(workspace: Workspace, result_key: str, result: Any) -> None:
+def _remember(workspace: Workspace, method: str, result_key: str, result: Any) -> None:
     with _lock:
-        _results[workspace.path, result_key] = result
+        _results[workspace.path, method, result_key] = result
         while len(_results) > _KEPT_RESULTS:
             _results.popitem(last=False)
 
@@ -308,7 +333,7 @@ def _kind(method: str) -> type:
     raise ParameterError(f"There is no method {str(method)[:40]!r}; there are {', '.join(METHODS)}.")
 
 
-_results: OrderedDict[tuple[Path, str], Any] = OrderedDict()  # by workspace and key; results never change
+_results: OrderedDict[tuple[Path, str, str], Any] = OrderedDict()  # by workspace, method and key; results never change
 _lock = threading.Lock()
 
 

@@ -31,6 +31,8 @@ class Method:
     pack, unpack: result and data set -> JSON document and arrays of any shape (n, ...), and back.
     needs: where it works on results of other methods, parameters -> (method, its parameters) of each; ``compute`` takes
     those results as further arguments.
+    extends: where it goes on from an earlier result of its own, parameters -> that result's key, or ""; ``compute``
+    takes that result as its last argument.
     """
 
     title: str
@@ -40,6 +42,7 @@ class Method:
     pack: Callable[[Any, Dataset], Kept]
     unpack: Callable[[dict[str, Any], dict[str, np.ndarray]], Any]
     needs: Callable[[Any], tuple[Need, ...]] = lambda values: ()
+    extends: Callable[[Any], str] | None = None
 
 
 def _read_graph(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Any:
@@ -54,6 +57,7 @@ def _method(
     compute: str,
     pack: Callable[[Any, Dataset], Kept] | None = None,
     unpack: Callable[[dict[str, Any], dict[str, np.ndarray]], Any] | None = None,
+    extends: Callable[[Any], str] | None = None,
 ) -> Method:
     """A method whose parts are names in ``module``, imported when first used.
 
@@ -67,9 +71,10 @@ def _method(
         title,
         version,
         lambda: named(parameters),
-        lambda dataset, values, report: named(compute)(dataset, values, report),
+        lambda dataset, values, report, *given: named(compute)(dataset, values, report, *given),
         pack or (lambda result, dataset: (result.to_json(), {})),
         unpack or (lambda document, arrays: named("from_json")(document)),
+        extends=extends,
     )
 
 
@@ -113,12 +118,13 @@ METHODS: dict[str, Method] = {
     "redundancy": _method("Coverage report", 2, "core.motifs.redundancy", "RedundancyParameters", "redundancy"),
     "map": _method(
         "Motion map",
-        1,
+        2,
         "core.motion_map.build",
         "MapParameters",
         "build_motion_map",
         pack=lambda result, dataset: result.pack(),
         unpack=lambda document, arrays: import_module("core.motion_map.motion_map").unpack(document, arrays),
+        extends=lambda values: values.model,
     ),
     "search": _method(
         "Search index",

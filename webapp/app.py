@@ -18,13 +18,14 @@ from webapp.api.exports import export_blueprint
 from webapp.api.filmstrip import filmstrip_blueprint
 from webapp.api.grammar import grammar_blueprint
 from webapp.api.motion import motion_blueprint
+from webapp.api.motion_map import map_blueprint
 from webapp.api.recordings import recordings_blueprint
 from webapp.api.search import search_blueprint
 from webapp.api.stage import stage_blueprint
 from webapp.api.uploads import Limits, upload_blueprint
 from webapp.components import changes, errors, features, job_bar, shell
 from webapp.components import stage as stage_component
-from webapp.pages import clip, grammar, library, motifs, search, sweeps
+from webapp.pages import clip, grammar, library, motifs, motion_map, search, sweeps
 from webapp.virtual import open_any
 
 PAGES = {  # beside the library: name in the address (a key of links.VIEW_KEYS) -> module with page() and register()
@@ -32,6 +33,7 @@ PAGES = {  # beside the library: name in the address (a key of links.VIEW_KEYS) 
     "sweeps": sweeps,
     "search": search,
     "grammar": grammar,
+    "map": motion_map,
     "clip": clip,
 }
 
@@ -62,6 +64,7 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> dash.
         motion_blueprint(open_motion),
         clip_blueprint(open_motion),
         stage_blueprint(workspace),
+        map_blueprint(workspace, open_motion),
         filmstrip_blueprint(open_motion),
         export_blueprint(workspace),
         grammar_blueprint(workspace),

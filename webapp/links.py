@@ -38,6 +38,7 @@ VIEW_KEYS = {  # what a page shows beside the selection: kept in the store "view
     ),
     "grammar": ("show", "routine", "sentence", "pick", "up", "alt", "counts", *settings.keys("grammar")),
     "clip": ("chart", "angles", "joints", "rig", "channels", "span"),
+    "map": ("keys", "drawn", "reach", "pace", "way", "colour", "click", "below", "region", *settings.keys("map")),
 }
 PAGES = tuple(VIEW_KEYS)
 OF_DATASET = (
@@ -52,6 +53,7 @@ OF_DATASET = (
     "named",
     "asks",
     *("routine", "sentence", "pick", "up", "alt"),
+    *("keys", "drawn", "region"),
 )  # what makes no sense any more with another data set
 FREE_TEXT = frozenset(
     {"query", "hit", "label", "named", "asks"}

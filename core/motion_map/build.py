@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from typing import Any
 
 import numpy as np
 
 from core.mocap.dataset import Dataset
+from core.motion_map.assign import assign_clips
 from core.motion_map.bones import bone_lengths
 from core.motion_map.keypose_search import runs_of
 from core.motion_map.motion_map import MotionMap
@@ -51,6 +53,12 @@ class MapParameters:
     )  # fmt: skip
     passes: int = _parameter(PASSES, "With online: passes over all samples.", 1, 10_000, 1, advanced=True)
     seed: int = _parameter(0, "Number that starts the random choices; the same number gives the same map.", 0, None, 1)
+    model: str = _parameter(
+        "",
+        "Key of an earlier map in the workspace: its postures stay, and the clips are only put on them. "
+        "Then the other settings do nothing.",
+        advanced=True,
+    )  # fmt: skip
 
     def __post_init__(self) -> None:
         parse_grid(self.grid)
@@ -58,6 +66,8 @@ class MapParameters:
             raise ValueError("samples must be 50 to 100000, sigma 0.2 to 5, epochs 1 to 1000")
         if self.training not in ("batch", "online") or not 1 <= self.passes <= 10_000:
             raise ValueError("training must be batch or online, with 1 to 10000 passes")
+        if self.model and not re.fullmatch(r"[0-9a-f]{8,64}", self.model):
+            raise ValueError("model must be the key of an earlier map")
 
 
 def parse_grid(text: str) -> tuple[int, int]:
@@ -68,12 +78,20 @@ def parse_grid(text: str) -> tuple[int, int]:
     return int(parts[0]), int(parts[1])
 
 
-def build_motion_map(dataset: Dataset, parameters: MapParameters | None = None, report: Report = silent) -> MotionMap:
+def build_motion_map(
+    dataset: Dataset,
+    parameters: MapParameters | None = None,
+    report: Report = silent,
+    model: MotionMap | None = None,
+) -> MotionMap:
     """The motion map of a data set. Deterministic: the same clips and seed give the same map.
 
-    Raises ValueError where there are no clips or no common joints; ``report`` may raise to stop the work.
+    With an earlier map as ``model`` nothing is learned: the clips are put on its nodes. Raises ValueError where there
+    are no clips or no common joints; ``report`` may raise to stop the work.
     """
     parameters = parameters or MapParameters()
+    if model is not None:
+        return replace(assign_clips(model, dataset, report), parameters=asdict(parameters))
     seconds: dict[str, float] = {}
     with _timed("postures", seconds):
         postures = postures_of(dataset, analysis_fps=parameters.analysis_fps, report=report)
@@ -94,7 +112,7 @@ def build_motion_map(dataset: Dataset, parameters: MapParameters | None = None, 
         regions = find_regions(weights)
     with _timed("runs", seconds):
         nodes, distances = best_nodes(postures.vectors, weights)
-        runs = runs_of(nodes, distances, postures.clip_starts)
+        runs = runs_of(nodes, distances, postures.clip_starts, postures.velocity)
         quantisation, topographic = errors(samples, weights)
     return MotionMap(
         weights=weights,
@@ -102,6 +120,8 @@ def build_motion_map(dataset: Dataset, parameters: MapParameters | None = None, 
         icons=region_icons(regions),
         runs=runs,
         joints=postures.joints,
+        roles=postures.roles,
+        sides=postures.sides,
         parents=postures.parents,
         lengths=bone_lengths(postures.values[kept], postures.parents),
         clips=postures.clips,

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -13,6 +15,7 @@ class Runs(NamedTuple):
 
     clip, start, end, node: each ``(n_runs,)`` int; clip is an index, frames are analysis frames, end exclusive, node
     counts row by row in the grid. distance: ``(n_runs,)`` mean distance of the frames to the node's model vector.
+    ahead, aside: ``(n_runs,)`` mean velocity over the ground, m/s, to where the body faces and to its left.
     """
 
     clip: np.ndarray
@@ -20,6 +23,43 @@ class Runs(NamedTuple):
     end: np.ndarray
     node: np.ndarray
     distance: np.ndarray
+    ahead: np.ndarray
+    aside: np.ndarray
+
+    @property
+    def speed(self) -> np.ndarray:
+        """Mean speed over the ground ``(n_runs,)``, m/s."""
+        return np.hypot(self.ahead, self.aside)
+
+
+WAYS = ("any", "forward", "backward", "left", "right")
+
+
+@dataclass(frozen=True)
+class Pace:
+    """How the body must travel while it passes a key: equal postures may stand, walk or run (MAP section 6).
+
+    slowest, fastest: m/s over the ground; way: one of WAYS, as seen by the body, to within 45 degrees. Raises
+    ValueError for another way or a range that is none.
+    """
+
+    slowest: float = 0.0
+    fastest: float = math.inf
+    way: str = "any"
+
+    def __post_init__(self) -> None:
+        if self.way not in WAYS or not 0 <= self.slowest <= self.fastest:
+            raise ValueError(f"a pace needs speeds that rise from 0 and one of {', '.join(WAYS)}")
+
+    def allows(self, runs: Runs) -> np.ndarray:
+        """Which runs ``(n_runs,)`` bool travel like this."""
+        speed = runs.speed
+        fits = (speed >= self.slowest) & (speed <= self.fastest)
+        if self.way == "any":
+            return fits
+        along, across = (runs.ahead, runs.aside) if self.way in ("forward", "backward") else (runs.aside, runs.ahead)
+        along = -along if self.way in ("backward", "right") else along
+        return fits & (along > 0) & (along >= np.abs(across))
 
 
 class KeyHit(NamedTuple):
@@ -36,9 +76,15 @@ class KeyHit(NamedTuple):
     runs: tuple[int, ...]
 
 
-def runs_of(nodes: np.ndarray, distances: np.ndarray, clip_starts: np.ndarray) -> Runs:
-    """The table of runs from the node ``(n,)`` and distance ``(n,)`` of every frame; clip_starts: (n_clips + 1,)."""
+def runs_of(
+    nodes: np.ndarray, distances: np.ndarray, clip_starts: np.ndarray, velocity: np.ndarray | None = None
+) -> Runs:
+    """The table of runs from the node ``(n,)``, distance ``(n,)`` and velocity ``(n, 2)`` of every frame.
+
+    clip_starts: ``(n_clips + 1,)``; without velocities nothing moves.
+    """
     n = len(nodes)
+    velocity = np.zeros((n, 2)) if velocity is None else velocity
     first = np.ones(n, bool)
     first[1:] = nodes[1:] != nodes[:-1]
     first[np.asarray(clip_starts[:-1])[np.asarray(clip_starts[:-1]) < n]] = True
@@ -46,8 +92,9 @@ def runs_of(nodes: np.ndarray, distances: np.ndarray, clip_starts: np.ndarray) -
     ends = np.append(starts[1:], n)
     clips = np.searchsorted(clip_starts, starts, side="right") - 1
     offset = np.asarray(clip_starts)[clips]
-    means = np.add.reduceat(distances, starts) / (ends - starts) if n else np.zeros(0)
-    return Runs(clips, starts - offset, ends - offset, np.asarray(nodes)[starts], means)
+    every = np.column_stack([distances, velocity])
+    means = np.add.reduceat(every, starts) / (ends - starts)[:, None] if n else np.zeros((0, 3))
+    return Runs(clips, starts - offset, ends - offset, np.asarray(nodes)[starts], *means.T)
 
 
 def key_nodes(weights: np.ndarray, key: tuple[int, int], threshold: float) -> tuple[np.ndarray, np.ndarray]:
@@ -62,17 +109,18 @@ def key_nodes(weights: np.ndarray, key: tuple[int, int], threshold: float) -> tu
     return nodes, apart[nodes]
 
 
-def search_keys(runs: Runs, keys: Sequence[tuple[np.ndarray, np.ndarray]]) -> list[KeyHit]:
+def search_keys(runs: Runs, keys: Sequence[tuple[np.ndarray, np.ndarray]], pace: Pace | None = None) -> list[KeyHit]:
     """Stretches that pass through all ``keys`` in order, best first: by summed distance, then by duration.
 
     keys: per key its nodes ``(k,)`` and their distances ``(k,)`` (see :func:`key_nodes`). Each run of the first key is
     extended to the earliest-ending later run of the next key in the same clip, and dropped where there is none; of
     stretches that end in the same run the shortest stays (ours: the others only begin earlier). A run serves one key
-    only, so the same posture twice as a key asks for two visits.
+    only, so the same posture twice as a key asks for two visits. With ``pace`` only runs that travel like that count.
     """
     if not keys:
         return []
-    passes = [_passes(runs, nodes, distances) for nodes, distances in keys]
+    allowed = np.ones(len(runs.node), bool) if pace is None else pace.allows(runs)
+    passes = [_passes(runs, nodes, distances, allowed) for nodes, distances in keys]
     rows, apart = passes[0]
     chains, sums = rows[:, None], apart.copy()
     if not len(rows):
@@ -101,11 +149,11 @@ def search_keys(runs: Runs, keys: Sequence[tuple[np.ndarray, np.ndarray]]) -> li
     return sorted(hits, key=lambda hit: (round(hit.distance, 9), hit.end - hit.start, hit.clip, hit.start))
 
 
-def _passes(runs: Runs, nodes: np.ndarray, distances: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Rows of the runs on these nodes, ascending, and the distance of their node to the key."""
+def _passes(runs: Runs, nodes: np.ndarray, distances: np.ndarray, allowed: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Rows of the allowed runs on these nodes, ascending, and the distance of their node to the key."""
     n_nodes = int(max(runs.node.max(initial=0), nodes.max(initial=0))) + 1
     apart = np.full(n_nodes, np.inf)
     apart[nodes] = distances
     found = apart[runs.node]
-    rows = np.flatnonzero(np.isfinite(found))
+    rows = np.flatnonzero(np.isfinite(found) & allowed)
     return rows, found[rows]

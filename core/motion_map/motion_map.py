@@ -9,15 +9,16 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from core.mocap.anatomy import find_anatomy
 from core.mocap.clip import Clip, Segment
 from core.motion_map.bones import refine, with_real_bones
-from core.motion_map.keypose_search import KeyHit, Runs, key_nodes, search_keys
+from core.motion_map.keypose_search import KeyHit, Pace, Runs, key_nodes, search_keys
 from core.motion_map.som import best_nodes, u_matrix
 from core.poses.features import posture_joints
 from core.poses.postures import clip_postures
 
 FORMAT = "motionscape/map/1"
-_TEXT = ("joints", "parents", "clips", "clip_fps", "clip_frames", "fps")
+_TEXT = ("joints", "roles", "sides", "parents", "clips", "clip_fps", "clip_frames", "fps")
 
 
 class Fit(NamedTuple):
@@ -37,7 +38,8 @@ class MotionMap:
 
     weights: ``(nx, ny, 3 n_joints)`` float32 model vectors, positions as in core.poses.postures (metres). regions:
     ``(nx, ny)`` int; icons: ``(n_regions, 2)`` node of each region's icon. runs: stays of the clips on nodes, in
-    analysis frames. joints, parents, lengths: of the postures. clips, clip_fps, clip_frames, fps: as in Postures.
+    analysis frames. joints, roles, sides, parents, lengths: of the postures. clips, clip_fps, clip_frames, fps: as in
+    Postures.
     metrics: quantisation_error, topographic_error, samples, threshold, n_regions, usual_distance.
     """
 
@@ -46,6 +48,8 @@ class MotionMap:
     icons: np.ndarray
     runs: Runs
     joints: tuple[str, ...]
+    roles: tuple[str, ...]
+    sides: tuple[str, ...]
     parents: tuple[int, ...]
     lengths: np.ndarray
     clips: tuple[str, ...]
@@ -74,6 +78,17 @@ class MotionMap:
         return with_real_bones(shaped.astype(np.float64), self.parents, self.lengths).astype(np.float32)
 
     @cached_property
+    def fits(self) -> np.ndarray:
+        """How badly each clip fits, ``(n_clips,)``: its mean distance to the nodes it passes, as a multiple of what is
+
+        usual among the clips that the map has learned.
+        """
+        frames = (self.runs.end - self.runs.start).astype(np.float64)
+        total = np.bincount(self.runs.clip, self.runs.distance * frames, len(self.clips))
+        mean = total / np.maximum(np.bincount(self.runs.clip, frames, len(self.clips)), 1)
+        return mean / max(self.metrics["usual_distance"], 1e-9)
+
+    @cached_property
     def density(self) -> np.ndarray:
         """Seconds of motion on every node: ``(nx, ny)``."""
         frames = np.bincount(self.runs.node, self.runs.end - self.runs.start, self.grid[0] * self.grid[1])
@@ -93,19 +108,19 @@ class MotionMap:
         nodes = np.repeat(self.runs.node[mine], self.runs.end[mine] - self.runs.start[mine])
         return np.column_stack(np.divmod(nodes, self.grid[1]))
 
-    def trajectory(self, clip: Clip, factor: int = 4) -> np.ndarray:
-        """Path ``(n, 2)`` of a clip over the map, in node units, one point a frame of the clip's own rate.
+    def trajectory(self, clip: Clip, factor: int = 4, step: int = 1) -> np.ndarray:
+        """Path ``(n, 2)`` of a clip over the map, in node units, one point every ``step`` frames of its own rate.
 
         Nearest of the real and virtual nodes (MAP 3.3), ``factor`` to a node spacing. Raises ValueError for a clip
         whose skeleton lacks a joint of the map.
         """
         fine = self._refined(factor)
-        best, _ = best_nodes(self._vectors(clip), fine)
+        best, _ = best_nodes(self.vectors_of(clip)[0][::step], fine)
         return np.column_stack(np.divmod(best, fine.shape[1])) / factor
 
     def fit(self, clip: Clip) -> Fit:
         """Assigns a clip the map has not seen, and says how badly it fits; raises as :meth:`trajectory`."""
-        nodes, distances = best_nodes(self._vectors(clip), self.weights)
+        nodes, distances = best_nodes(self.vectors_of(clip)[0], self.weights)
         return Fit(nodes, distances, float(distances.mean() / max(self.metrics["usual_distance"], 1e-9)))
 
     def nearest(self, posture: np.ndarray) -> tuple[tuple[int, int], float]:
@@ -113,9 +128,14 @@ class MotionMap:
         best, apart = best_nodes(np.asarray(posture, np.float32).reshape(1, -1), self.weights)
         return (int(best[0]) // self.grid[1], int(best[0]) % self.grid[1]), float(apart[0])
 
-    def search(self, keys: Sequence[tuple[int, int]], threshold: float = 0.0) -> list[tuple[Segment, KeyHit]]:
-        """Stretches that pass through the key nodes in order, best first (MAP section 4); threshold: the paper's T."""
-        hits = search_keys(self.runs, [key_nodes(self.weights, key, threshold) for key in keys])
+    def search(
+        self, keys: Sequence[tuple[int, int]], threshold: float = 0.0, pace: Pace | None = None
+    ) -> list[tuple[Segment, KeyHit]]:
+        """Stretches that pass through the key nodes in order, best first (MAP section 4); threshold: the paper's T.
+
+        pace: how the body must travel at the keys.
+        """
+        hits = search_keys(self.runs, [key_nodes(self.weights, key, threshold) for key in keys], pace)
         return [(self.segment(hit.clip, hit.start, hit.end), hit) for hit in hits]
 
     def _refined(self, factor: int) -> np.ndarray:
@@ -128,17 +148,19 @@ class MotionMap:
             cache[factor] = fine.reshape(*fine.shape[:2], -1)
         return cache[factor]
 
-    def _vectors(self, clip: Clip) -> np.ndarray:
-        joints = posture_joints([clip.skeleton])[clip.skeleton]
-        if not set(self.joints) <= set(joints):
-            from core.mocap.anatomy import find_anatomy
+    def vectors_of(self, clip: Clip) -> tuple[np.ndarray, np.ndarray]:
+        """Every frame of any clip as the map compares it, ``(n, 3 n_joints)``, and its velocity ``(n, 2)`` in m/s.
 
-            joints = find_anatomy(clip.skeleton).joints
-        missing = [name for name in self.joints if name not in joints]
+        Raises ValueError for a clip whose skeleton lacks a joint of the map.
+        """
+        own = posture_joints([clip.skeleton])[clip.skeleton]
+        body = find_anatomy(clip.skeleton).joints
+        found = [own.get(name, body.get(role)) for name, role in zip(self.joints, self.roles, strict=True)]
+        missing = [name for name, joint in zip(self.joints, found, strict=True) if joint is None]
         if missing:
             raise ValueError(f"{clip.name} lacks joints of this map: {', '.join(missing[:5])}")
-        values = clip_postures(clip, {name: joints[name] for name in self.joints})[0]
-        return values.reshape(len(values), -1)
+        values, _, velocity = clip_postures(clip, dict(zip(self.joints, found, strict=True)))
+        return values.reshape(len(values), -1), velocity
 
     def to_json(self) -> dict[str, Any]:
         """The document ``map.json``: grid, errors, regions with their icons, and runs at the clips' own rates."""

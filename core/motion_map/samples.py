@@ -10,6 +10,8 @@ from core.progress import Report, silent
 
 _CHUNK = 20_000  # postures between two reports
 _TABLE = 1 << 16  # lists of the hash table
+_MOST_TRIES = 24
+_ENOUGH = 0.85  # of the samples that are wanted
 
 
 def reduce_samples(postures: np.ndarray, threshold: float, report: Report = silent) -> np.ndarray:
@@ -26,12 +28,27 @@ def reduce_samples(postures: np.ndarray, threshold: float, report: Report = sile
     if threshold == 0 or n == 0:
         return np.arange(n)
     mean, axes = principal_axes(postures, 3)
-    cells = np.floor((postures - mean) @ axes / threshold).astype(np.int64)
+    return np.flatnonzero(_kept(postures, (postures - mean) @ axes, threshold, n, report)[0])
+
+
+def _kept(
+    postures: np.ndarray, places: np.ndarray, threshold: float, most: int, report: Report = silent
+) -> tuple[np.ndarray, int]:
+    """Which postures ``(n,)`` bool are kept, and how many were looked at: no more once ``most`` are kept.
+
+    places: the postures ``(n, 3)`` along their three largest principal directions.
+    """
+    n = len(postures)
+    cells = np.floor(places / threshold).astype(np.int64)
     head, follow, kept = np.full(_TABLE, -1, np.int64), np.empty(n, np.int64), np.zeros(n, bool)
+    seen, count = 0, 0
     for low in range(0, n, _CHUNK):
-        _keep(postures, cells, threshold**2, low, min(low + _CHUNK, n), head, follow, kept)
-        report("samples", min(1.0, (low + _CHUNK) / n))
-    return np.flatnonzero(kept)
+        end = min(low + _CHUNK, n)
+        seen, count = _keep(postures, cells, threshold**2, low, end, head, follow, kept, count, most)
+        report("samples", end / n)
+        if seen < end:
+            break
+    return kept, seen
 
 
 @njit(cache=True)
@@ -59,28 +76,52 @@ def _is_free(postures, cells, squared, i, head, follow):
 
 
 @njit(cache=True)
-def _keep(postures, cells, squared, low, high, head, follow, kept):
-    """Looks at postures [low, high) and enters those that are kept; head, follow: linked lists of the cells."""
+def _keep(postures, cells, squared, low, high, head, follow, kept, count, most):
+    """Looks at postures [low, high) and enters those that are kept, until they are more than ``most``.
+
+    head, follow: linked lists of the cells. Gives where it stopped and how many are kept.
+    """
     for i in range(low, high):
         if _is_free(postures, cells, squared, i, head, follow):
             place = _cell(cells[i, 0], cells[i, 1], cells[i, 2])
             follow[i], head[place], kept[i] = head[place], i, True
+            count += 1
+            if count > most:
+                return i, count
+    return high, count
 
 
 def threshold_for(postures: np.ndarray, wanted: int, *, seed: int = 0) -> float:
-    """A threshold that keeps up to ``wanted`` of the postures ``(n, d)``, to about 20 %; 0 where there are fewer.
+    """A threshold that keeps up to ``wanted`` of the postures ``(n, d)``, to about 15 %; 0 where there are fewer.
 
-    Of long collections a part is looked at, so that the cost has a bound; the number kept grows little beyond it.
+    Of long collections a part is looked at, so that the cost has a bound; the number kept grows little beyond it. A
+    threshold that keeps too many costs little: it is given up as soon as that is seen.
     """
     if len(postures) <= wanted:
         return 0.0
     rng, most = np.random.default_rng(seed), max(20_000, 3 * wanted)
-    part = postures[np.sort(rng.choice(len(postures), min(len(postures), most), replace=False))]
-    high = float(np.linalg.norm(part - part.mean(axis=0), axis=1).mean())
-    while len(reduce_samples(part, high)) > wanted:
-        high *= 1.5
-    low = high
-    while len(reduce_samples(part, low)) <= wanted and low > high / 1000:
-        high, low = low, low / 1.4
-    middle = (low * high) ** 0.5
-    return high if len(reduce_samples(part, middle)) > wanted else middle
+    rows = np.sort(rng.choice(len(postures), min(len(postures), most), replace=False))
+    part = np.ascontiguousarray(postures[rows], np.float32)
+    mean, axes = principal_axes(part, 3)
+    places = (part - mean) @ axes
+    threshold = float(np.linalg.norm(part - mean, axis=1).mean()) / 4
+    low, high, slope = 0.0, np.inf, 1.5  # keeps too many, keeps few enough; how fast the number falls, in logarithms
+    before: tuple[float, float] | None = None
+    for _ in range(_MOST_TRIES):
+        kept, seen = _kept(part, places, threshold, wanted)
+        count = float(np.count_nonzero(kept))
+        if count > wanted:
+            low, count = threshold, count * len(part) / max(seen, 1)  # had it gone on
+        else:
+            high = threshold
+            if count >= _ENOUGH * wanted:
+                break
+        if before and before[0] != threshold and before[1] != count:
+            slope = float(np.clip(-np.log(count / before[1]) / np.log(threshold / before[0]), 0.7, 6.0))
+        before = threshold, count
+        threshold *= (count / (0.94 * wanted)) ** (1 / slope)
+        if not low < threshold < high:
+            threshold = (low * high) ** 0.5 if low > 0 else high / 2
+        if high < low * 1.002:
+            break  # equal postures: nothing lies between
+    return high if high < np.inf else low * 1.5

@@ -16,7 +16,7 @@ from core.progress import Report, silent
 
 FIRST_RATE, LAST_RATE = 0.8, 0.01  # the paper's learning rates
 PASSES = 1000  # the paper's n_L, read as passes over all samples: its 17 minutes rule out 1000 single steps
-_BLOCK = 4096  # samples whose distances to all nodes are held at once
+_BLOCK = 1 << 22  # distances that are held at once
 _FEWEST = 2000  # samples an epoch looks at, at least
 
 
@@ -121,8 +121,9 @@ def _blocks(samples: np.ndarray, weights: np.ndarray) -> Iterator[tuple[slice, n
     models = weights.reshape(-1, weights.shape[-1]).astype(np.float32)
     lengths = np.einsum("kd,kd->k", models, models)
     double = np.ascontiguousarray(-2 * models.T)
-    for low in range(0, len(samples), _BLOCK):
-        apart = samples[low : low + _BLOCK] @ double
+    rows = max(64, _BLOCK // len(models))
+    for low in range(0, len(samples), rows):
+        apart = samples[low : low + rows] @ double
         apart += lengths
         yield slice(low, low + len(apart)), apart
 

@@ -24,17 +24,20 @@ class Postures:
     """Postures of many clips, one after the other, at one frame rate.
 
     values: ``(n, n_joints, 3)`` float32, metres, relative to the pelvis, turned about y so that the body faces +z,
-    scaled to STANDARD_HEIGHT. joints: their names; parents: per joint the index of the joint its bone comes from, -1
-    for the pelvis, which itself is not among them.
-    yaw, speed: ``(n,)`` heading in radians and ground speed in m/s of the real body. clip_starts: ``(n_clips + 1,)``;
-    clips, clip_fps, clip_frames: names, rates and numbers of frames of the clips; fps: rate of ``values``.
+    scaled to STANDARD_HEIGHT. joints: their names; roles: their canonical names, "" where the anatomy has none; sides:
+    "left", "right" or "centre"; parents: per joint the index of the joint its bone comes from, -1 for the pelvis, which
+    itself is not among them. yaw: ``(n,)`` heading in radians; velocity: ``(n, 2)`` m/s over the ground, straight ahead
+    and to the body's left, of the real body. clip_starts: ``(n_clips + 1,)``; clips, clip_fps, clip_frames: names,
+    rates and numbers of frames of the clips; fps: rate of ``values``.
     """
 
     values: np.ndarray
     joints: tuple[str, ...]
+    roles: tuple[str, ...]
+    sides: tuple[str, ...]
     parents: tuple[int, ...]
     yaw: np.ndarray
-    speed: np.ndarray
+    velocity: np.ndarray
     clip_starts: np.ndarray
     clips: tuple[str, ...]
     clip_fps: tuple[float, ...]
@@ -63,21 +66,25 @@ def postures_of(dataset: Dataset, *, analysis_fps: float = 30, report: Report = 
     if not analysis_fps > 0:
         raise ValueError(f"analysis_fps must be positive, not {analysis_fps}")
     chosen = posture_joints([clip.skeleton for clip in clips])
-    values, yaws, speeds = [], [], []
+    values, yaws, velocities = [], [], []
     for k, clip in enumerate(clips):
         sampled = resample(clip, analysis_fps)
-        posture, yaw, speed = clip_postures(sampled, chosen[clip.skeleton])
+        posture, yaw, velocity = clip_postures(sampled, chosen[clip.skeleton])
         values.append(posture)
         yaws.append(yaw)
-        speeds.append(speed)
+        velocities.append(velocity)
         report("postures", (k + 1) / len(clips))
     first = clips[0].skeleton
+    anatomy, indices = find_anatomy(first), tuple(chosen[first].values())
+    canonical = {joint: name for name, joint in anatomy.joints.items()}
     return Postures(
         values=np.concatenate(values),
         joints=tuple(chosen[first]),
-        parents=bones_among(first, tuple(chosen[first].values())),
+        roles=tuple(canonical.get(joint, "") for joint in indices),
+        sides=tuple(anatomy.side(joint) for joint in indices),
+        parents=bones_among(first, indices),
         yaw=np.concatenate(yaws),
-        speed=np.concatenate(speeds),
+        velocity=np.concatenate(velocities),
         clip_starts=np.concatenate([[0], np.cumsum([len(v) for v in values])]).astype(np.int64),
         clips=tuple(clip.name for clip in clips),
         clip_fps=tuple(float(clip.fps) for clip in clips),
@@ -99,19 +106,28 @@ def bones_among(skeleton: Skeleton, joints: tuple[int, ...]) -> tuple[int, ...]:
 
 
 def clip_postures(clip: Clip, joints: dict[str, int]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Postures ``(n, n_joints, 3)`` float32, headings ``(n,)`` and ground speeds ``(n,)`` of a clip, at its rate."""
+    """Postures ``(n, n_joints, 3)`` float32, headings ``(n,)`` and velocities ``(n, 2)`` of a clip, at its rate.
+
+    Everything as in :class:`Postures`.
+    """
     anatomy = find_anatomy(clip.skeleton)
     positions, world = forward_kinematics(clip)
     yaw = _heading(positions, world, anatomy.joints)
     offsets = positions[:, list(joints.values())] - positions[:, :1]
     turned = quat.rotate(quat.from_yaw(-yaw)[:, None], offsets.astype(np.float64))
+    scaled = turned * (STANDARD_HEIGHT / anatomy.body_height)
+    return scaled.astype(np.float32), yaw, _ground_velocity(clip, yaw)
+
+
+def _ground_velocity(clip: Clip, yaw: np.ndarray) -> np.ndarray:
+    """Velocity over the ground ``(n, 2)`` float32 in m/s: ahead and to the left of where the body faces."""
     half = max(1, round(clip.fps / SPEED_FPS))
     at = np.arange(clip.n_frames)
     before, after = np.maximum(at - half, 0), np.minimum(at + half, clip.n_frames - 1)
-    travel = np.asarray(clip.root_positions, np.float64)[:, [0, 2]]
-    speed = np.linalg.norm(travel[after] - travel[before], axis=1) * clip.fps / np.maximum(after - before, 1)
-    scaled = turned * (STANDARD_HEIGHT / anatomy.body_height)
-    return scaled.astype(np.float32), yaw, speed.astype(np.float32)
+    travel = np.asarray(clip.root_positions, np.float64)
+    steps = (travel[after] - travel[before]) * (clip.fps / np.maximum(after - before, 1))[:, None]
+    own = quat.rotate(quat.from_yaw(-yaw), steps)
+    return own[:, [2, 0]].astype(np.float32)
 
 
 def _heading(positions: np.ndarray, world: np.ndarray, joints: dict[str, int]) -> np.ndarray:

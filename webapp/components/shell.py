@@ -14,6 +14,7 @@ PAGES = (  # path, label, icon
     ("library", "Library", "library"),
     ("motifs", "Motifs", "graph"),
     ("sweeps", "Sweeps", "sweep"),
+    ("map", "Map", "map"),
     ("search", "Search", "search"),
     ("grammar", "Grammar", "branches"),
     ("clip", "Clip", "pulse"),

@@ -1,0 +1,56 @@
+"""Where clips go over a map: computed once a clip, kept in memory, cut for the segments that are shown."""
+
+from __future__ import annotations
+
+import threading
+from collections import OrderedDict
+from typing import Any
+
+import numpy as np
+
+from core.mocap.clip import Clip
+from core.mocap.dataset import Dataset
+from core.motion_map.motion_map import MotionMap
+
+_KEPT = 400  # clips
+_FINE_NODES = 40_000  # virtual and real: finer grids cost more than they show
+
+
+def path_of(motion_map: MotionMap, key: str, dataset: Dataset, clip: Clip, start: int, end: int) -> dict[str, Any]:
+    """The way of frames ``[start, end)`` of a clip over a map, for assets/map_paths.js.
+
+    clip, start, end, and ``step``, frames of the clip's own rate between two of ``points`` [[x, y], ...], in node
+    units. Raises ValueError for a clip that lacks a joint of the map.
+    """
+    step = max(1, round(clip.fps / motion_map.fps))
+    points = _whole(motion_map, key, dataset, clip, step)
+    first, last = start // step, max((end - 1) // step, start // step)
+    cut = points[first : last + 1]
+    return {
+        "dataset": dataset.name,
+        "clip": clip.name,
+        "start": first * step,
+        "end": end,
+        "step": step,
+        "points": np.round(cut, 3).tolist(),
+    }
+
+
+def _whole(motion_map: MotionMap, key: str, dataset: Dataset, clip: Clip, step: int) -> np.ndarray:
+    name = (key, dataset.name, dataset.fingerprint, clip.name)
+    with _lock:
+        if name in _paths:
+            _paths.move_to_end(name)
+            return _paths[name]
+    nx, ny = motion_map.grid
+    factor = next((f for f in (4, 3, 2) if nx * ny * f * f <= _FINE_NODES), 1)
+    points = motion_map.trajectory(clip, factor, step).astype(np.float32)
+    with _lock:
+        _paths[name] = points
+        while len(_paths) > _KEPT:
+            _paths.popitem(last=False)
+    return points
+
+
+_paths: OrderedDict[tuple[str, str, str, str], np.ndarray] = OrderedDict()
+_lock = threading.Lock()
