@@ -79,7 +79,7 @@ def overlap(segment: Segment, label: Label) -> int:
 
 
 def rank_of(hits: list[Segment], labels: list[Label]) -> int:
-    """Place, from 1, of the first hit that lies in one of the labels by INSIDE; 0 where none of the first FIRST does."""
+    """Place, from 1, of the first hit that lies in the labels by INSIDE; 0 where none of the first FIRST does."""
     for k, hit in enumerate(hits[:FIRST]):
         if sum(overlap(hit, label) for label in labels) >= INSIDE * hit.n_frames:
             return k + 1
@@ -160,10 +160,10 @@ def main() -> str:
         "",
         f"Keys: the icons nearest to three postures ({', '.join(f'{100 * m:.0f} %' for m in MOMENTS)}) of one labelled "
         f"instance; T grows by {STEP} m until there are {FIRST} hits outside that instance. Right: {INSIDE:.0%} of a "
-        f"hit lies in another instance. {SEEDS} map seeds, each with another instance to ask with. Tasks with the right "
-        f"action in the first {FIRST} hits, median over seeds: {'; '.join(summaries)}.",
+        f"hit lies in another instance. {SEEDS} map seeds, each with another instance to ask with. Tasks with the "
+        f"right action in the first {FIRST} hits, median over seeds: {'; '.join(summaries)}.",
         "",
-        "| collection | find | in the first five | median place | share of five that are right | share of time | T, median |",
+        "| collection | find | in the first five | median place | right of five | share of time | T, median |",
         "|---|---|---|---|---|---|---|",
         *rows,
         "",

@@ -26,10 +26,18 @@ def open_map(show, more: str = "", **options) -> Page:
 
 
 def wait_for_map(page: Page) -> None:
-    """Until the heatmap is drawn and what lies over it fits."""
+    """Until the heatmap is drawn, what lies over it fits, and nothing moves any more."""
     page.wait_for_function(
-        "() => motionscapeMap.state.map && motionscapeMap.overlay?.scale > 0"
-        " && document.querySelector('#map-graph .js-plotly-plot .hm image')",
+        """() => {
+            const drawn = motionscapeMap.state.map && motionscapeMap.overlay?.scale > 0
+                && document.querySelector('#map-graph .js-plotly-plot .hm image')
+                && document.querySelector('#map-said').textContent && !document.querySelector('#map-status').textContent;
+            if (!drawn) return false;
+            const { x, y, width } = motionscapeMap.overlay.svg.getBoundingClientRect();
+            const now = [x, y, width, motionscapeMap.overlay.scale].join(' ');
+            if (window.stoodAt !== now) [window.stoodAt, window.stoodSince] = [now, performance.now()];
+            return performance.now() - window.stoodSince > 250;
+        }""",
         timeout=PATIENCE,
     )
 
