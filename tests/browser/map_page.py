@@ -31,7 +31,8 @@ def wait_for_map(page: Page) -> None:
         """() => {
             const drawn = motionscapeMap.state.map && motionscapeMap.overlay?.scale > 0
                 && document.querySelector('#map-graph .js-plotly-plot .hm image')
-                && document.querySelector('#map-said').textContent && !document.querySelector('#map-status').textContent;
+                && document.querySelector('#map-said').textContent
+                && !document.querySelector('#map-status').textContent;
             if (!drawn) return false;
             const { x, y, width } = motionscapeMap.overlay.svg.getBoundingClientRect();
             const now = [x, y, width, motionscapeMap.overlay.scale].join(' ');
