@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.poses.body_parts import LEAVES
-from core.retrieval.descriptors import BLOCKS, N_COLUMNS
-from core.retrieval.frames import FrameStore, column_weights
+from core.retrieval.descriptors import BLOCKS, N_COLUMNS, smoothed
+from core.retrieval.frames import JITTER, FrameStore, column_weights, jitter
 from core.retrieval.path_length import at_shares, path_lengths
 from core.retrieval.queries import Query, QueryPart
 
@@ -34,7 +34,7 @@ def compose(store: FrameStore, query: Query, weights: Mapping[str, float]) -> Co
     query lack every part that has a weight.
     """
     parts = [part for part in query.parts if any(weights[leaf] > 0 for leaf in part.leaves)]
-    coded = [(part, *store.encode(part.clip, part.start, part.end)) for part in parts]
+    coded = [(part, *_encoded(store, part)) for part in parts]
     kept = dict.fromkeys(LEAVES, 0.0)
     for part, _, has in coded:
         kept |= {leaf: weights[leaf] for leaf in part.leaves if leaf in has}
@@ -50,6 +50,14 @@ def compose(store: FrameStore, query: Query, weights: Mapping[str, float]) -> Co
     rate = store.fps / leading.clip.fps
     at = np.rint(np.arange(leading.end - leading.start) * rate).astype(np.int64)
     return Composed(found, kept, leading, np.minimum(at, len(found) - 1))
+
+
+def _encoded(store: FrameStore, part: QueryPart) -> tuple[np.ndarray, tuple[str, ...]]:
+    """The part's codes, smoothed where it jitters and the recordings do not: jitter would pass for effort."""
+    codes, has = store.encode(part.clip, part.start, part.end)
+    if jitter(codes) >= JITTER and store.steady:
+        codes = np.rint(smoothed(codes.astype(np.float32), store.fps)).astype(np.int8)
+    return codes, has
 
 
 def root_factor(weights: Mapping[str, float]) -> float:

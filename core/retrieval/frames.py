@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -18,6 +19,8 @@ UNITS = np.array([1 / 127] * (N_COLUMNS + 2) + [1 / 25] * (len(ROOT) - 2), np.fl
 """What one step of a code stands for, per column: unit vectors to about half a degree, velocities to 4 cm/s (and no
 faster than 5 m/s or 5 rad/s)."""
 
+JITTER = 0.9  # from here on a motion jitters
+_LONG = 900  # frames of a clip that are plenty to see jitter
 _AROUND = 4  # frames beside a stretch that its own depend on
 _FOR_AXES = 500  # clips of a skeleton that its axes are taken from
 
@@ -73,6 +76,12 @@ class FrameStore:
             has=np.concatenate([self.has, np.array(has, bool).reshape(-1, len(LEAVES))]),
             axes=axes,
         )
+
+    @cached_property
+    def steady(self) -> bool:
+        """Whether most clips move without jitter."""
+        some = range(0, len(self.clips), max(1, len(self.clips) // 50))
+        return float(np.median([jitter(self.of(k)[:_LONG]) for k in some])) < JITTER if self.clips else True
 
     def index(self, name: str) -> int:
         """Number of the clip called ``name``; raises KeyError where there is none."""
@@ -139,6 +148,16 @@ class FrameStore:
         }
         clips = tuple(IndexedClip(name, int(frames), float(fps)) for name, frames, fps in document["clips"])
         return cls(clips, arrays["codes"], arrays["starts"], arrays["has"], axes, float(document["fps"]))
+
+
+def jitter(codes: np.ndarray) -> float:
+    """How much of the motion of codes ``(n, ...)`` is jitter: size of second differences in that of first ones.
+
+    About .5 to .7 for recordings, 1.7 for noise that is new in every frame.
+    """
+    first = np.diff(codes[:, :N_COLUMNS].astype(np.float32), axis=0)
+    second = np.diff(first, axis=0)
+    return float(np.sqrt((second**2).mean() / max((first**2).mean(), 1e-9))) if len(second) else 0.0
 
 
 def column_weights(weights: Mapping[str, float]) -> np.ndarray:

@@ -7,14 +7,14 @@ warping.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from numba import njit
 
 from core.retrieval.compose import Composed
-from core.retrieval.descriptors import N_COLUMNS, smoothed
+from core.retrieval.descriptors import N_COLUMNS
 from core.retrieval.frames import FrameStore
 from core.retrieval.metric import Metric
 from core.retrieval.path_length import at_shares, path_lengths
@@ -24,7 +24,7 @@ KEYS = 8  # frames of the query that the coarse look compares
 TEMPOS = (0.7, 0.84, 1.0, 1.19, 1.41)  # lengths of windows, in lengths of the query
 STRIDE = 4  # at most so many frames between two that the coarse look sees
 POOL = 256  # windows that are compared by the metric, at least
-WARPED = 0.7  # how much the cost of warping frame onto frame counts in the end, beside the metric
+COPY = 0.3  # cost a frame of warping postures onto postures below which a window is the query again, or nearly so
 _REFINED = 150  # frames of the query that warping looks at, at most
 
 
@@ -53,7 +53,6 @@ class _Windows:
 def locate(store: FrameStore, query: Composed, among: np.ndarray, top: int, root_path: float = 0.0) -> list[Place]:
     """At most ``top`` stretches of the clips numbered ``(k,)``, best first; none lies over most of another."""
     metric = Metric(query.weights)
-    query = replace(query, codes=np.rint(smoothed(query.codes.astype(np.float32), store.fps)).astype(np.int8))
     asked = metric.motions(store, query.codes, np.array([0]), np.array([len(query.codes)]))
 
     def apart(windows: _Windows) -> np.ndarray:
@@ -68,7 +67,8 @@ def locate(store: FrameStore, query: Composed, among: np.ndarray, top: int, root
     best = np.argsort(distances, kind="stable")[: 3 * top + 10]
     windows, distances = windows.take(best), distances[best]
     windows, warped = _refine(store, query, metric, windows)
-    distances = (1 - WARPED) * apart(windows) + WARPED * warped
+    # among the like, what is the very motion comes first; how fast it was played hardly matters then
+    distances = apart(windows) * np.minimum(1, warped / COPY) ** 2
     return [_place(store, query, metric, windows, k, distances[k]) for k in _apart(windows, distances, top)]
 
 
