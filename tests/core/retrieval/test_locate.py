@@ -47,10 +47,10 @@ def test_what_cannot_be_looked_for_is_refused():
 
 
 def test_noised_and_retimed_cuts_are_found_where_they_were():
-    demo = make_demo(minutes=3, seed=2)
+    demo = make_demo(minutes=2, seed=2)
     index, rng = build_search_index(demo), np.random.default_rng(0)
     right = 0
-    for _ in range(30):
+    for _ in range(24):
         clip = demo.clips[rng.integers(len(demo.clips))]
         n = int(rng.uniform(1, 3) * clip.fps)
         start = int(rng.integers(0, clip.n_frames - n))
@@ -61,7 +61,7 @@ def test_noised_and_retimed_cuts_are_found_where_they_were():
         hit = index.search(whole_query(asked), level="interval", top=3)[0].segment
         shared = min(hit.end, start + n) - max(hit.start, start)
         right += hit.clip == clip.name and shared >= 0.5 * (hit.n_frames + n - shared)
-    assert right >= 28
+    assert right >= 22
 
 
 def test_hits_hardly_overlap_and_lie_within_their_clips():

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -12,7 +14,7 @@ from core.retrieval.path_length import STILL, at_shares, path_lengths, sample_al
 
 def naive(values: np.ndarray, way: int, n_samples: int) -> np.ndarray:
     lengths = [0.0]
-    for a, b in zip(values, values[1:], strict=False):
+    for a, b in itertools.pairwise(values):
         lengths.append(lengths[-1] + np.linalg.norm(b[:way] - a[:way]) + STILL)
     aims = np.linspace(0, lengths[-1], n_samples)
     return np.column_stack([np.interp(aims, lengths, column) for column in values.T])
