@@ -92,7 +92,7 @@
     const { chosen } = now;
     if (!chosen) return "Choose an action to change its part.";
     const span = chosen.end - chosen.first === 1 ? `action ${chosen.first + 1}` : `actions ${chosen.first + 1} to ${chosen.end}`;
-    const ways = chosen.ways > 1 ? `${chosen.ways} ways` : "one way only";
+    const ways = chosen.ways > 1 ? `${chosen.ways} ways` : chosen.varies ? "its parts can differ" : "one way only";
     return `${chosen.name}: ${span}, ${ways}`;
   }
 
@@ -109,7 +109,7 @@
       : error ? "" : "Press New routine: chance makes one that keeps to the rules.";
     for (const name of ["play", "larger", "smaller", "others", "undo", "redo"]) {
       const usable = { play: there, undo: past.at > 0, redo: past.at < past.list.length - 1,
-        larger: there && now.chosen?.larger, smaller: there && now.chosen?.smaller, others: there && now.chosen?.ways > 1 }[name];
+        larger: there && now.chosen?.larger, smaller: there && now.chosen?.smaller, others: there && now.chosen?.varies }[name];
       document.querySelector(`[data-compose="${name}"]`).disabled = !usable;
     }
     if (busy && !now.actions) return;

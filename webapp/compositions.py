@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 from core import analyses
 from core.grammar import authoring
-from core.grammar.trees import Node, at_path, leaves
+from core.grammar.trees import Node, at_path, leaves, preorder
 from core.mocap.clip import Label
 from core.mocap.dataset import Dataset
 from core.parameters import ParameterError
@@ -152,7 +152,10 @@ def bands(made: Derivation, notes: actions.Notes) -> list[dict[str, Any]]:
 
 
 def chosen_part(found: LearnedGrammar, tree: Node, view: View) -> dict[str, Any] | None:
-    """The part that the link chooses: {at, path, first, end, name, ways, larger, smaller}; None where there is none."""
+    """The part that the link chooses: see the keys below; None where there is none.
+
+    ways: rules for it; varies: whether it, or a part of it, can go in another way.
+    """
     picked = _number(view, "pick")
     if picked is None or not 0 <= picked < tree.end:
         return None
@@ -167,6 +170,7 @@ def chosen_part(found: LearnedGrammar, tree: Node, view: View) -> dict[str, Any]
         "end": node.end,
         "name": grammars.tree_names(found, {})(node.symbol),
         "ways": len(found.grammar.choices[node.symbol]),
+        "varies": any(len(found.grammar.choices[n.symbol]) > 1 for n in preorder(node) if not n.is_leaf),
         "larger": level + 1 < len(around),
         "smaller": level > 0,
     }

@@ -197,6 +197,6 @@ def test_charts_over_the_number_of_actions_hold_what_the_table_holds():
         assert lines[label] == [row[field] for row in rows]
     assert rows[0]["repeats"] == pytest.approx(300 / 8, abs=0.01)
     assert [row["view"] for row in rows] == [{"grammar-n_terminals": "8"}, {"grammar-n_terminals": "20"}]
-    assert len(quality.layout.shapes) == 1 and not counted.layout.shapes
+    assert len(quality.layout.shapes) == 3 and not counted.layout.shapes
     fields = {column["field"] for column in grammar_table.COLUMNS}
     assert fields <= set(rows[0])

@@ -133,6 +133,8 @@ def test_the_chosen_part_grows_to_the_whole_routine(workspace, found):
         tree = compositions.tree_of(found, data["code"])
         assert at_path(tree, chosen["at"]).end == chosen["end"]
         assert chosen["smaller"] == (up > 0)
+        part = {**VIEW, "show": "compose", "sentence": "random:3:12", "pick": "1", "up": str(up), "alt": "1"}
+        assert chosen["varies"] or not compositions.alternatives(workspace, "demo", part)["others"]
         sizes.append(chosen["end"] - chosen["first"])
         if not chosen["larger"]:
             break

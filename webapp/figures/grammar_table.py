@@ -8,6 +8,7 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import plotly.graph_objects as go
+from plotly.subplots import make_subplots
 
 from webapp import theme
 from webapp.figures.charts import SERIES, themed
@@ -65,18 +66,14 @@ def rows(points: Sequence[Point]) -> list[Row]:
 
 
 def quality(points: Sequence[Point], scheme: str | None, shown: int | None = None) -> go.Figure:
-    """F (right axis), R and E' (left axis) over the number of actions; shown: the one whose result is on the page."""
-    figure = go.Figure()
-    for name, label, colour in (("R", "Share R", SERIES[0]), ("E", "Apart E'", SERIES[1])):
-        figure.add_trace(_line(points, name, label, colour, "y"))
-    figure.add_trace(_line(points, "F", "Score F", SERIES[2], "y2", dash="dot"))
-    figure.update_layout(yaxis2={"overlaying": "y", "side": "right", "rangemode": "tozero"})
-    figure = themed(figure, scheme, height=300, margin={"l": 56, "r": 56, "t": 16, "b": 44})
-    figure.update_layout(
-        yaxis={"title": "R, E'", "rangemode": "tozero"},
-        yaxis2={"title": "F", "showgrid": False, "tickformat": ".2~f", "nticks": 6},
-    )
-    return _over_actions(figure, points, scheme, shown)
+    """F, R and E' over the number of actions, one above another; shown: the number whose result is on the page."""
+    figure = make_subplots(rows=3, cols=1, shared_xaxes=True, vertical_spacing=0.07)
+    for row, (name, label) in enumerate((("F", "Score F"), ("R", "Share R"), ("E", "Apart E'")), 1):
+        figure.add_trace(_line(points, name, label, SERIES[row - 1]), row=row, col=1)
+        figure.update_yaxes(title_text=label, row=row, col=1)
+    figure = themed(figure, scheme, height=400, showlegend=False)
+    figure.update_yaxes(nticks=4)
+    return _over_actions(figure, points, scheme, shown, last="x3")
 
 
 def counts(points: Sequence[Point], scheme: str | None, shown: int | None = None) -> go.Figure:
@@ -84,28 +81,30 @@ def counts(points: Sequence[Point], scheme: str | None, shown: int | None = None
     figure = go.Figure()
     lines = (("rules", "Rules", SERIES[3]), ("phrases", "Phrases", SERIES[0]), ("sentences", "Routines", SERIES[5]))
     for name, label, colour in lines:
-        figure.add_trace(_line(points, name, label, colour, "y"))
+        figure.add_trace(_line(points, name, label, colour))
     figure = themed(figure, scheme, height=300)
-    figure.update_layout(yaxis={"title": "How many", "rangemode": "tozero"})
+    figure.update_layout(yaxis={"title": "How many", "rangemode": "tozero"}, height=400)
     return _over_actions(figure, points, scheme, shown)
 
 
-def _line(points: Sequence[Point], name: str, label: str, colour: str, axis: str, dash: str = "solid") -> go.Scatter:
+def _line(points: Sequence[Point], name: str, label: str, colour: str) -> go.Scatter:
     return go.Scatter(
         x=[point.actions for point in points],
         y=[getattr(point, name) for point in points],
         customdata=[json.dumps(dict(point.change)) for point in points],
         name=label,
-        yaxis=axis,
         mode="lines+markers",
-        line={"color": colour, "dash": dash, "width": 2},
+        line={"color": colour, "width": 2},
         marker={"size": 8},
-        hovertemplate=f"{label} %{{y:.3g}} with %{{x}} actions<extra></extra>",
+        hovertemplate=f"{label} %{{y:.4g}} with %{{x}} actions<extra></extra>",
     )
 
 
-def _over_actions(figure: go.Figure, points: Sequence[Point], scheme: str | None, shown: int | None) -> go.Figure:
-    figure.update_layout(xaxis={"title": "Number of actions", "tickvals": [point.actions for point in points]})
+def _over_actions(
+    figure: go.Figure, points: Sequence[Point], scheme: str | None, shown: int | None, last: str = "x"
+) -> go.Figure:
+    figure.update_xaxes(tickvals=[point.actions for point in points])
+    figure.update_layout({f"xaxis{last[1:]}": {"title": {"text": "Number of actions"}}})
     if shown is not None and any(point.actions == shown for point in points):
         colour = theme.CANVAS[scheme if scheme in theme.CANVAS else "light"]["line"]
         figure.add_vline(x=shown, line={"color": colour, "width": 1, "dash": "dash"})

@@ -90,8 +90,8 @@ def register(app: Dash, workspace: Workspace) -> None:
         prevent_initial_call=True,
     )
     def play(asked, name, view):
-        there = bakeoffs.found(workspace, name, view)
-        return bakeoffs.stage_request(*there, (asked or {}).get("only")) if there else no_update
+        there = bakeoffs.found(workspace, name, view) if asked else None  # it is called when the view appears, too
+        return bakeoffs.stage_request(*there, asked.get("only")) if there else no_update
 
 
 def _waiting(job: Job | None) -> Component:

@@ -111,7 +111,7 @@ def _chart(identity: str, title: str, name: str) -> Component:
     return html.Div(
         [
             html.Div([html.H3(title), chart_menu(identity, name)], className="chart-head"),
-            dcc.Graph(id=identity, figure=empty(), config=CONFIG, style={"height": "300px"}),
+            dcc.Graph(id=identity, figure=empty(), config=CONFIG, style={"height": "400px"}),
         ],
         className="card chart-card",
     )
