@@ -57,10 +57,10 @@ class GrammarParameters(TerminalParameters):
         choices=("auto", "pairs", "contexts"),
     )  # fmt: skip
     select: str = _parameter(
-        "joint",
-        "Which of overlapping phrases is kept: joint = the most frequent; branch = the most usual of its kind, as in "
-        "the 2011 paper; leaf = the one whose actions recur most.",
-        choices=("joint", "branch", "leaf"),
+        "saving",
+        "Which of overlapping phrases is kept: saving = the one that saves most writing; branch = the most usual of "
+        "its kind, as in the 2011 paper; leaf = the one whose actions recur most.",
+        choices=("saving", "branch", "leaf"),
     )  # fmt: skip
     touching: bool = _parameter(
         False, "Let phrases meet: more new sentences, and neighbours among their actions that were never seen."

@@ -10,12 +10,11 @@ import numpy as np
 
 from core.grammar.alignment import Sentence
 from core.grammar.motion_grammar import START, Grammar, counted
+from core.grammar.neighbours import END, Neighbours
 from core.grammar.selection import Bracket
 from core.grammar.trees import Node, Symbol, preorder
 
 Right = tuple[Symbol, ...]
-END = -1
-"""What stands before and after a whole sentence."""
 
 
 def read_off(sentences: Sequence[Sentence], brackets: Sequence[Sequence[Bracket]]) -> tuple[Node, ...]:
@@ -74,6 +73,16 @@ def contexts_of(sentences: Sequence[Sentence], trees: Sequence[Node]) -> dict[st
     return found
 
 
+def _words_of(sentences: Sequence[Sentence], trees: Sequence[Node]) -> dict[str, set[Sentence]]:
+    """Kind -> what its constituents are."""
+    found: dict[str, set[Sentence]] = {}
+    for sentence, tree in zip(sentences, trees, strict=True):
+        for node in preorder(tree):
+            if not node.is_leaf:
+                found.setdefault(node.symbol, set()).add(sentence[node.start : node.end])
+    return found
+
+
 def alike(a: set[tuple[int, int]], b: set[tuple[int, int]]) -> bool:
     """Whether the contexts of two kinds all have the symbol before in common, or that after."""
     return all(x[0] == y[0] or x[1] == y[1] for x in a for y in b)
@@ -83,17 +92,20 @@ def merge_kinds(sentences: Sequence[Sentence], trees: Sequence[Node], sharing: s
     """The trees with kinds made one while that shortens the total description (SYN equation 6), the most gain first.
 
     sharing: "rules" looks at kinds that have half of the rules of the smaller one in common; "side" asks besides that
-    all their contexts have a side in common. Raises ValueError for another word.
+    all their contexts have a side in common. Either makes new neighbours only where such are to be expected
+    (:class:`core.grammar.neighbours.Neighbours`). Raises ValueError for another word.
     """
     if sharing not in ("side", "rules"):
         raise ValueError(f"sharing must be side or rules, not {sharing!r}")
     description = Description(trees)
-    contexts = contexts_of(sentences, trees)
+    contexts, words = contexts_of(sentences, trees), _words_of(sentences, trees)
+    neighbours = Neighbours(sentences)
     names: dict[str, str] = {}
     while True:
         pairs = _pairs(description.rules)
         if sharing == "side":
             pairs = {(a, b) for a, b in pairs if alike(contexts[a], contexts[b])}
+        pairs = {(a, b) for a, b in pairs if neighbours.allow(contexts[a] | contexts[b], words[a] | words[b])}
         gains = sorted((description.gain(a, b), a, b) for a, b in pairs)
         if not gains or gains[0][0] >= -1e-9:
             break
@@ -101,6 +113,7 @@ def merge_kinds(sentences: Sequence[Sentence], trees: Sequence[Node], sharing: s
         description.merge(a, b)
         names = {old: a if new == b else new for old, new in names.items()} | {b: a}
         contexts[a] |= contexts.pop(b)
+        words[a] |= words.pop(b)
     return tuple(renamed(tree, names) for tree in trees)
 
 

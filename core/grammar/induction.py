@@ -30,7 +30,7 @@ def induce(
     sentences: Iterable[Sequence[int]],
     *,
     align_by: str = "auto",
-    select_by: str = "joint",
+    select_by: str = "saving",
     touching: bool = False,
     merge: str = "side",
     report: Report = silent,

@@ -9,8 +9,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from core.grammar.alignment import Hypotheses, align, align_contexts, align_pairs, links
-from core.grammar.constituents import END, Description, grammar_of, read_off, renamed
+from core.grammar.constituents import Description, grammar_of, read_off, renamed
 from core.grammar.induction import induce
+from core.grammar.neighbours import END, Neighbours
 from core.grammar.selection import select
 from core.grammar.trees import leaves
 
@@ -105,7 +106,7 @@ def test_hypotheses_of_a_kind_have_one_context(sentences) -> None:
 
 
 @settings(max_examples=40, deadline=None)
-@given(SENTENCES, st.sampled_from(["joint", "branch", "leaf"]), st.booleans())
+@given(SENTENCES, st.sampled_from(["saving", "branch", "leaf"]), st.booleans())
 def test_constituents_do_not_cross_and_none_was_left_out_without_need(sentences, by, touching) -> None:
     different = list(dict.fromkeys(sentences))
     hypotheses = align_pairs(different)
@@ -126,10 +127,10 @@ def test_constituents_do_not_cross_and_none_was_left_out_without_need(sentences,
 OPTIONS = [
     {"align_by": align_by, "select_by": select_by, "touching": touching, "merge": merge}
     for align_by, select_by, touching, merge in (
-        ("pairs", "joint", False, "side"),
+        ("pairs", "saving", False, "side"),
         ("pairs", "branch", True, "no"),
         ("contexts", "leaf", True, "rules"),
-        ("contexts", "joint", False, "no"),
+        ("contexts", "saving", False, "no"),
     )
 ]
 
@@ -160,7 +161,7 @@ def test_without_merging_no_new_neighbours_are_ever_made(sentences, align_by) ->
 @given(SENTENCES)
 def test_what_merging_kinds_would_gain_is_what_it_gains(sentences) -> None:
     different = list(dict.fromkeys(sentences))
-    trees = read_off(different, select(different, align(different), None, "joint", True))
+    trees = read_off(different, select(different, align(different), None, "saving", True))
     grammar, numbered = grammar_of(trees)
     before = grammar.bits(numbered).total
     kinds = [name for name in grammar.nonterminals if name != "S"]
@@ -170,6 +171,16 @@ def test_what_merging_kinds_would_gain_is_what_it_gains(sentences) -> None:
         assert description.gain(a, b) == pytest.approx(merged.bits(numbered).total - before)
         description.merge(a, b)
         assert description.rules == {(rule.left, rule.right) for rule in merged.rules}
+
+
+def test_new_neighbours_are_plausible_where_much_is_new() -> None:
+    often, rare = [(0, 1)] * 20, [(2, 3), (2, 4), (5, 4)]
+    neighbours = Neighbours([*often, *rare])
+    assert neighbours.plausible(0, 1) and neighbours.plausible(END, 0)
+    assert not neighbours.plausible(0, 0) and not neighbours.plausible(1, 0), "all that follows 0 and 1 is well known"
+    assert neighbours.plausible(5, 3) and neighbours.plausible(2, 1)
+    assert neighbours.allow({(END, 1)}, {(0,), (2, 2)}) and not neighbours.allow({(0, 1)}, {(), (0, 0)})
+    assert neighbours.allow({(0, 1)}, {()})
 
 
 def test_nothing_to_learn_from() -> None:
