@@ -78,3 +78,20 @@ def test_the_query_of_the_search_can_be_studied(show, workspace) -> None:
     expect(page.locator("#study-rate")).to_contain_text("of 6", timeout=PATIENCE)
     page.locator("[data-study='remove']").click()
     expect(page.locator("#study-rate")).to_contain_text("Choose queries above", timeout=PATIENCE)
+
+
+def test_engines_are_compared_with_the_labels(show, workspace) -> None:
+    page = show("/search?dataset=demo&look=evaluate", viewport={"width": 1500, "height": 900})
+    expect(page.locator("#ranking-status")).to_contain_text("No evaluation yet", timeout=PATIENCE)
+    chips = page.locator("#ranking-engines, .ranking-engines").first
+    for name in ("Body parts (2009)", "As printed (2009)", "Chance"):
+        chips.get_by_text(name, exact=True).click()
+    page.wait_for_url(re.compile("ranking-engines=bounded-edit,chance(&|$)"))
+    page.locator("#ranking-run").click()
+    expect(page.locator("#ranking-result table tbody tr")).to_have_count(2, timeout=PATIENCE)
+    expect(page.locator("#ranking-curves .js-plotly-plot")).to_be_visible()
+    page.locator("#ranking-confused").click()
+    page.get_by_role("option", name="Chance").click()
+    page.wait_for_url(re.compile("measure=ALL:chance"))
+    page.reload()
+    expect(page.locator("#ranking-confused")).to_have_value("Chance", timeout=PATIENCE)

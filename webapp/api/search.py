@@ -52,7 +52,10 @@ def search_blueprint(workspace: Workspace) -> Blueprint:
         _, view = _asked(workspace)
         parameters = dict(settings.request_of(searching.PAGE, dataset.name, view).parameters)
         parameters |= {"weights": found.asked.weights, "level": found.level, "root_path": found.asked.route}
-        document = figures.hits_json(dataset, found.query, found.milliseconds, found.hits, parameters)
+        index = searching.index_of(workspace, dataset.name, view)
+        document = figures.hits_json(
+            dataset, found.query, found.hits, parameters, index.seconds if index else {}, found.milliseconds
+        )
         return _attachment(json.dumps(document, ensure_ascii=False), "application/json", f"{dataset.name}-hits.json")
 
     @routes.get("/ranking.json")

@@ -153,8 +153,15 @@ def hits_csv(dataset: Dataset, rows: Sequence[tuple[Hit, str]]) -> str:
     return out.getvalue()
 
 
-def hits_json(dataset: Dataset, query: Query, milliseconds: float, hits: Sequence[Hit], parameters: Mapping[str, Any]):
-    """Hits as hits.json of the command ``search``."""
+def hits_json(
+    dataset: Dataset,
+    query: Query,
+    hits: Sequence[Hit],
+    parameters: Mapping[str, Any],
+    seconds: Mapping[str, float],
+    milliseconds: float,
+) -> dict[str, Any]:
+    """Hits as hits.json of the command ``search``; seconds: what building the index took, milliseconds: the search."""
     listed = [
         {"clip": h.segment.clip, "start": int(h.segment.start), "end": int(h.segment.end), "score": float(h.score)}
         for h in hits
@@ -164,6 +171,7 @@ def hits_json(dataset: Dataset, query: Query, milliseconds: float, hits: Sequenc
         "dataset": {"name": dataset.name, "fingerprint": dataset.fingerprint},
         "clips": [{"name": clip.name, "frames": clip.n_frames, "fps": clip.fps} for clip in dataset.clips],
         "parameters": dict(parameters),
+        "seconds": dict(seconds),
         "queries": {query.name: {"milliseconds": round(milliseconds, 3), "hits": listed}},
     }
 
