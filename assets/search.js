@@ -92,7 +92,9 @@
     draw(found, view, clips, motifs, scheme, presets, body, engines, key, selection) {
       if (!document.getElementById("search-sources") || !body) return clientside.no_update;
       Object.assign(now, { found, view: view || {}, clips, motifs: motifs || [], scheme, presets, body, engines, key, selection: selection || {} });
-      document.querySelector(".search-page").dataset.look = now.view.look || "search";
+      const page = document.querySelector(".search-page");
+      page.dataset.look = now.view.look || "search";
+      page.classList.toggle("without-dataset", !clips);
       const fits = found && clips && found.asked && found.asked.dataset === clips.dataset;
       if (!fits) now.found = null;
       parts.drawSources();

@@ -147,7 +147,6 @@
     const ready = Boolean(found.hits);
     box.classList.toggle("hidden", !ready);
     title.classList.toggle("hidden", !ready);
-    document.querySelector(".search-page").classList.toggle("without-query", !found.pieces && !found.error);
     if (!ready) {
       drawn = "";
       box.replaceChildren();

@@ -173,6 +173,7 @@
       data = found;
       if (data.error) {
         $("study-setup").replaceChildren(nothing(data.error));
+        for (const id of ["study-rate", "study-vote"]) $(id).replaceChildren();
         return clientside.no_update;
       }
       if (fresh) for (const [which, all] of [["rate", data.pairs], ["vote", data.duels]]) at[which] = Math.max(all.findIndex((row) => !row.value), 0);

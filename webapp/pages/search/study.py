@@ -100,8 +100,10 @@ def _show(app: Dash, workspace: Workspace) -> None:
     )
     def gather(view, name, person, finished, before):
         view = view or {}
-        if view.get("look") != "agree" or not name:
+        if view.get("look") != "agree":
             return no_update
+        if not name:
+            return {"asked": [None], "error": "Add recordings, or make the demo, in the Library first."}
         who = person_of(person)
         kept = {key: text for key, text in view.items() if key == "asks" or key.startswith("search-")}
         asked = [name, kept, who, finished]
