@@ -128,7 +128,7 @@ METHODS: dict[str, Method] = {
     ),
     "search": _method(
         "Search index",
-        1,
+        2,
         "core.retrieval.search",
         "SearchParameters",
         "build_search_index",

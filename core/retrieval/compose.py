@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.poses.body_parts import LEAVES
-from core.retrieval.descriptors import BLOCKS, N_COLUMNS, smoothed
+from core.retrieval.descriptors import BLOCKS, N_COLUMNS, ROOT, smoothed
 from core.retrieval.frames import JITTER, FrameStore, column_weights, jitter
 from core.retrieval.path_length import at_shares, path_lengths
 from core.retrieval.queries import Query, QueryPart
@@ -69,10 +69,10 @@ def root_factor(weights: Mapping[str, float]) -> float:
 def active_columns(weights: Mapping[str, float]) -> tuple[np.ndarray, np.ndarray, int]:
     """Columns with influence, their factors, and how many of them are of the parts: ``(d,)``, ``(d,)``, way.
 
-    The velocities of the root are among them where the legs have a weight; its tilt never is.
+    The velocities of the root are among them, last, where the legs have a weight.
     """
     factors = column_weights(weights)
-    every = np.concatenate([factors, np.zeros(2, np.float32), np.full(4, root_factor(weights), np.float32)])
+    every = np.concatenate([factors, np.full(len(ROOT), root_factor(weights), np.float32)])
     columns = np.flatnonzero(every > 0)
     return columns, every[columns], int((factors > 0).sum())
 

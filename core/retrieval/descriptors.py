@@ -2,8 +2,7 @@
 
 Each leaf is described by where its bones point, seen from the part it hangs from: arms and head from the chest, chest
 and legs from the pelvis, hands from the forearm, feet from the shin. So a leaf depends on its own joints alone, as
-joint angles do, and yet means the same on every skeleton. What is left over is the root's: how the pelvis tilts, and
-how it travels.
+joint angles do, and yet means the same on every skeleton. What is left over is the root's: how it travels.
 """
 
 from __future__ import annotations
@@ -25,8 +24,8 @@ BLOCKS: Mapping[str, slice] = {leaf: slice(int(_ENDS[k]), int(_ENDS[k + 1])) for
 """Leaf -> its columns: components of one or two unit vectors."""
 
 N_COLUMNS = int(_ENDS[-1])
-ROOT = ("tilt sideways", "tilt forward", "velocity left", "velocity forward", "velocity up", "turning")
-"""Columns of the root: tilt as components of a unit vector, velocities in m/s of a body of 1.7 m, turning in rad/s."""
+ROOT = ("velocity left", "velocity forward", "velocity up", "turning")
+"""Columns of the root, after those of the parts: m/s of a body of 1.7 m, rad/s."""
 
 STANDARD_HEIGHT = 1.7  # metres
 _STEP = 1 / 30  # seconds either side of a frame, over which velocities are taken
@@ -50,7 +49,7 @@ class Axes:
 class PartFrames:
     """Frames in parts, at one rate.
 
-    values: ``(n, N_COLUMNS)`` float32, see BLOCKS; zero in leaves that the skeleton lacks. root: ``(n, 6)`` float32,
+    values: ``(n, N_COLUMNS)`` float32, see BLOCKS; zero in leaves that the skeleton lacks. root: ``(n, 4)`` float32,
     see ROOT. leaves: those it has.
     """
 
@@ -177,11 +176,10 @@ class _Pose:
         return self._in(f"{side}_{above}", frames, *self._axes(f"{side}_{joint}", frames, (0,)))
 
     def root(self, pelvis: np.ndarray) -> np.ndarray:
-        """The root's columns ``(n, 6)``."""
-        left, up = self._axes("pelvis", {"pelvis": pelvis}, (0, 1))
+        """The root's columns ``(n, 4)``."""
+        (left,) = self._axes("pelvis", {"pelvis": pelvis}, (0,))
         yaw = np.unwrap(np.arctan2(-left[:, 2], left[:, 0]))
         back = quat.from_yaw(-yaw)
-        tilt = quat.rotate(back, up)
         half = max(1, round(self.clip.fps * _STEP))
         at = np.arange(self.n)
         before, after = np.maximum(at - half, 0), np.minimum(at + half, self.n - 1)
@@ -191,7 +189,7 @@ class _Pose:
             STANDARD_HEIGHT / self.height
         )
         turning = (yaw[after] - yaw[before]) / seconds
-        return np.column_stack([tilt[:, 0], tilt[:, 2], velocity[:, 0], velocity[:, 2], velocity[:, 1], turning])
+        return np.column_stack([velocity[:, 0], velocity[:, 2], velocity[:, 1], turning])
 
     def _bone(self, a: str, b: str) -> np.ndarray:
         return self.at[b] - self.at[a]

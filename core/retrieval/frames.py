@@ -15,7 +15,7 @@ from core.progress import Report
 from core.retrieval.descriptors import BLOCKS, N_COLUMNS, ROOT, Axes, PartFrames, find_axes, part_frames
 from core.retrieval.hits import IndexedClip
 
-UNITS = np.array([1 / 127] * (N_COLUMNS + 2) + [1 / 25] * (len(ROOT) - 2), np.float32)
+UNITS = np.array([1 / 127] * N_COLUMNS + [1 / 25] * len(ROOT), np.float32)
 """What one step of a code stands for, per column: unit vectors to about half a degree, velocities to 4 cm/s (and no
 faster than 5 m/s or 5 rad/s)."""
 
@@ -26,19 +26,19 @@ _FOR_AXES = 500  # clips of a skeleton that its axes are taken from
 
 
 def encode(frames: PartFrames) -> np.ndarray:
-    """Frames in parts as codes ``(n, N_COLUMNS + 6)`` int8: the parts, then the root."""
+    """Frames in parts as codes ``(n, N_COLUMNS + 4)`` int8: the parts, then the root."""
     values = np.concatenate([frames.values, frames.root], axis=1) / UNITS
     return np.clip(np.rint(values), -127, 127).astype(np.int8)
 
 
 def decode(codes: np.ndarray) -> np.ndarray:
-    """Codes ``(n, N_COLUMNS + 6)`` as float32 of that shape."""
+    """Codes ``(n, N_COLUMNS + 4)`` as float32 of that shape."""
     return codes * UNITS
 
 
 @dataclass(frozen=True, eq=False)
 class FrameStore:
-    """Codes ``(n, N_COLUMNS + 6)`` int8 of the clips one after another at ``fps``; starts ``(n_clips + 1,)``.
+    """Codes ``(n, N_COLUMNS + 4)`` int8 of the clips one after another at ``fps``; starts ``(n_clips + 1,)``.
 
     axes: joint names of a skeleton -> its axes; has: ``(n_clips, 10)`` bool, which leaves each clip has.
     """

@@ -21,7 +21,7 @@ THRESHOLDS: Mapping[int, float] = {4: 0.05, 3: 0.1, 2: 1.0, 1: 15.0}
 TRAVELLING = ("lower_body", "whole_body")
 """Nodes that may see the root's velocity and turning as well: the legs carry it."""
 
-_TRAVEL = np.arange(N_COLUMNS + 2, N_COLUMNS + 6)
+_TRAVEL = np.arange(N_COLUMNS, N_COLUMNS + 4)
 _FASTEST = 3.0  # m/s and rad/s: how fast hardly matters beyond
 _AXES = 8  # principal axes of a node: more make patterns no better and segmentation slower
 _FOR_AXES = 60_000  # frames they are taken from

@@ -9,7 +9,7 @@ from core.retrieval.frames import UNITS
 
 _POINTS = 16
 _ROOM = 0.5  # metres that a path may be off whatever its length
-_LEFT, _FORWARD, _TURNING = N_COLUMNS + 2, N_COLUMNS + 3, N_COLUMNS + 5
+_LEFT, _FORWARD, _TURNING = N_COLUMNS, N_COLUMNS + 1, N_COLUMNS + 3
 
 
 def path_distances(
