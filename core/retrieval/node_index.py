@@ -10,7 +10,7 @@ import numpy as np
 
 from core.poses.body_parts import LEVEL, leaves_of
 from core.poses.features import principal_directions
-from core.retrieval.descriptors import BLOCKS, N_COLUMNS
+from core.retrieval.descriptors import BLOCKS, N_COLUMNS, smoothed
 from core.retrieval.frames import UNITS
 from core.retrieval.patterns import FIRST_K, PatternLibrary, build_library
 from core.retrieval.segmentation import normalise_segments, ppca_cuts
@@ -34,7 +34,8 @@ class PatternSettings:
 
     centring: share of the average posture of the ``around`` seconds before and after a frame that is taken off it.
     max_error: of adaptive k-means, see core.retrieval.patterns; most: patterns of a node; first_k: its first k.
-    travel: whether the nodes of TRAVELLING also see how the root travels.
+    travel: whether the nodes of TRAVELLING also see how the root travels. smooth: whether frames are averaged with
+    their neighbours first, so that jitter makes no segments.
     """
 
     centring: float
@@ -42,6 +43,7 @@ class PatternSettings:
     seed: int = 0
     around: float = 4.0
     travel: bool = False
+    smooth: bool = False
     most: int = 1400
     first_k: int = FIRST_K
 
@@ -200,6 +202,8 @@ def node_columns(node: str, codes: np.ndarray, has: Sequence[str], settings: Pat
         return np.zeros((len(codes), 0), np.float32)
     columns = np.concatenate([np.arange(BLOCKS[leaf].start, BLOCKS[leaf].stop) for leaf in leaves])
     values = codes[:, columns] * UNITS[columns]
+    if settings.smooth:
+        values = smoothed(values, fps)
     if settings.centring > 0:
         values = centred(values, settings.centring, round(settings.around * fps))
     if settings.travel and node in TRAVELLING:

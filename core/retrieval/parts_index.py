@@ -63,7 +63,7 @@ class QueryLists:
 class Parts:
     """The paper's engine with its repairs (docs/search_parts.md)."""
 
-    CENTRING, TRAVEL = 0.7, True
+    CENTRING, TRAVEL, SMOOTH = 0.7, True, True
     MATCHING = Matching()
 
     def __init__(self, store: FrameStore, nodes: Mapping[str, NodeIndex], settings: PatternSettings):
@@ -78,7 +78,9 @@ class Parts:
     def build(cls, dataset: Dataset, parameters: Any, report: Report) -> Parts:
         """An engine of all clips of the data set. Raises ValueError where no body is recognised in any of them."""
         store = FrameStore.build(dataset.clips, parameters.analysis_fps, report)
-        settings = PatternSettings(cls.CENTRING, parameters.pattern_error, parameters.seed, travel=cls.TRAVEL)
+        settings = PatternSettings(
+            cls.CENTRING, parameters.pattern_error, parameters.seed, travel=cls.TRAVEL, smooth=cls.SMOOTH
+        )
         clips = range(len(store.clips))
         built: dict[str, NodeIndex] = {}
         with Parallel(n_jobs=2, prefer="threads", return_as="generator") as parallel:
@@ -238,7 +240,7 @@ class Parts:
 class Printed(Parts):
     """The paper's engine as printed, to compare with. It knows no stretches: its hits are whole clips."""
 
-    CENTRING, TRAVEL = 0.0, False
+    CENTRING, TRAVEL, SMOOTH = 0.0, False, False
 
     def rank_intervals(
         self, query: Query, weights: Mapping[str, float], *, among: np.ndarray, top: int, root_path: float
