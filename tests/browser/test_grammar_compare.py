@@ -44,7 +44,7 @@ def test_four_ways_are_compared_and_play_side_by_side(show, workspace):
     page.get_by_role("button", name="All side by side").click()
     wait_for_stage(page, f"{len(found.clips)} ways side by side")
     assert page.evaluate("motionscapeStage.figures") == len(found.clips)
-    page.get_by_role("button", name="These rules").click()
+    page.locator("[data-store=bakeoff-play]", has_text="These rules").click()
     wait_for_stage(page, "These rules")
     document = page.request.get(f"{base(page)}/api/bakeoff/{key}.json").json()
     assert [entry["name"] for entry in document["contenders"]] == [c.name for c in found.contenders]

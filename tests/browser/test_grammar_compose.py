@@ -48,11 +48,13 @@ def wait_for_sentence(page: Page, actions: list[int]) -> None:
     )
 
 
-def test_a_routine_from_chance_to_the_library(show, workspace):
+SHORT = LINK + "&show=compose&sentence=random:1:12"
+
+
+def test_a_routine_by_chance_is_changed_part_by_part(show, workspace):
     found = learned(workspace)
-    page = show(LINK + "&show=compose", viewport={"width": 1700, "height": 950})
+    page = show(SHORT, viewport={"width": 1700, "height": 950})
     wait_for_routine(page)
-    assert view_of(page)["sentence"] == "random:1:40"
     first = actions_of(page)
     assert found.grammar.accepts(first)
     expect(page.locator(".ms-band span").first).to_be_visible()
@@ -68,16 +70,16 @@ def test_a_routine_from_chance_to_the_library(show, workspace):
     wait_for_sentence(page, changed)
     page.keyboard.press("Control+z")
     wait_for_sentence(page, first)
+    page.reload()
+    wait_for_sentence(page, first)
     page.keyboard.press("Control+Shift+z")
     wait_for_sentence(page, changed)
-    wait_for_routine(page)
-    _it_is_saved(page, workspace, changed)
 
-    page.reload()
-    wait_for_sentence(page, changed)
+
+def test_a_routine_is_saved_and_kept_in_the_library(show, workspace):
+    page = show(SHORT)
     wait_for_routine(page)
-    press(page, "undo")
-    wait_for_sentence(page, first)
+    _it_is_saved(page, workspace, actions_of(page))
     page.locator("#grammar-show").get_by_text("Actions", exact=True).click()
     page.locator(".action-card").first.click()
     wait_for_stage(page, "Action 0")
@@ -143,6 +145,13 @@ def _it_is_saved(page: Page, workspace, actions: list[int]) -> None:
 def test_a_link_to_a_routine_of_other_rules_says_so(show):
     page = show(LINK + "&show=compose&sentence=999.1.4")
     expect(page.locator("#compose-error")).to_contain_text("does not obey these rules", timeout=PATIENCE)
+    page.locator("#compose-most").fill("10")
     press(page, "new")
     wait_for_routine(page)
+    assert re.fullmatch(r"random:\d+:10", view_of(page)["sentence"])
     expect(page.locator("#compose-error")).to_be_hidden()
+
+
+def test_the_first_look_brings_a_routine_by_chance(show):
+    page = show(LINK + "&show=compose")
+    expect(page).to_have_url(re.compile("sentence=random:1:40"), timeout=PATIENCE)

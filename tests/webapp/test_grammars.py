@@ -17,6 +17,7 @@ from core.workspace import Workspace, WorkspaceError
 from webapp import actions_playing, compositions, grammar_points, grammars, playback, recipes, settings
 from webapp.app import create_app
 from webapp.cli import main
+from webapp.components.job_bar import stage_words
 from webapp.virtual import open_any
 
 VALUES = {"n_terminals": 8, "analysis_fps": 10.0}
@@ -222,3 +223,11 @@ def test_the_commands_give_the_routine_again(workspace, tmp_path, monkeypatch):
     assert read_bvh(Path("routine.bvh")).n_frames == data["frames"]
     request = settings.request_of("grammar", "demo", VIEW)
     assert "--n-terminals 8" in recipes.both(workspace.path, request)["Copy as command"]
+
+
+def test_stages_are_told_in_words_with_their_count(workspace):
+    job = workspace.jobs.submit("key", {"method": "grammar-table"}, "Compare")
+    claimed = workspace.jobs.claim(job.id)
+    workspace.jobs.progress(claimed.id, "rough search (2 of 6)", 0.3)
+    assert stage_words(workspace.jobs.get(job.id)) == "looking for actions (2 of 6)"
+    workspace.jobs.stopped(job.id)

@@ -37,6 +37,14 @@ STAGES = {  # words for the stages that computations report
     "postures": "computing postures",
     "samples": "choosing different postures",
     "map": "adapting the map",
+    "rough search": "looking for actions",
+    "genetic search": "looking for actions",
+    "fine search": "cutting exactly",
+    "fine tuning": "moving the cuts",
+    "sentences": "dividing into routines",
+    "aligning": "laying routines side by side",
+    "held out": "trying routines held out",
+    "new motion": "making new motion",
 }
 
 
@@ -100,7 +108,8 @@ def stage_words(job: Job) -> str:
         return "stopping"
     if job.state == "queued":
         return "waiting for its turn"
-    return STAGES.get(job.stage, job.stage[:1].lower() + job.stage[1:])
+    stage, mark, count = job.stage.partition(" (")  # "rough search (2 of 6)"
+    return STAGES.get(stage, stage[:1].lower() + stage[1:]) + mark + count
 
 
 def _alive(job: Job) -> dict:

@@ -82,8 +82,8 @@ def counts(points: Sequence[Point], scheme: str | None, shown: int | None = None
     lines = (("rules", "Rules", SERIES[3]), ("phrases", "Phrases", SERIES[0]), ("sentences", "Routines", SERIES[5]))
     for name, label, colour in lines:
         figure.add_trace(_line(points, name, label, colour))
-    figure = themed(figure, scheme, height=300)
-    figure.update_layout(yaxis={"title": "How many", "rangemode": "tozero"}, height=400)
+    figure = themed(figure, scheme, height=400)
+    figure.update_yaxes(title_text="How many", rangemode="tozero")
     return _over_actions(figure, points, scheme, shown)
 
 

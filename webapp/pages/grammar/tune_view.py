@@ -98,7 +98,7 @@ def _slider(identity: str, label: str, low: float, high: float, step: float, val
                 step=step,
                 value=value,
                 size="sm",
-                labelAlwaysOn=False,
+                labelAlwaysOn=True,
                 thumbLabel=label,
                 marks=[{"value": at, "label": f"{at:g}"} for at in (low, (low + high) / 2, high)],
             ),
