@@ -19,7 +19,7 @@ from webapp.figures.tables import clock, strip_address
 from webapp.queries import nodes_of, write_hit
 
 COLUMNS = 64  # of the strip that tells which parts match when
-SOURCE_COLOURS = ("#4a7cd8", "#d2762b", "#3a9b7a", "#a45fc0", "#c2486a", "#7f8a2e")
+SOURCE_COLOURS = ("#4a7cd8", "#d2762b", "#a45fc0", "#c2486a", "#7f8a2e", "#2f95b0")  # none is the hit's
 HIT_COLOUR = "#3a9b7a"
 _LIMBS = {
     "whole_body": "Whole body",
