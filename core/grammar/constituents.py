@@ -114,7 +114,7 @@ def merge_kinds(sentences: Sequence[Sentence], trees: Sequence[Node], sharing: s
         names = {old: a if new == b else new for old, new in names.items()} | {b: a}
         contexts[a] |= contexts.pop(b)
         words[a] |= words.pop(b)
-    return tuple(renamed(tree, names) for tree in trees)
+    return _numbered_on([renamed(tree, names) for tree in trees])
 
 
 class Description:
@@ -160,6 +160,13 @@ class Description:
         self.rules = (self.rules - old) | new
         self.choices = Counter(left for left, _ in self.rules)
         self.uses[a] += self.uses.pop(b)
+
+
+def _numbered_on(trees: Sequence[Node]) -> tuple[Node, ...]:
+    """The trees with kinds named X1, X2, ... as they come, without gaps."""
+    inner = dict.fromkeys(node.symbol for tree in trees for node in preorder(tree) if not node.is_leaf)
+    names = {kind: f"X{k + 1}" for k, kind in enumerate(kind for kind in inner if kind != START)}
+    return tuple(renamed(tree, names) for tree in trees)
 
 
 def _rule(node: Node) -> tuple[str, Right]:
