@@ -17,6 +17,7 @@
   const asked = (shown) => Object.fromEntries(KEYS.filter((key) => shown?.[key]).map((key) => [key, shown[key]]));
   const same = (a, b) => KEYS.every((key) => (a?.[key] || "") === (b?.[key] || ""));
   const ready = () => Boolean(now.name) && same(now.asked, asked(view));
+  const here = () => on && Boolean(find("compose-tree")?.offsetParent); // the page may have gone meanwhile
   const onStage = () => String(window.motionscapeStage.frameOf?.(0)?.dataset || "").startsWith("~derive~");
 
   /** Go to another routine: it is a step that can be undone. */
@@ -166,12 +167,12 @@
 
   document.addEventListener("click", (event) => {
     const button = event.target.closest?.("[data-compose]");
-    if (button && !button.disabled && on) actions[button.dataset.compose]();
+    if (button && !button.disabled && here()) actions[button.dataset.compose]();
     const chip = event.target.closest?.("[data-pick]");
-    if (chip && on && ready()) pick(Number(chip.dataset.pick));
+    if (chip && here() && ready()) pick(Number(chip.dataset.pick));
   });
   document.addEventListener("keydown", (event) => {
-    if (!on || !(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
+    if (!here() || !(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
     if (event.target.closest?.("input, textarea")) return;
     event.preventDefault();
     actions[event.shiftKey ? "redo" : "undo"]();
@@ -179,7 +180,7 @@
 
   window.addEventListener("stage-frame", (event) => {
     const item = event.detail.items[0];
-    const ours = on && now.name && item?.dataset === now.name;
+    const ours = here() && now.name && item?.dataset === now.name;
     const at = ours ? now.spans.findIndex(([a, b]) => item.frame >= a && item.frame < b) : -1;
     if (at === lit) return;
     lit = at;

@@ -99,6 +99,27 @@
     next()?.focus();
   });
 
+  // Long recordings: the same rows, wider; what stood in the middle stays there.
+  const LARGEST = 32;
+  document.addEventListener("click", (event) => {
+    const button = event.target.closest?.(".string-zoom");
+    const box = button && parts.find("grammar-string");
+    if (!box) return;
+    const before = Number(box.dataset.zoom || 1);
+    const zoom = Math.min(Math.max(before * (button.dataset.zoom === "in" ? 2 : 0.5), 1), LARGEST);
+    const middle = box.scrollLeft + box.clientWidth / 2;
+    box.dataset.zoom = zoom;
+    box.style.setProperty("--zoom", zoom);
+    box.scrollLeft = (middle * zoom) / before - box.clientWidth / 2;
+  });
+
+  /** The cursor of a single motion stays in sight: the page of time turns when it leaves. */
+  function follow(box, line) {
+    if (Number(box.dataset.zoom || 1) === 1 || !window.motionscapeStage.playing) return;
+    const [outer, at] = [box.getBoundingClientRect(), line.getBoundingClientRect().left];
+    if (at < outer.left + 140 || at > outer.right) box.scrollLeft += at - outer.left - 160;
+  }
+
   let lit = [];
   function cursor() {
     const box = parts.find("grammar-string");
@@ -116,6 +137,7 @@
       line.style.left = `${(100 * item.frame) / time.dataset.fps / time.dataset.seconds}%`;
       lit.push(line);
     }
+    if (lit.length === 1) follow(box, lit[0]);
   }
   setInterval(cursor, 80);
 })();

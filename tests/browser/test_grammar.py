@@ -87,6 +87,12 @@ def test_every_piece_plays_and_the_cursor_moves_along(show, workspace):
     wait_for_stage(page, clip.text_content())
     bands = page.locator(".ms-band span").count()
     assert bands == len(found.terminals.occurrences[clip.text_content()])
+    width = "document.getElementById('grammar-string').scrollWidth"
+    before = page.evaluate(width)
+    page.get_by_role("button", name="Show less time, larger").click()
+    assert page.evaluate(width) > 1.5 * before
+    page.get_by_role("button", name="Show more time").click()
+    assert page.evaluate(width) == before
     # with the keyboard from piece to piece
     first = page.locator(".string-blocks").first.locator(".string-block")
     first.nth(0).focus()

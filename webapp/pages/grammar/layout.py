@@ -75,7 +75,13 @@ def result(tiles: Sequence[tuple[str, str, str]]) -> Component:
         [
             html.Div([_tile(*tile) for tile in tiles], className="tiles grammar-tiles section"),
             html.Div(
-                [html.H2("Recordings"), html.Span("a colour an action; click one to play it", className="muted")],
+                [
+                    html.H2("Recordings"),
+                    html.Span("a colour an action; click one to play it", className="muted"),
+                    html.Div(className="spacer"),
+                    _zoom("minus", "Show more time", "out"),
+                    _zoom("plus", "Show less time, larger", "in"),
+                ],
                 className="section-head section",
             ),
             html.Div(id="grammar-string", className="card string", role="list", **{"aria-label": "Recordings"}),
@@ -83,6 +89,16 @@ def result(tiles: Sequence[tuple[str, str, str]]) -> Component:
             *views.panels(),
             dcc.Store(id="grammar-drawn"),
         ]
+    )
+
+
+def _zoom(symbol: str, label: str, direction: str) -> Component:
+    return html.Button(
+        icon(symbol, 14),
+        type="button",
+        title=label,
+        className="walk-button string-zoom",
+        **{"aria-label": label, "data-zoom": direction},
     )
 
 
