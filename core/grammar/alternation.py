@@ -30,16 +30,16 @@ def even_cuts(space: PoseSpace, length: float, limits: tuple[int, int]) -> np.nd
 
 
 def cut_by_medoids(
-    space: PoseSpace, medoids: np.ndarray, limits: tuple[int, int], price: float = 0.0
+    space: PoseSpace, medoids: np.ndarray, limits: tuple[int, int], price: float = 0.0, only_from: int = 0
 ) -> tuple[np.ndarray, np.ndarray]:
     """Spans ``(n, 2)`` that have the least E' for given medoids, and the medoid of each ``(n,)``.
 
     medoids: ``(k, 2)`` spans; limits: poses of the shortest and the longest segment; price: of a segment, in pose
-    distance times poses.
+    distance times poses; only_from: the first clip that is cut.
     """
     models = [x[start:end] for x in space.versions for start, end in medoids]
     spans, labels = [], []
-    for start, end in pairwise(space.clip_starts):
+    for start, end in pairwise(space.clip_starts[only_from:]):
         cuts, nearest, _ = best_cuts(space.values[start:end], models, *limits, price)
         spans.append(start + np.stack([cuts[:-1], cuts[1:]], axis=1))
         labels.append(nearest % len(medoids))

@@ -6,10 +6,12 @@ import itertools
 import json
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from core.demo import make_demo
 from core.evaluation.segmentation import frame_accuracy
+from core.grammar.encoding import encode
 from core.grammar.identification import find_several, find_terminals
 from core.grammar.parameters import TerminalParameters
 from core.grammar.terminals import from_json
@@ -96,3 +98,22 @@ def test_more_terminals_than_segments_are_refused(demo):
 def test_parameters_out_of_range_are_refused(values):
     with pytest.raises(ValueError, match="must be"):
         TerminalParameters(**values)
+
+
+def test_known_terminals_are_found_in_new_recordings(demo, terminals):
+    known = encode(demo, terminals, demo)
+    assert set(known) == set(demo.names)
+    same = frames = 0
+    for clip in demo.clips:
+        spans = {"found": np.full(clip.n_frames, -1), "known": np.full(clip.n_frames, -2)}
+        for name, items in (("found", terminals.occurrences[clip.name]), ("known", known[clip.name])):
+            for terminal, segment in items:
+                assert segment.clip == clip.name
+                spans[name][segment.start : segment.end] = terminal
+        assert (spans["known"] >= 0).all()
+        same, frames = same + (spans["found"] == spans["known"]).sum(), frames + clip.n_frames
+    assert same / frames > 0.9
+    other = replace(demo, clips=demo.clips[:1], labels=(), digests=())
+    assert set(encode(other, terminals, demo)) == {demo.clips[0].name}
+    with pytest.raises(ValueError, match="other recordings"):
+        encode(demo, terminals, replace(demo, clips=(), labels=(), digests=()))
