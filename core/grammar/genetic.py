@@ -24,9 +24,12 @@ _CANDIDATES = 6000  # different segments whose distances to one another are kept
 
 @dataclass(frozen=True)
 class GeneticSettings:
-    """Size of the search. grid: poses between places; population and generations as in the paper's section 7."""
+    """Size of the search; population and generations as in the paper's section 7.
 
-    grid: int = 30
+    grid: poses between places; the paper says "e.g. 30 frames", of a rate that it does not tell.
+    """
+
+    grid: int = 15
     population: int = 100
     generations: int = 500
 

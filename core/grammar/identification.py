@@ -21,8 +21,8 @@ from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.progress import Report, silent
 
-_ROUGH_FPS = 10.0  # the search begins at about this rate
-_STARTS = 4  # random beginnings of the rough search; the best goes on
+_ROUGH_FPS = 6.0  # the search begins at about this rate
+_STARTS = 8  # random beginnings of the rough search; the best goes on
 _SURPLUS = (2.0, 1.6, 1.3)  # times as many groups as asked for, in the first turns
 _FINE_TURNS = 3
 

@@ -24,8 +24,8 @@ class TerminalParameters:
     weight: float = _parameter(
         0.02, "Higher: fewer, longer repeats count more; lower: likeness within an action counts more.", 0.0, 1.0, 0.01
     )
-    min_seconds: float = _parameter(1.0, "The shortest piece an action may have, in seconds.", 0.1, 10.0, 0.1)
-    max_seconds: float = _parameter(3.4, "The longest piece an action may have, in seconds.", 0.2, 30.0, 0.1)
+    min_seconds: float = _parameter(1.25, "The shortest piece an action may have, in seconds.", 0.1, 10.0, 0.1)
+    max_seconds: float = _parameter(4.0, "The longest piece an action may have, in seconds.", 0.2, 30.0, 0.1)
     method: str = _parameter(
         "alternation",
         "alternation = fast; paper = the 2011 paper's genetic search and fine tuning (slow); annealing = the same, "
@@ -46,7 +46,7 @@ class TerminalParameters:
         0.05,
         advanced=True,
     )
-    grid: int = _parameter(30, "With paper and annealing: frames between possible cuts.", 1, 1000, 1, advanced=True)
+    grid: int = _parameter(15, "With paper and annealing: frames between possible cuts.", 1, 1000, 1, advanced=True)
     population: int = _parameter(
         100, "With paper and annealing: segmentations alive at a time.", 2, 10_000, 1, advanced=True
     )
@@ -54,7 +54,7 @@ class TerminalParameters:
     iterations: int = _parameter(
         1000, "With paper and annealing: attempts to move single cuts.", 0, 1_000_000, 100, advanced=True
     )
-    analysis_fps: float = _parameter(30.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0, advanced=True)
+    analysis_fps: float = _parameter(15.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0, advanced=True)
     seed: int = _parameter(
         0, "Number that starts the random choices; the same number gives the same result.", 0, None, 1
     )

@@ -14,6 +14,7 @@ from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
+from scipy.ndimage import uniform_filter1d
 
 from core.editing.mirror import mirror
 from core.grammar.cuts import pose_distances
@@ -24,6 +25,7 @@ from core.poses.body_frames import body_frames
 from core.poses.features import SPEED_FPS, Poses, Scales, pose_features, principal_directions
 from core.progress import Report, silent
 
+_AROUND = 1 / 6  # seconds either side over which velocities are taken: a step is one movement, its tremor none
 _KEPT = 0.99  # share of the variance that the axes of the space keep
 _SAMPLED = 3000  # poses among which the largest distance is looked for
 _RADIAN = 180 / np.pi
@@ -156,15 +158,18 @@ def _weighted(poses: Poses, velocity: float) -> np.ndarray:
     if any(name.endswith("position x") for name in poses.names):
         raw[:, [name in ("pitch", "roll") for name in poses.names]] = 0  # joints seen from the pelvis turn with it
     still = [k for k, name in enumerate(poses.names) if name not in _WEIGHTS or name == "root height"]
+    speeds = [k for k, name in enumerate(poses.names) if "speed" in name]
     moving = np.empty((len(raw), len(still)), np.float32)
+    half = max(1, round(_AROUND * poses.fps))
     for start, end in pairwise(poses.clip_starts):
-        moving[start:end] = velocity * _velocities(raw[start:end, still], poses.fps)
+        moving[start:end] = velocity * _velocities(raw[start:end, still], poses.fps, half)
+        raw[start:end, speeds] = uniform_filter1d(raw[start:end, speeds], 2 * half + 1, axis=0, mode="nearest")
     return np.concatenate([raw, moving], axis=1)
 
 
-def _velocities(track: np.ndarray, fps: float) -> np.ndarray:
-    """Change of ``(n, f)`` per second: central differences over 1/30 s either side, one-sided at the ends."""
-    half, at = max(1, round(fps / SPEED_FPS)), np.arange(len(track))
+def _velocities(track: np.ndarray, fps: float, half: int) -> np.ndarray:
+    """Change of ``(n, f)`` per second: central differences over ``half`` frames either side, one-sided at the ends."""
+    at = np.arange(len(track))
     before, after = np.maximum(at - half, 0), np.minimum(at + half, len(track) - 1)
     return (track[after] - track[before]) * (fps / np.maximum(after - before, 1))[:, None].astype(np.float32)
 
