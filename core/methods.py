@@ -164,7 +164,7 @@ METHODS: dict[str, Method] = {
     ),
     "walk": Method(
         "Walk",
-        2,
+        3,
         lambda: import_module("core.synthesis.parameters").WalkParameters,
         _walk,
         lambda walk, dataset: import_module("core.synthesis.kept").pack_walk(walk),

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from core.editing.contacts import foot_contacts, slide
+from core.editing.legs import lock_feet
 from core.mocap.anatomy import SIDES, find_anatomy
 from core.mocap.clip import Clip, Segment
 from core.synthesis.timeline import Timeline
@@ -84,6 +85,18 @@ def take_steps(contacts: np.ndarray, steps: Sequence[Step], body: float) -> tupl
         arc = min(_RISE * step.length, _HIGHEST * body) * 16 * (u * (1 - u)) ** 2
         lifts[step.start : step.end, step.foot] = np.maximum(lifts[step.start : step.end, step.foot], arc)
     return contacts, lifts
+
+
+def keep_feet(clip: Clip, contacts: np.ndarray, lifts: np.ndarray) -> tuple[Clip, np.ndarray]:
+    """The clip with its feet held where they stand, and which foot is held, ``(n, 2)`` bool.
+
+    contacts: ``(n, 2)`` bool; lifts: ``(n, 2)`` metres by which stepping feet are raised. A foot that stands in neither
+    source may come to rest in their blend, and one that is eased into a stand moves slowly before: what then looks as
+    if it stood is held, too, in a second pass, which also takes out what is left of the slide.
+    """
+    once = lock_feet(clip, contacts, 0.0, lifts=lifts)
+    held = contacts | (foot_contacts(once, 0.0) & (lifts == 0))
+    return lock_feet(once, held, 0.0), held
 
 
 def ankles_apart(a: np.ndarray, b: np.ndarray, clip: Clip) -> np.ndarray:

@@ -17,7 +17,6 @@ import numpy as np
 from core.editing.blending import at_frames, blend, joint_weights
 from core.editing.contacts import slide
 from core.editing.following import Placements, lay_once, lay_upon, travel
-from core.editing.legs import lock_feet
 from core.mocap import quaternions as quat
 from core.mocap.anatomy import find_anatomy
 from core.mocap.clip import Clip, Segment
@@ -104,8 +103,9 @@ def stitch(
     if keep_feet:
         body = find_anatomy(plain.skeleton).body_height
         contacts, lifts = footing.take_steps(contacts, steps, body)
-        clip = lock_feet(plain, contacts, 0.0, lifts=lifts)
+        clip, held = footing.keep_feet(plain, contacts, lifts)
     skate = Skate(footing.source_skate(sources, pieces), slid, _rate(clip, contacts) if keep_feet else slid)
+    contacts = held if keep_feet else contacts
     speeds = Speeds(seam_speed(clip, timeline.seams), _fastest(sources, pieces))
     if speeds.jump:
         warnings += (f"A blend is faster than the recordings: {speeds.seams:.1f} against {speeds.sources:.1f} m/s.",)

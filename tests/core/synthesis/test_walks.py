@@ -9,6 +9,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from core.editing.contacts import foot_skate
 from core.mocap.bvh import read_bvh, write_bvh
 from core.mocap.dataset import Dataset, open_dataset
 from core.mocap.kinematics import joint_positions
@@ -63,9 +64,10 @@ def test_every_frame_says_where_it_comes_from(further: bool) -> None:
 def test_random_walks_do_not_jump_and_keep_their_feet() -> None:
     dataset, graph = demo()
     for seed in range(5):
-        walk = make_walk(dataset, graph, Random(12, seed))
+        walk, plain = (make_walk(dataset, graph, Random(12, seed), keep_feet=feet) for feet in (True, False))
         assert not walk.speeds.jump
         assert walk.skate.kept <= 0.5 * walk.skate.plain
+        assert foot_skate(walk.clip, floor=0.0) <= 0.5 * foot_skate(plain.clip, floor=0.0)  # contacts found anew
         assert 9 <= walk.clip.seconds < 15  # as long as whole motifs can be
 
 
