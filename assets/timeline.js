@@ -43,9 +43,10 @@
     const head = element("button", "timeline-clip");
     head.type = "button";
     head.title = `Play ${clip.clip}`;
+    head.setAttribute("aria-label", `${head.title}, ${Math.round(100 * clip.share)} % in motifs`);
     head.dataset.store = "selection";
     head.dataset.value = JSON.stringify({ clip: clip.clip });
-    head.append(element("span", "ellipsis", clip.clip), element("span", "muted number", `${Math.round(100 * clip.share)} %`));
+    head.append(element("span", "ellipsis", clip.brief), element("span", "muted number", `${Math.round(100 * clip.share)} %`));
     const track = element("div", "timeline-track");
     const time = element("div", "timeline-time");
     time.style.width = fill ? "100%" : Math.max((100 * clip.seconds) / longest, 0.5) + "%";

@@ -12,6 +12,7 @@ from core.mocap.clip import Label, Segment
 from core.motifs.graph import Motif, MotifGraph
 from core.workspace import MotifNote
 from tests.webapp.generated import walkers
+from webapp.figures.names import brief_names
 from webapp.figures.timeline import motif_colour, timeline
 from webapp.figures.timeline_drawing import timeline_svg
 
@@ -72,3 +73,10 @@ def test_the_drawing_follows_order_and_scale():
 
 def replace_length(clip):
     return replace(clip, root_positions=clip.root_positions[:60], rotations=clip.rotations[:60])
+
+
+def test_names_in_little_room_still_tell_clips_apart():
+    assert brief_names(["dataset-1_bow_angry_001", "dataset-1_bye_angry_001"]) == ["bow_angry_001", "bye_angry_001"]
+    assert brief_names(["13_29", "13_30"]) == ["13_29", "13_30"] and brief_names(["only one here"]) == ["only one here"]
+    assert brief_names(["a very long name of a clip 001", "b"]) == ["a very lon…clip 001", "b"]
+    assert brief_names(["subject-1_", "subject-1_walk"]) == ["subject-1_", "walk"] and brief_names([]) == []

@@ -9,6 +9,7 @@ from typing import Any
 from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
 from core.workspace import MotifNote
+from webapp.figures.names import brief_names
 
 ACTIONS = ("#4e79a7", "#f28e2b", "#59a14f", "#e15759", "#b07aa1", "#9c755f", "#76b7b2", "#d4a720", "#ff9da7", "#79706e")
 GOLDEN = 0.6180339887498949  # turns of the colour circle from one motif to the next: neighbours never look alike
@@ -24,9 +25,9 @@ def motif_colour(motif: int) -> str:
 def timeline(dataset: Dataset, graph: MotifGraph, notes: Mapping[int, MotifNote] | None = None) -> dict[str, Any]:
     """What assets/timeline.js draws, in seconds of the clips:
 
-    ``rows``: {clip, fps, seconds, share (of its frames in motifs), motions: [[start, end, motif, number]], labels:
-    [[start, end, action number]]}; ``motifs``: id -> {name, colour, motions}; ``actions``: names by number;
-    ``colours``: theirs.
+    ``rows``: {clip, brief (its name), fps, seconds, share (of its frames in motifs), motions: [[start, end, motif,
+    number]], labels: [[start, end, action number]]}; ``motifs``: id -> {name, colour, motions}; ``actions``: names by
+    number; ``colours``: theirs.
     """
     rates = {clip.name: clip.fps for clip in dataset.clips}
     motions: dict[str, list[list[float]]] = {name: [] for name in rates}
@@ -45,13 +46,14 @@ def timeline(dataset: Dataset, graph: MotifGraph, notes: Mapping[int, MotifNote]
     rows = [
         {
             "clip": clip.name,
+            "brief": brief,
             "fps": clip.fps,
             "seconds": _short(clip.seconds),
             "share": round(covered[clip.name] / max(clip.n_frames, 1), 3),
             "motions": sorted(motions[clip.name]),
             "labels": sorted(labels[clip.name]),
         }
-        for clip in dataset.clips
+        for clip, brief in zip(dataset.clips, brief_names(dataset.names), strict=True)
     ]
     return {
         "dataset": dataset.name,

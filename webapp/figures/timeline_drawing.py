@@ -76,11 +76,10 @@ def _row(
     colours: Mapping[str, str],
 ) -> str:
     left, width = _MARGIN + _NAMES, _WIDTH - 2 * _MARGIN - _NAMES
-    name = row["clip"] if len(row["clip"]) <= 19 else row["clip"][:18] + "…"
     share = f"{100 * row['share']:.0f} %"
     band = y + (_LABELS + 2 if data["actions"] else 0)
     drawn = [
-        f'<text x="{_MARGIN:.0f}" y="{band + 13:.1f}" fill="{colours["text"]}">{escape(name)}'
+        f'<text x="{_MARGIN:.0f}" y="{band + 13:.1f}" fill="{colours["text"]}">{escape(row["brief"])}'
         f"<title>{escape(row['clip'])}</title></text>"
         f'<text x="{left - 10:.0f}" y="{band + 13:.1f}" fill="{colours["muted"]}" text-anchor="end">{share}</text>'
         f'<rect x="{left:.1f}" y="{band:.1f}" width="{width * row["seconds"] / span:.1f}" height="{_MOTIONS}" '
