@@ -11,7 +11,7 @@
   }
 
   /** A button that puts its selection into the store (assets/actions.js): play mark, clip, time, key poses. */
-  function row({ clip, when, strip, selection, chosen }) {
+  function row({ clip, brief, when, strip, selection, chosen }) {
     const button = element("button", "motion-row" + (chosen ? " chosen" : ""));
     button.type = "button";
     button.title = `Play ${clip}, ${when}, alone`;
@@ -23,7 +23,7 @@
     mark.setAttribute("aria-hidden", "true");
     const picture = element("img", "motion-strip");
     Object.assign(picture, { loading: "lazy", alt: "", draggable: false, src: strip });
-    button.append(mark, element("span", "ellipsis motion-clip", clip), element("span", "muted number motion-time", when), picture);
+    button.append(mark, element("span", "ellipsis motion-clip", brief), element("span", "muted number motion-time", when), picture);
     return button;
   }
 

@@ -10,7 +10,7 @@ _WORTH_LEAVING_OUT = 8  # letters
 
 def brief_names(names: Sequence[str], most: int = 20) -> list[str]:
     """Each name in ``most`` letters: without a long beginning that all share, and then without its middle."""
-    shared = _shared_beginning(names) if len(names) > 1 else ""
+    shared = _shared_beginning(names) if len(set(names)) > 1 else ""
     start = len(shared) if len(shared) >= _WORTH_LEAVING_OUT else 0
     return [_shorten(name[start:] or name, most) for name in names]
 

@@ -65,7 +65,12 @@ def layout() -> Component:
                         ],
                         className="chart-head",
                     ),
-                    dcc.Loading(_motif_part(), delay_show=500, overlay_style={"visibility": "visible", "opacity": 0.4}),
+                    dcc.Loading(
+                        _motif_part(),
+                        delay_show=500,
+                        color="var(--accent)",
+                        overlay_style={"visibility": "visible", "opacity": 0.4},
+                    ),
                 ],
             ),
             html.Div(id=WHOLE.place, className="card chart-card"),

@@ -21,6 +21,7 @@ from webapp.components.icons import icon
 from webapp.components.page_head import page_head
 from webapp.components.running import running
 from webapp.figures import graph as graph_figure
+from webapp.figures.names import brief_names
 from webapp.figures.tables import strip_address
 from webapp.pages.motifs import stability_marks, views
 from webapp.pages.motifs.form import summary
@@ -339,9 +340,11 @@ def motion_list(dataset: Dataset, graph: MotifGraph, selection: Mapping[str, Any
         segments = tuple(transition_segment(dataset, graph, edge, i) for i in range(min(total, MOST_ROWS)))
     else:
         return {}
+    brief = dict(zip(dataset.names, brief_names(dataset.names, 26), strict=True))
     rows = [
         {
             "clip": segment.clip,
+            "brief": brief[segment.clip],
             "when": moment(dataset, segment),
             "strip": strip_address(dataset.name, segment, 4, dataset.fingerprint),
             "selection": {**name, key: i},
