@@ -169,6 +169,8 @@ def _show(app: Dash, workspace: Workspace) -> None:
         if not _shown(view) or not key or not name:
             return (no_update,) * 4
         other = (view or {}).get("other")
+        if other == write_parameters(results.motif_request(name, parameters).parameters):
+            other = None  # a result is not compared with itself
         wanted = read_parameters(other) if other else None
         there = results.motif_graph_key(workspace, name, wanted) if other else None
         job = results.latest_job(workspace, name, wanted) if other and not there else None
