@@ -33,6 +33,7 @@
       }
       this.reach = Math.ceil(10 * this.spread()) / 10;
       this.postures = new Map();
+      this.near = new Map(); // node -> distances of all nodes to it
     }
 
     /** Largest distance of a posture from the mean one. */
@@ -58,9 +59,13 @@
 
     /** Distances (n) of all nodes to a key node's model vector. */
     distances(node) {
-      const own = this.model(node), found = new Float32Array(this.n);
-      for (let k = 0; k < this.n; k++) found[k] = this.apart(k, own);
-      return found;
+      if (!this.near.has(node)) {
+        const own = this.model(node), found = new Float32Array(this.n);
+        for (let k = 0; k < this.n; k++) found[k] = this.apart(k, own);
+        if (this.near.size > 64) this.near.clear();
+        this.near.set(node, found);
+      }
+      return this.near.get(node);
     }
 
     /** The node nearest to a vector of joint positions, and the distance. */

@@ -3,6 +3,7 @@
   "use strict";
   const parts = (window.motionscapeMapParts ||= {});
   const MOST_ROWS = 60;
+  const AT_ONCE = 12; // rows: more cannot be seen without scrolling, so they may come a moment later
   const element = (name, className, text) => {
     const made = document.createElement(name);
     if (className) made.className = className;
@@ -110,10 +111,12 @@
     if (box) box.textContent = said(n, keys) + (n ? ` in ${files} clip${files === 1 ? "" : "s"}` : "");
   }
 
+  let later = 0;
   /** The hits as rows that play on a click. dataset, version: of the clips. */
   function list(map, hits, keys, { dataset, version, chosen }) {
     const box = document.getElementById("map-hits");
     if (!box) return;
+    clearTimeout(later);
     if (!hits.length) {
       const hint = keys.length
         ? "Nothing passes these postures in this order. Let the keys reach farther, or remove one."
@@ -121,27 +124,32 @@
       box.replaceChildren(element("p", "muted map-hint", hint));
       return;
     }
-    box.replaceChildren(...hits.slice(0, MOST_ROWS).map((hit, k) => {
+    const row = (hit, k) => {
       const segment = map.segment(hit);
       const { fps } = map.clips[hit.clip];
-      const row = element("button", "motion-row map-hit");
-      row.type = "button";
-      row.dataset.store = "selection";
-      row.dataset.value = JSON.stringify(segment);
+      const made = element("button", "motion-row map-hit");
+      made.type = "button";
+      made.dataset.store = "selection";
+      made.dataset.value = JSON.stringify(segment);
       const on = Boolean(chosen) && chosen.clip === segment.clip && chosen.start === segment.start && chosen.end === segment.end;
-      row.classList.toggle("chosen", on);
-      row.setAttribute("aria-pressed", String(on));
+      made.classList.toggle("chosen", on);
+      made.setAttribute("aria-pressed", String(on));
       const when = `${clock(segment.start / fps)} to ${clock(segment.end / fps)}`;
-      row.title = `Play ${segment.clip}, ${when}; postures ${hit.distance.toFixed(2)} m from the keys`;
+      made.title = `Play ${segment.clip}, ${when}; postures ${hit.distance.toFixed(2)} m from the keys`;
       const picture = element("img", "motion-strip");
       const asked = new URLSearchParams({ start: segment.start, end: segment.end, n: 5, v: version });
       const address = `/api/filmstrip/${encodeURIComponent(dataset)}/${segment.clip.split("/").map(encodeURIComponent).join("/")}?${asked}`;
       Object.assign(picture, { loading: "lazy", alt: "", draggable: false, src: address });
-      row.append(element("span", "map-rank number muted", String(k + 1)), element("span", "ellipsis motion-clip", segment.clip),
+      made.append(element("span", "map-rank number muted", String(k + 1)), element("span", "ellipsis motion-clip", segment.clip),
         element("span", "muted number motion-time", when), picture);
-      return row;
-    }));
-    if (hits.length > MOST_ROWS) box.append(element("div", "muted selection-more", `and ${hits.length - MOST_ROWS} more`));
+      return made;
+    };
+    box.replaceChildren(...hits.slice(0, AT_ONCE).map(row));
+    const rest = () => {
+      box.append(...hits.slice(AT_ONCE, MOST_ROWS).map((hit, k) => row(hit, AT_ONCE + k)));
+      if (hits.length > MOST_ROWS) box.append(element("div", "muted selection-more", `and ${hits.length - MOST_ROWS} more`));
+    };
+    if (hits.length > AT_ONCE) later = setTimeout(rest, 50);
   }
 
   /** Mark the row of what is selected. */

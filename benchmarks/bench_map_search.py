@@ -3,8 +3,8 @@
 usage: python -m benchmarks.bench_map_search
 
 First test (its table 1): the keys are the icons nearest to three postures of one labelled instance of an action; the
-right action, in another instance, should be among the first five hits. Second test (its table 2, "Choice"): one key
-posture of a clip narrows the clips to few.
+right action, in another instance, should be among the first five hits; on the paper's 21 x 21 nodes and on 30 x 30.
+Second test (its table 2, "Choice"): one key posture of a clip narrows the clips to few.
 """
 
 from __future__ import annotations
@@ -18,11 +18,12 @@ from core.mocap.dataset import Dataset, open_dataset
 from core.mocap.labels import read_labels
 from core.motion_map.build import MapParameters, build_motion_map
 from core.motion_map.motion_map import MotionMap
-from core.poses.postures import postures_of
+from core.poses.postures import Postures, postures_of
 
 SEEDS = 8
 FIRST = 5  # hits that a person looks at
-MOMENTS = (0.25, 0.5, 0.75)  # of the instance that the key postures are taken from
+MOMENTS = (1 / 6, 1 / 2, 5 / 6)  # of the way that the joints travel in the instance: there the postures are taken
+GRIDS = ("21x21", "30x30")
 STEP = 0.05  # metres by which T grows until there are FIRST hits
 INSIDE = 0.5  # of a hit lies in an instance of the action: it is right
 TASKS = {
@@ -45,21 +46,25 @@ def collections() -> dict[str, Dataset]:
     return found
 
 
-def icon_keys(motion_map: MotionMap, instance: Label) -> list[tuple[int, int]]:
-    """The icons nearest to the instance's postures, one after the other; one icon once in a row."""
+def key_postures(postures: Postures, instance: Label) -> np.ndarray:
+    """Three postures ``(3, d)`` of an instance, at equal shares of the way its joints travel, as on a filmstrip."""
+    clip = postures.clips.index(instance.clip)
+    scale, first = postures.fps / postures.clip_fps[clip], int(postures.clip_starts[clip])
+    low = first + round(instance.start * scale)
+    inside = postures.vectors[low : max(first + round(instance.end * scale), low + 2)]
+    way = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(inside, axis=0), axis=1))])
+    return inside[[int(np.searchsorted(way, share * way[-1])) for share in MOMENTS]]
+
+
+def icon_keys(motion_map: MotionMap, wanted: np.ndarray) -> list[tuple[int, int]]:
+    """The icons nearest to postures ``(n, d)``, one after the other; one icon once in a row."""
     icons = motion_map.icons
     models = motion_map.weights[icons[:, 0], icons[:, 1]]
-    clip = motion_map.clips.index(instance.clip)
-    scale = motion_map.fps / motion_map.clip_fps[clip]
-    nodes = motion_map.nodes_of(instance.clip)
     keys: list[tuple[int, int]] = []
-    for moment in MOMENTS:
-        frame = round((instance.start + moment * (instance.end - 1 - instance.start)) * scale)
-        x, y = nodes[min(frame, len(nodes) - 1)]
-        nearest = np.argmin(np.linalg.norm(models - motion_map.weights[x, y], axis=1))
-        key = int(icons[nearest, 0]), int(icons[nearest, 1])
-        if not keys or keys[-1] != key:
-            keys.append(key)
+    for posture in wanted:
+        x, y = icons[np.argmin(np.linalg.norm(models - posture, axis=1))]
+        if not keys or keys[-1] != (x, y):
+            keys.append((int(x), int(y)))
     return keys
 
 
@@ -92,13 +97,14 @@ def run_tasks(dataset: Dataset, actions: tuple[str, ...], seeds: int = SEEDS, **
     Each seed gives another map, and another instance of the action to take postures from.
     """
     found: dict[str, list[tuple]] = {action: [] for action in actions}
+    postures = postures_of(dataset)
     for seed in range(seeds):
         motion_map = build_motion_map(dataset, MapParameters(seed=seed, **settings))
         for action in actions:
             instances = [label for label in dataset.labels if label.action == action]
             query = instances[seed % len(instances)]
             others = [label for label in instances if label is not query]
-            keys = icon_keys(motion_map, query)
+            keys = icon_keys(motion_map, key_postures(postures, query))
             hits, reach = found_with(motion_map, keys, query)
             right = [rank_of([hit], others) for hit in hits[:FIRST]]
             found[action].append((rank_of(hits, others), reach, len(keys), float(np.mean(right)) if right else 0.0))
@@ -133,42 +139,47 @@ def choice_rows(dataset: Dataset, n: int = 10) -> list[tuple[str, int, int, int]
     return rows
 
 
+def rows_of(name: str, dataset: Dataset, grid: str) -> tuple[list[str], str]:
+    """Table rows of a collection on a grid, and its summary."""
+    found, rows = run_tasks(dataset, TASKS[name], grid=grid), []
+    for action, tries in found.items():
+        ranks = [row[0] for row in tries]
+        ok = sum(rank > 0 for rank in ranks)
+        place = f"{np.median([rank for rank in ranks if rank]):g}" if ok else "-"
+        right, reach = np.mean([row[3] for row in tries]), np.median([row[1] for row in tries])
+        chance = share_of_time(dataset, action)
+        rows.append(
+            f"| {name} | {grid} | {action} | {ok} of {SEEDS} | {place} | {right:.2f} | {chance:.2f} | {reach:.2f} |"
+        )
+    counts = successes(found)
+    return rows, f"{name}, {grid}: {np.median(counts):g} of {len(found)} (by seed {', '.join(map(str, counts))})"
+
+
 def main() -> str:
     """Measure, print and return the Markdown section."""
     rows, summaries = [], []
     for name, dataset in collections().items():
-        found = run_tasks(dataset, TASKS[name])
-        for action, tries in found.items():
-            ranks = [row[0] for row in tries]
-            ok = sum(rank > 0 for rank in ranks)
-            places = np.median([rank for rank in ranks if rank]) if ok else 0
-            reach = np.median([row[1] for row in tries])
-            first = np.mean([row[3] for row in tries])
-            chance = share_of_time(dataset, action)
-            rows.append(
-                f"| {name} | {action} | {ok} of {SEEDS} | {places:g} | {first:.2f} | {chance:.2f} | {reach:.2f} |"
-            )
-        counts = successes(found)
-        summaries.append(
-            f"{name}: {np.median(counts):g} of {len(TASKS[name])} (each seed: {', '.join(map(str, counts))})"
-        )
+        for grid in GRIDS:
+            more, summary = rows_of(name, dataset, grid)
+            rows += more
+            summaries.append(summary)
     folder = asfamc()
     wide = open_dataset(folder, skeleton=folder / "86/86.asf") if folder else make_demo(minutes=6)
     choices = choice_rows(wide)
     lines = [
         "## Finding motion on the map",
         "",
-        f"Keys: the icons nearest to three postures ({', '.join(f'{100 * m:.0f} %' for m in MOMENTS)}) of one labelled "
-        f"instance; T grows by {STEP} m until there are {FIRST} hits outside that instance. Right: {INSIDE:.0%} of a "
-        f"hit lies in another instance. {SEEDS} map seeds, each with another instance to ask with. Tasks with the "
-        f"right action in the first {FIRST} hits, median over seeds: {'; '.join(summaries)}.",
+        "Keys: the icons nearest to three postures (at a sixth, half and five sixths of the way the joints travel) "
+        f"of one labelled instance; T grows by {STEP} m until there are {FIRST} hits outside that instance. Right: "
+        f"{INSIDE:.0%} of a hit lies in another instance. {SEEDS} map seeds, each with another instance to ask with. "
+        f"Tasks with the right action in the first {FIRST} hits, median over seeds: {'; '.join(summaries)}.",
         "",
-        "| collection | find | in the first five | median place | right of five | share of time | T, median |",
-        "|---|---|---|---|---|---|---|",
+        "| collection | grid | find | in the first five | median place | right of five | share of time | T, median |",
+        "|---|---|---|---|---|---|---|---|",
         *rows,
         "",
-        f"Choice: one key, the posture of a clip that is farthest from the mean posture; clips of {len(wide.clips)} "
-        "with a hit. `python -m benchmarks.bench_map_search`",
+        f"Choice: one key, the posture of a clip that is farthest from the mean posture, on 21 x 21 nodes; clips of "
+        f"{len(wide.clips)} with a hit. `python -m benchmarks.bench_map_search`",
         "",
         "| clip | T = 0 | T = .2 m | T = .4 m |",
         "|---|---|---|---|",

@@ -39,7 +39,7 @@ METHOD = method.MethodPage(
 BAD_FIT = 2.0  # times the usual distance: postures that the map does not know
 CLICKS = (("keys", "Keys"), ("regions", "Regions"), ("draw", "Draw"))
 PACES = (("", "Any speed"), ("0-0.25", "On the spot"), ("0.25-1.7", "Walking speed"), ("1.7-99", "Faster"))
-WAYS = (("any", "Any direction"), ("forward", "Forward"), ("backward", "Backward"), ("left", "To the left"), ("right", "To the right"))  # fmt: skip  # noqa: E501
+WAYS = (("any", "Any way"), ("forward", "Forward"), ("backward", "Backward"), ("left", "To the left"), ("right", "To the right"))  # fmt: skip  # noqa: E501
 BELOW = (("hits", "Hits"), ("labels", "Labels"), ("clips", "Clips"), ("region", "Region"))
 
 
