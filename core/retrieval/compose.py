@@ -34,7 +34,7 @@ def compose(store: FrameStore, query: Query, weights: Mapping[str, float]) -> Co
     query lack every part that has a weight.
     """
     parts = [part for part in query.parts if any(weights[leaf] > 0 for leaf in part.leaves)]
-    coded = [(part, *_encoded(store, part)) for part in parts]
+    coded = [(part, *_encoded(store, part, weights)) for part in parts]
     kept = dict.fromkeys(LEAVES, 0.0)
     for part, _, has in coded:
         kept |= {leaf: weights[leaf] for leaf in part.leaves if leaf in has}
@@ -52,10 +52,14 @@ def compose(store: FrameStore, query: Query, weights: Mapping[str, float]) -> Co
     return Composed(found, kept, leading, np.minimum(at, len(found) - 1))
 
 
-def _encoded(store: FrameStore, part: QueryPart) -> tuple[np.ndarray, tuple[str, ...]]:
-    """The part's codes, smoothed where it jitters and the recordings do not: jitter would pass for effort."""
+def _encoded(store: FrameStore, part: QueryPart, weights: Mapping[str, float]) -> tuple[np.ndarray, tuple[str, ...]]:
+    """The part's codes, smoothed where it jitters and the recordings do not: jitter would pass for effort.
+
+    What has no weight may jitter as it likes.
+    """
     codes, has = store.encode(part.clip, part.start, part.end)
-    if jitter(codes) >= JITTER and store.steady:
+    counted = np.flatnonzero(column_weights({leaf: weights[leaf] for leaf in part.leaves}))
+    if jitter(codes[:, counted]) >= JITTER and store.steady:
         codes = np.rint(smoothed(codes.astype(np.float32), store.fps)).astype(np.int8)
     return codes, has
 

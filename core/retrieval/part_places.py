@@ -14,7 +14,9 @@ from core.retrieval.part_matching import aligned_pairs, own_share, places, propa
 _PROPOSED = 6  # stretches that each node proposes for each hit that is asked for
 _LEAST = 40  # and at least so many
 _FASTEST = 2.0  # a stretch lasts no longer than so many times the query, nor shorter than by as much
-_OVERLAP = 0.5  # of two stretches that share more than this of the shorter one, the better is kept
+OVERLAP, NEAR = 0.5, 0.8
+"""Of two stretches that share more than this of the shorter one the better is kept: in the end, and until verified."""
+
 _ROOM = 0.25  # of a stretch either side, within which its ends are looked for again
 
 
@@ -42,7 +44,7 @@ def find_places(
     among: np.ndarray,
     top: int,
 ) -> np.ndarray:
-    """At most ``top`` stretches, best first, that hardly overlap: rows ``(k, 3)`` of first frame, end and score.
+    """At most ``top`` stretches, best first, no two nearly the same: rows ``(k, 3)`` of first frame, end and score.
 
     Every node proposes the stretches where its own list fits best; all nodes then judge all proposals, as they judge
     whole clips, and the best are fitted once more. clip_starts: ``(n_clips + 1,)`` frames, of all clips one after
@@ -58,13 +60,13 @@ def find_places(
     if len(spans) == 0:
         return np.zeros((0, 3))
     judged = _judged(nodes, gains, wanted, spans)
-    best = _apart(spans, judged, max(10, 2 * top))
+    best = apart(spans, judged, max(10, 2 * top), NEAR)
     fitted = np.stack([_fitted(nodes, gains, wanted, span, clip_starts) for span in spans[best]])
     again = _judged(nodes, gains, wanted, fitted)
     better = again > judged[best]
     spans = np.where(better[:, None], fitted, spans[best])
     scores = np.where(better, again, judged[best])
-    kept = _apart(spans, scores, top)
+    kept = apart(spans, scores, top, NEAR)
     return np.column_stack([spans[kept], scores[kept]])
 
 
@@ -160,14 +162,14 @@ def _weighted_median(values: np.ndarray, weights: np.ndarray) -> float:
     return float(values[order][np.searchsorted(sums, sums[-1] / 2)])
 
 
-def _apart(spans: np.ndarray, scores: np.ndarray, top: int) -> np.ndarray:
-    """Indices of at most ``top`` stretches, best first, none of which shares much with a better one."""
+def apart(spans: np.ndarray, scores: np.ndarray, top: int, overlap: float = OVERLAP) -> np.ndarray:
+    """Indices ``(k,)`` of at most ``top`` stretches (n, 2), best first, none of which shares much with a better one."""
     kept: list[int] = []
     for k in np.argsort(-scores, kind="stable"):
         others = spans[kept] if kept else np.zeros((0, 2))
         shared = np.minimum(spans[k, 1], others[:, 1]) - np.maximum(spans[k, 0], others[:, 0])
         shorter = np.minimum(spans[k, 1] - spans[k, 0], others[:, 1] - others[:, 0])
-        if not (shared > _OVERLAP * shorter).any():
+        if not (shared > overlap * shorter).any():
             kept.append(int(k))
             if len(kept) == top:
                 break

@@ -31,6 +31,7 @@ from core.retrieval.node_index import (
     node_columns,
 )
 from core.retrieval.part_matching import gains, propagate
+from core.retrieval.part_verification import warped_spans
 from core.retrieval.queries import Query, QueryPart
 from core.retrieval.trajectories import path_distances
 
@@ -47,6 +48,8 @@ class Matching:
     gap: float = 0.5
     alpha: float = 0.25
 
+
+_VERIFIED = 4  # stretches whose frames are looked at, for each that is asked for
 
 PAPER_ALPHA = 0.5
 """The paper's alpha (section 4.1), which ``printed`` takes."""
@@ -105,17 +108,18 @@ class Parts:
     def rank_intervals(
         self, query: Query, weights: Mapping[str, float], *, among: np.ndarray, top: int, root_path: float
     ) -> list[Hit]:
-        """Stretches of the clips ``(k,)``, see core.retrieval.part_places."""
+        """Stretches of the clips ``(k,)``: found by their patterns (core.retrieval.part_places), verified by frames."""
         asked = self.query_lists(query, weights)
-        wanted = self._wanted(asked, weights)
-        found = part_places.find_places(self.nodes, self.store.starts, self._gains(asked), wanted, among, top)
-        if root_path > 0 and len(found):
-            codes = compose(self.store, query, weights).codes
-            first, last = (found[:, k].astype(np.int64) for k in (0, 1))
-            apart = path_distances(codes, self.store.codes, first, last, self.store.fps)
-            found[:, 2] = (1 - root_path) * found[:, 2] + root_path * (1 - apart)
-            found = found[np.argsort(-found[:, 2], kind="stable")]
-        return [Hit(self._segment(first, last), float(score)) for first, last, score in found[:top]]
+        wanted, many = self._wanted(asked, weights), _VERIFIED * top + 10
+        found = part_places.find_places(self.nodes, self.store.starts, self._gains(asked), wanted, among, many)
+        composed = compose(self.store, query, weights)
+        spans, warped = warped_spans(self.store, composed, found[:, :2].astype(np.int64))
+        scores = found[:, 2] * (1 - warped)
+        if root_path > 0:
+            apart = path_distances(composed.codes, self.store.codes, spans[:, 0], spans[:, 1], self.store.fps)
+            scores = (1 - root_path) * scores + root_path * (1 - apart)
+        kept = part_places.apart(spans, scores, top)
+        return [Hit(self._segment(*spans[k]), float(scores[k])) for k in kept]
 
     def explain(self, query: Query, segment: Segment, weights: Mapping[str, float]) -> Explanation:
         """Which parts of a stretch are like the query when: how alike the patterns are that the alignment pairs.
@@ -231,7 +235,7 @@ class Parts:
         end = len(codes) if last == part.end else max(start + 1, min(round((part.end - first) * rate), len(codes)))
         return codes, has, slice(start, end)
 
-    def _segment(self, first: float, last: float) -> Segment:
+    def _segment(self, first: int, last: int) -> Segment:
         clip = int(np.searchsorted(self.store.starts, first, side="right")) - 1
         offset = self.store.starts[clip]
         return self.store.segment(clip, int(first - offset), int(last - offset))

@@ -13,6 +13,7 @@ from core.mocap import quaternions as quat
 from core.mocap.anatomy import find_anatomy
 from core.mocap.clip import Clip, Segment
 from core.mocap.dataset import Dataset
+from core.mocap.skeleton import Skeleton
 from core.poses.body_parts import LEAVES, LEVEL, NODES, leaves_of, part_joints
 from core.retrieval.node_index import centred
 from core.retrieval.queries import hybrid_query, whole_query
@@ -214,3 +215,25 @@ def test_centring_takes_off_a_share_of_the_posture_around():
     found = centred(x, 0.7, 4)
     for k in (0, 3, 11, 19):
         np.testing.assert_allclose(found[k], x[k] - 0.7 * x[max(0, k - 4) : k + 5].mean(0), atol=1e-6)
+
+
+def chain(name: str) -> Clip:
+    """A recording in which no body is recognised."""
+    offsets = np.array([[0, 0, 0], [0, 1, 0], [0, 1, 0]], np.float32)
+    skeleton = Skeleton(("a", "b", "c"), (-1, 0, 1), offsets, (False,) * 3)
+    rotations = np.zeros((90, 3, 4), np.float32)
+    rotations[..., 0] = 1
+    return Clip(name, skeleton, 30.0, np.zeros((90, 3), np.float32), rotations)
+
+
+def test_a_clip_without_a_body_is_like_nothing(demo, index):
+    found = index.add(Dataset("more", (chain("chain"),)))
+    hits = found.search(whole_query(demo.clips[0]))
+    assert hits[-1].segment.clip == "chain" and hits[-1].score == 0 and len(hits) == len(demo.clips) + 1
+    assert "chain" not in {hit.segment.clip for hit in found.search(whole_query(demo.clips[0]), level="interval")}
+    with pytest.raises(ValueError, match="no body"):
+        found.search(whole_query(chain("query")))
+    with pytest.raises(ValueError, match="a body is recognised"):
+        build_search_index(Dataset("chains", (chain("one"),)), PARTS)
+    whole = build_search_index(Dataset("both", (chain("chain"), *demo.clips[:3])), PARTS)
+    assert whole.search(whole_query(demo.clips[1]))[0].segment.clip == demo.clips[1].name
