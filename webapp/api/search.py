@@ -14,6 +14,7 @@ from webapp import links, searching, settings
 from webapp.api.asked import BadRequest, answer_errors
 from webapp.figures import search as figures
 from webapp.queries import read_hit
+from webapp.refusals import said
 
 
 def search_blueprint(workspace: Workspace) -> Blueprint:
@@ -35,7 +36,7 @@ def search_blueprint(workspace: Workspace) -> Blueprint:
         except KeyError:
             raise BadRequest(f"There is no clip called “{hit.clip}” in this index.", 404) from None
         except ValueError as error:
-            raise BadRequest(f"{error}") from None
+            raise BadRequest(said(error)) from None
         played = figures.pair_request(dataset, sources, query, hit, why)
         return jsonify(strip=figures.strip_of(why), request=played)
 
@@ -67,7 +68,7 @@ def search_blueprint(workspace: Workspace) -> Blueprint:
         try:
             scores = evaluate(rankings, dataset)
         except ValueError as error:
-            raise BadRequest(f"{error}") from None
+            raise BadRequest(said(error)) from None
         head = {"format": "motionscape/evaluation/1", "dataset": {"name": dataset.name}}
         document = (
             head | {"parameters": dict(rankings.parameters), "seconds": dict(rankings.seconds)} | scores.to_json()
@@ -108,7 +109,7 @@ def _found(workspace: Workspace) -> tuple[Dataset, searching.Found]:
     try:
         found = searching.find(workspace, dataset, {**view, "top": view.get("top") or str(searching.MOST)})
     except ValueError as error:
-        raise BadRequest(f"{error}") from None
+        raise BadRequest(said(error)) from None
     if found is None:
         raise BadRequest("There is no query, or the index has not been built yet.", 404)
     return dataset, found

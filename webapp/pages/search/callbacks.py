@@ -22,6 +22,7 @@ from webapp.components.running import running
 from webapp.figures import search as figures
 from webapp.pages.search.layout import METHOD
 from webapp.queries import Piece, write_query
+from webapp.refusals import said
 from webapp.searching import PAGE
 
 
@@ -101,7 +102,7 @@ def _search(app: Dash, workspace: Workspace) -> None:
         try:
             return {"asked": asked, **found_data(workspace, workspace.open(name), view)} if name else {"asked": asked}
         except ValueError as error:  # WorkspaceError and what the query is refused for
-            return {"asked": asked, "error": _sentence(str(error))}
+            return {"asked": asked, "error": said(error)}
 
     app.clientside_callback(
         ClientsideFunction("search", "draw"),
@@ -146,7 +147,7 @@ def found_data(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] |
         ]
         doubt = searching.doubt(workspace, dataset, view, query)
     except ValueError as error:
-        return data | {"error": _sentence(str(error))}
+        return data | {"error": said(error)}
     return data | {"hits": rows, "total": found.total, "milliseconds": round(found.milliseconds, 1), "doubt": doubt}
 
 
@@ -193,7 +194,7 @@ def _upload(app: Dash, workspace: Workspace) -> None:
         try:
             job = uploaded.start(workspace, str(upload.get("name") or "recording"), str(upload["token"]))
         except (WorkspaceError, ParameterError) as error:
-            return None, [_problem(str(error))]
+            return None, [_problem(said(error))]
         set_props("job-started", {"data": job.id})
         return {"job": job.id}, [running(job, f"Reading {upload.get('name')}", "upload")]
 
@@ -209,21 +210,16 @@ def _upload(app: Dash, workspace: Workspace) -> None:
         if job is None or job.alive:
             return no_update, no_update
         if job.state != "done":
-            said = job.error if job.state == "failed" else "Reading the recording was cancelled."
-            return None, [_problem(said)]
+            why = job.error if job.state == "failed" else "Reading the recording was cancelled."
+            return None, [_problem(why)]
         try:
             clip = uploaded.open_upload(workspace, job.key).clips[0]
         except WorkspaceError as error:
-            return None, [_problem(str(error))]
+            return None, [_problem(said(error))]
         piece = Piece(clip.name, 0, clip.n_frames, dataset=uploaded.name_of(job))
         set_props("view-change", {"data": {"query": write_query([piece]), "hit": ""}})
         return None, []
 
 
 def _problem(words: str) -> Component:
-    return dmc.Alert(_sentence(words), color="red", title="This recording cannot be used", withCloseButton=True)
-
-
-def _sentence(text: str) -> str:
-    text = text[:1].upper() + text[1:]
-    return text if text.endswith((".", "?", "!")) else f"{text}."
+    return dmc.Alert(words, color="red", title="This recording cannot be used", withCloseButton=True)

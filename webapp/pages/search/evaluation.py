@@ -23,6 +23,7 @@ from webapp.components.method import MethodPage, run_button, settings_fold, stat
 from webapp.figures import ranking as figures
 from webapp.figures.charts import CONFIG
 from webapp.pages.search.names import ENGINES
+from webapp.refusals import said
 
 PAGE = "ranking"
 METHOD = MethodPage(
@@ -100,8 +101,8 @@ def _choose(app: Dash) -> None:
         ordered = [name for name in KNOWN if name in (names or [])]
         if not ordered or ordered == [name for name in KNOWN if name in chosen_engines(view)]:
             return
-        said = settings.view_of(PAGE, {"engines": ",".join(ordered)})
-        set_props("view-change", {"data": {"ranking-engines": said["ranking-engines"]}})
+        settled = settings.view_of(PAGE, {"engines": ",".join(ordered)})
+        set_props("view-change", {"data": {"ranking-engines": settled["ranking-engines"]}})
 
     @app.callback(
         Input("ranking-regime", "value"),
@@ -142,8 +143,7 @@ def _show(app: Dash, workspace: Workspace) -> None:
         except WorkspaceError:
             return []
         except ValueError as error:
-            said = f"{str(error)[:1].upper()}{str(error)[1:]}."
-            words = f"{said} Add labels in the Library: a CSV file with clip, start_frame, end_frame and action."
+            words = f"{said(error)} Add labels in the Library: a CSV file with clip, start_frame, end_frame and action."
             return [html.Div(empty_state("warning", "No labels to compare with", words), className="card section")]
         return result(dataset, found, view, scheme) if found else []
 
@@ -176,7 +176,7 @@ def result(dataset: Dataset, found: Evaluation, view: Mapping[str, str] | None, 
     engine = engine if engine in engines else engines[0]
     query = urlencode({"dataset": dataset.name, **{k: v for k, v in (view or {}).items() if k.startswith("ranking-")}})
     scores = found.engines[engine][regime]
-    said = f"{found.queries:,} clips searched for, {scores.queries:,} of them with something to find"
+    count = f"{found.queries:,} clips searched for, {scores.queries:,} of them with something to find"
     head = html.Div(
         [
             dmc.SegmentedControl(
@@ -209,7 +209,7 @@ def result(dataset: Dataset, found: Evaluation, view: Mapping[str, str] | None, 
         html.Div(
             [
                 figures.measures_table(found.engines, regime, NAMES),
-                html.P([said, ". ", figures.explained(found.engines, regime)], className="muted ranking-words"),
+                html.P([count, ". ", figures.explained(found.engines, regime)], className="muted ranking-words"),
             ],
             className="card study-figures",
         ),

@@ -25,6 +25,7 @@ from webapp.figures.charts import CONFIG
 from webapp.figures.tables import clock, strip_address
 from webapp.pages.search.names import ENGINES
 from webapp.queries import write_hit
+from webapp.refusals import said
 
 MODES = {"rate": "Rate pairs", "vote": "Which is more alike?", "results": "Results"}
 HINT = (
@@ -112,7 +113,7 @@ def _show(app: Dash, workspace: Workspace) -> None:
         try:
             return {"asked": asked, **study_data(workspace, workspace.open(name), view, who)}
         except ValueError as error:
-            return {"asked": asked, "error": str(error)}
+            return {"asked": asked, "error": said(error)}
 
     @app.callback(
         Output("study-results", "children"),
@@ -171,7 +172,7 @@ def _take(app: Dash, workspace: Workspace) -> None:
             take = studying.keep_vote if answer.get("kind") == "vote" else studying.keep_rating
             take(workspace, workspace.open(name), view, answer)
         except ValueError as error:
-            set_props("notices", {"sendNotifications": [notice("This answer was not kept", str(error), "red")]})
+            set_props("notices", {"sendNotifications": [notice("This answer was not kept", said(error), "red")]})
             return no_update
         return {"at": answer.get("at")}
 
@@ -216,11 +217,11 @@ def results(workspace: Workspace, name: str, scheme: str | None) -> list[Compone
     if not ratings and not votes:
         return [html.Div(empty_state("person", "No answers yet", "Rate some pairs first."), className="card")]
     people = len({answer.person for answer in (*ratings, *votes)})
-    said = f"{len(ratings):,} ratings and {len(votes):,} votes of {people} {'person' if people == 1 else 'people'}"
+    count = f"{len(ratings):,} ratings and {len(votes):,} votes of {people} {'person' if people == 1 else 'people'}"
     query = urlencode({"dataset": name})
     head = html.Div(
         [
-            html.Span(said, className="muted"),
+            html.Span(count, className="muted"),
             html.Div(className="spacer"),
             html.A(
                 [icon("download", 14), "Ratings (CSV)"],
