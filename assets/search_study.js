@@ -139,6 +139,7 @@
     const row = rows()[at[which]];
     if (!row) return;
     row.value = value;
+    given.set(nameOf(row), value);
     const told = which === "vote" ? { kind: "vote", query: row.query, left: row.left, right: row.right, choice: value }
       : { kind: "rating", query: row.query, hit: row.hit, value };
     set("study-answer", { ...told, at: `${Date.now()} ${Math.random()}` });
@@ -150,6 +151,10 @@
     at[which] = Math.min(Math.max(at[which] + by, 0), Math.max(rows().length - 1, 0));
     draw();
   }
+
+  // Answers given here: data that was on its way meanwhile does not know them yet.
+  const given = new Map();
+  const nameOf = (row) => JSON.stringify([person.name || person.id, row.query, row.hit, row.left, row.right]);
 
   let person = {};
   function who(stored) {
@@ -176,6 +181,7 @@
         for (const id of ["study-rate", "study-vote"]) $(id).replaceChildren();
         return clientside.no_update;
       }
+      if (fresh) for (const row of [...data.pairs, ...data.duels]) row.value = given.get(nameOf(row)) ?? row.value;
       if (fresh) for (const [which, all] of [["rate", data.pairs], ["vote", data.duels]]) at[which] = Math.max(all.findIndex((row) => !row.value), 0);
       setup();
       draw();
@@ -189,7 +195,12 @@
     remove: (on) => asks(data.queries.map((query) => query.name).filter((name) => name !== on.dataset.name)),
     draw: () => set("study-wish", { draw: 1 + Math.floor(Math.random() * 1e6) }),
     build: (on) => set("study-wish", { build: on.dataset.method, at: Date.now() }),
-    clear: () => window.confirm("Remove all ratings and votes about this dataset, of all people?") && set("study-wish", { clear: true, at: Date.now() }),
+    clear() {
+      if (!window.confirm("Remove all ratings and votes about this dataset, of all people?")) return;
+      given.clear();
+      for (const row of [...data.pairs, ...data.duels]) row.value = null;
+      set("study-wish", { clear: true, at: Date.now() });
+    },
     move: (on) => step(Number(on.dataset.by)),
     answer: (on) => answer(mode() === "vote" ? on.dataset.value : Number(on.dataset.value)),
   };
