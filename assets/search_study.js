@@ -142,7 +142,8 @@
     given.set(nameOf(row), value);
     const told = which === "vote" ? { kind: "vote", query: row.query, left: row.left, right: row.right, choice: value }
       : { kind: "rating", query: row.query, hit: row.hit, value };
-    set("study-answer", { ...told, at: `${Date.now()} ${Math.random()}` });
+    pending.push({ ...told, id: `${Date.now()} ${Math.random()}` });
+    set("study-answer", { answers: [...pending], at: Date.now() });
     step(1);
   }
 
@@ -156,6 +157,8 @@
   const given = new Map();
   const nameOf = (row) => JSON.stringify([person.name || person.id, row.query, row.hit, row.left, row.right]);
 
+  const pending = []; // answers the server has not confirmed: of callbacks that wait Dash runs only the last one
+
   let person = {};
   function who(stored) {
     person = stored || {};
@@ -166,6 +169,13 @@
   }
 
   clientside.study = {
+    kept(confirmed) {
+      for (const id of (confirmed && confirmed.kept) || []) {
+        const at = pending.findIndex((one) => one.id === id);
+        if (at >= 0) pending.splice(at, 1);
+      }
+      return clientside.no_update;
+    },
     draw(found, seen, stored) {
       view = seen || {};
       if (!found || view.look !== "agree" || !$("study-setup")) {

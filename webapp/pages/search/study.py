@@ -164,17 +164,20 @@ def _take(app: Dash, workspace: Workspace) -> None:
         State("study-person", "data"),
         prevent_initial_call=True,
     )
-    def keep(answer, name, view, person):
-        if not answer or not name:
+    def keep(given, name, view, person):
+        answers = (given or {}).get("answers") or []
+        if not answers or not name:
             return no_update
-        answer = answer | {"person": person_of(person)}
-        try:
-            take = studying.keep_vote if answer.get("kind") == "vote" else studying.keep_rating
-            take(workspace, workspace.open(name), view, answer)
-        except ValueError as error:
-            set_props("notices", {"sendNotifications": [notice("This answer was not kept", said(error), "red")]})
-            return no_update
-        return {"at": answer.get("at")}
+        dataset, who = workspace.open(name), person_of(person)
+        for answer in answers:
+            try:
+                take = studying.keep_vote if answer.get("kind") == "vote" else studying.keep_rating
+                take(workspace, dataset, view, answer | {"person": who})
+            except ValueError as error:
+                set_props("notices", {"sendNotifications": [notice("An answer was not kept", said(error), "red")]})
+        return {"kept": [answer.get("id") for answer in answers]}
+
+    app.clientside_callback(ClientsideFunction("study", "kept"), Input("study-kept", "data"))
 
     @app.callback(
         Output("study-kept", "data", allow_duplicate=True),
