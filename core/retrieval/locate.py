@@ -25,6 +25,7 @@ TEMPOS = (0.7, 0.84, 1.0, 1.19, 1.41)  # lengths of windows, in lengths of the q
 STRIDE = 4  # at most so many frames between two that the coarse look sees
 POOL = 256  # windows that are compared by the metric, at least
 COPY = 0.3  # cost a frame of warping postures onto postures below which a window is the query again, or nearly so
+_SHRUNK = 0.6  # share of a window below which warping may not shorten it
 _REFINED = 150  # frames of the query that warping looks at, at most
 
 
@@ -192,7 +193,9 @@ def _refine(store: FrameStore, query: Composed, metric: Metric, windows: _Window
         low, high = max(store.starts[clip], start[k] - more), min(store.starts[clip + 1], end[k] + more)
         frames = store.codes[low:high:step].astype(np.float32) * scales
         first, last, cost[k] = warped_stretch(asked, frames, metric.cap)
-        start[k], end[k] = low + first * step, min(high, low + (last - 1) * step + 1)
+        found = low + first * step, min(high, low + (last - 1) * step + 1)
+        if found[1] - found[0] >= _SHRUNK * (end[k] - start[k]):  # who stands still warps onto a single frame
+            start[k], end[k] = found
     return _Windows(windows.clip, start, end), cost / len(asked)
 
 

@@ -74,6 +74,15 @@ def test_hits_hardly_overlap_and_lie_within_their_clips():
         assert a.clip != b.clip or shared <= 0.5 * min(a.n_frames, b.n_frames) + 4
 
 
+def test_standing_still_gives_stretches_and_no_single_frames():
+    demo = make_demo(minutes=1)
+    still = next(label for label in demo.labels if label.action == "idle")
+    query = whole_query(demo.clip(still.clip), still.start, min(still.end, still.start + 60))
+    n = query.parts[0].end - query.parts[0].start
+    hits = build_search_index(demo).search(query, level="interval")
+    assert hits and all(hit.segment.n_frames >= 0.4 * n for hit in hits)
+
+
 def test_a_clip_shorter_than_the_query_says_which_part_it_is_like():
     demo = make_demo(minutes=0.5)
     clip = demo.clips[0]
