@@ -60,7 +60,7 @@ def optimisers() -> Iterator[str]:
             continue
         base = replace(DEFAULTS, n_terminals=k)
         space, ours = space_of(dataset, base), None
-        searches = {"ours": base}
+        searches = {"ours": base, "ours, one beginning": replace(base, starts=1)}
         for grid in (15, 8, 4):
             searches[f"paper, {grid / base.analysis_fps:.2g} s"] = replace(base, method="paper", grid=grid)
         searches["annealing, 0.53 s"] = replace(base, method="annealing", grid=8)

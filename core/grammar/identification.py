@@ -22,7 +22,6 @@ from core.mocap.dataset import Dataset
 from core.progress import Report, silent
 
 _ROUGH_FPS = 6.0  # the search begins at about this rate
-_STARTS = 8  # random beginnings of the rough search; the best goes on
 _SURPLUS = (2.0, 1.6, 1.3)  # times as many groups as asked for, in the first turns
 _FINE_TURNS = 3
 
@@ -97,8 +96,8 @@ def _alternation(space: PoseSpace, parameters: TerminalParameters, report: Repor
     thin = space.thinned(step)
     limits = limits_of(parameters, thin.fps)
     best, least = None, np.inf
-    for start in range(_STARTS):
-        report("rough search", start / _STARTS)
+    for start in range(parameters.starts):
+        report("rough search", start / parameters.starts)
         rng = np.random.default_rng([parameters.seed, start])
         spans = even_cuts(thin, rng.uniform(1.3 * limits[0], 0.7 * limits[1]), limits)
         if len(spans) < k:
