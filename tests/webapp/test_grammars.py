@@ -18,6 +18,7 @@ from webapp import actions_playing, compositions, grammar_points, grammars, play
 from webapp.app import create_app
 from webapp.cli import main
 from webapp.components.job_bar import stage_words
+from webapp.figures.grammar_tiles import tiles
 from webapp.virtual import open_any
 
 VALUES = {"n_terminals": 8, "analysis_fps": 10.0}
@@ -59,6 +60,15 @@ def test_all_that_the_page_draws_is_json_and_whole(workspace, found):
     assert {
         part for rule in data["rules"] for way in rule["ways"] for part in way["parts"] if isinstance(part, str)
     } <= {rule["id"] for rule in data["rules"]}
+
+
+def test_the_tiles_tell_coverage_and_repetition(workspace, found):
+    told = {name: value for name, value, _ in tiles(workspace.open("demo"), found)}
+    often = [own for own in found.terminals.segments if len(own) > 1]
+    frames = sum(frames for _, frames, _ in found.terminals.clips)
+    assert told["Recurring"] == f"{100 * sum(s.n_frames for own in often for s in own) / frames:.0f} %"
+    assert told["Repeated"] == f"{sum(map(len, found.terminals.segments)) / 8:.1f}×" and told["Actions"] == "8"
+    assert told["Rules"] == str(len(found.grammar.rules)) and told["Bits"] == f"{found.bits.total:.0f}"
 
 
 def test_a_selection_plays_all_occurrences_one_or_a_coloured_stretch(workspace, found):

@@ -16,19 +16,25 @@ def tiles(dataset: Dataset, found: LearnedGrammar) -> list[Tile]:
     """Name, value and explanation of each figure."""
     terminals, grammar = found.terminals, found.grammar
     count = sum(map(len, terminals.segments))
-    covered = sum(s.n_frames for own in terminals.segments for s in own) / max(
-        sum(c.n_frames for c in dataset.clips), 1
-    )
+    total = max(sum(clip.n_frames for clip in dataset.clips), 1)
+    covered = sum(s.n_frames for own in terminals.segments for s in own) / total
+    recurring = sum(s.n_frames for own in terminals.segments if len(own) > 1 for s in own) / total
     objective = terminals.objective
     return [
         ("Actions", str(terminals.n_terminals), "Kinds of short movements that were told apart."),
         (
-            "Repeated",
-            f"{count / max(terminals.n_terminals, 1):.1f}×",
-            f"How often an action occurs on average: {count} pieces in all, {100 * covered:.0f} % of the frames.",
+            "Recurring",
+            f"{100 * recurring:.0f} %",
+            "Share of all frames in actions that occur more than once. "
+            f"All actions together cover {100 * covered:.0f} %.",
         ),
         (
-            "Typical share",
+            "Repeated",
+            f"{count / max(terminals.n_terminals, 1):.1f}×",
+            f"How often an action occurs on average: {count} pieces in all.",
+        ),
+        (
+            "Typical",
             f"{100 * objective['R']:.1f} %",
             "One typical occurrence of every action, put together, as a share of all motion (R). "
             "Small: much is repeated. 100 %: nothing is.",

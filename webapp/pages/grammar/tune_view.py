@@ -80,7 +80,7 @@ def _sliders() -> list[Component]:
     )
     return [
         _slider("tune-actions", "Number of actions", 2, 60, 1, count.default, ""),
-        _slider("tune-weight", "Alike … repeated", 0, 1, 0.05, weight.default, "wide"),
+        _slider("tune-weight", "Alike … repeated", 0, 1, 0.01, weight.default, "wide"),
         html.Button(
             [icon("spark", 14), "Learn with these"], id="tune-learn", type="button", className="walk-button tall"
         ),
