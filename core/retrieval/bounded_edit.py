@@ -20,8 +20,9 @@ from core.retrieval.metric import Metric, Motions
 from core.retrieval.queries import Query
 from core.retrieval.trajectories import path_distances
 
-RERANKED = 3000
-"""Clips that get the exact distance; of more, the others follow in the order of the rough one."""
+EXACT, RERANKED = 3000, 1000
+"""With up to EXACT clips all get the exact distance; of more the nearest RERANKED, and the others follow in the order
+of the rough one."""
 
 _KEPT = 3  # settings of weights whose clips stay resampled
 
@@ -103,7 +104,7 @@ class BoundedEdit:
 
 def _ranked_distances(metric: Metric, asked: Motions, others: Motions) -> np.ndarray:
     """Distances ``(k,)``: exact for the nearest RERANKED, and beyond them growing with the rough distance."""
-    if len(others.samples) <= RERANKED:
+    if len(others.samples) <= EXACT:
         return metric.distances(asked, others)
     rough = metric.rough(asked, others)
     near = np.argpartition(rough, RERANKED)[:RERANKED]

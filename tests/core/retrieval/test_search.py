@@ -14,6 +14,7 @@ from core.mocap.anatomy import find_anatomy
 from core.mocap.clip import Clip, Segment
 from core.mocap.dataset import Dataset
 from core.poses.body_parts import LEAVES, part_joints
+from core.retrieval import bounded_edit
 from core.retrieval.queries import hybrid_query, parse_query, whole_query
 from core.retrieval.search import SearchParameters, build_search_index, unpack
 
@@ -51,6 +52,21 @@ def test_a_clip_is_most_like_itself_and_all_are_ranked(demo, index):
     assert len(hits) == len(demo.clips) == len({hit.segment.clip for hit in hits})
     assert hits[0].segment == Segment(demo.clips[1].name, 0, demo.clips[1].n_frames)
     assert hits[0].score == pytest.approx(1) and all(a.score >= b.score for a, b in itertools.pairwise(hits))
+
+
+def test_of_very_many_clips_the_nearest_are_measured_exactly(demo, monkeypatch):
+    pieces = [
+        replace(c.cut(k, k + 90), name=f"{c.name}_{k}") for c in demo.clips for k in range(0, c.n_frames - 90, 90)
+    ]
+    found = build_search_index(Dataset("pieces", tuple(pieces)))
+    query = whole_query(pieces[5])
+    exact = found.search(query)
+    monkeypatch.setattr(bounded_edit, "EXACT", 10)
+    monkeypatch.setattr(bounded_edit, "RERANKED", 40)
+    quick = found.search(query)
+    assert quick[0] == exact[0] and len(set(quick[:10]) & set(exact[:10])) >= 7
+    assert {h.segment for h in quick} == {h.segment for h in exact}
+    assert all(a.score >= b.score for a, b in itertools.pairwise(quick)) and quick[-1].score >= 0
 
 
 def test_a_stretch_is_found_where_it_is(demo, index):
