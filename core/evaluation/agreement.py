@@ -14,7 +14,6 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.stats import rankdata
 
 from core.mocap.clip import Segment
 
@@ -226,6 +225,8 @@ def _points(cell: Sequence[Rating]) -> list[RankPoint]:
     """The hits of one engine for one query, in its order."""
     hits = _grouped(cell, lambda r: r.hit)
     means = np.array([np.mean([r.value for r in found]) for found in hits.values()])
+    from scipy.stats import rankdata  # late: importing it takes a second, and every worker imports this module
+
     ranks = rankdata(-means)
     return [
         RankPoint(
@@ -259,6 +260,8 @@ def _correlation(points: Sequence[RankPoint], samples: int, generator: np.random
 
 def _spearman(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Spearman's coefficient of each row of two arrays (draws, n): (draws,); nan where a row is all alike."""
+    from scipy.stats import rankdata  # late, see above
+
     a, b = (rankdata(x, axis=1) - (x.shape[1] + 1) / 2 for x in (a, b))
     return _ratio((a * b).sum(1), (a * a).sum(1), (b * b).sum(1))
 
