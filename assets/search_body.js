@@ -217,6 +217,12 @@
     paint();
   };
 
+  /** Whether a part counts in what is shown: it has a weight, and a piece gives it. */
+  parts.counts = (leaf) => {
+    const weights = readWeights(now.view.parts);
+    return weights[leaf] > 0 && now.found.pieces.some((piece) => piece.leaves.includes(leaf));
+  };
+
   /** Lights a part up, here and in the hits. */
   parts.light = (leaf) => {
     for (const one of document.querySelectorAll(".search-page [data-part]")) one.classList.toggle("lit", one.dataset.part === leaf);

@@ -38,14 +38,15 @@
     const [full, dull] = [style.getPropertyValue("--strip-full").trim(), style.getPropertyValue("--strip-dull").trim()];
     const rows = strip.rows.length;
     strip.rows.forEach((row, r) => {
+      const strength = parts.counts(now.body.leaves[r]) ? 1 : 0.3;
       const [top, bottom] = [Math.round((r * height) / rows), Math.round(((r + 1) * height) / rows) - Math.max(1, Math.round(ratio / 2))];
       row.forEach((value, c) => {
         if (value < 0) return;
         const [left, right] = [Math.floor((c * width) / row.length), Math.floor(((c + 1) * width) / row.length)];
-        context.globalAlpha = 1;
+        context.globalAlpha = strength;
         context.fillStyle = dull;
         context.fillRect(left, top, right - left, bottom - top);
-        context.globalAlpha = (value / 100) ** 1.5;
+        context.globalAlpha = strength * (value / 100) ** 1.5;
         context.fillStyle = full;
         context.fillRect(left, top, right - left, bottom - top);
       });

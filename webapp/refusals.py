@@ -17,5 +17,6 @@ def said(error: ValueError) -> str:
         if not innermost.f_globals.get("__name__", "").startswith(_OURS):
             raise error
     text = str(error)
-    text = text[:1].upper() + text[1:]
+    if text.partition(" ")[0].isalpha():  # else it is the name of a clip or a file
+        text = text[:1].upper() + text[1:]
     return text if text.endswith((".", "?", "!")) else f"{text}."
