@@ -35,7 +35,10 @@ class MapParameters:
     Raises ValueError, in plain words, for a value out of range.
     """
 
-    grid: str = _parameter("21x21", "Nodes across and down: more show finer differences between postures.")
+    grid: str = _parameter(
+        "21x21",
+        "Nodes across and down: more show finer differences between postures, and give more icons to choose from.",
+    )
     analysis_fps: float = _parameter(30.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0)
     samples: int = _parameter(
         2000, "About how many different postures the map learns from; near-equal ones count once.", 50, 100_000, 50

@@ -72,7 +72,7 @@ def layer_of(motion_map: MotionMap, dataset: Dataset, graph: MotifGraph | None, 
     colours: tuple[str, ...] = ()
     if colouring == "label":
         groups = label_segments(dataset)
-        colours = tuple(ACTIONS[k % len(ACTIONS)] for k in range(len(groups)))
+        colours = tuple(ACTIONS[k] if k < len(ACTIONS) else motif_colour(k) for k in range(len(groups)))
     elif colouring == "motif" and graph is not None:
         groups = {f"Motif {motif.id}": motif.segments for motif in graph.motifs}
         colours = tuple(motif_colour(motif.id) for motif in graph.motifs)
