@@ -11,7 +11,7 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from playwright.sync_api import CDPSession, Page, sync_playwright
+from playwright.sync_api import Page, sync_playwright
 
 from core import analyses
 from core.demo import make_demo
@@ -54,14 +54,8 @@ def measured(page: Page, keys: int, hits: int, act) -> float:
     return page.wait_for_function("() => window.taken", timeout=60_000).json_value()
 
 
-def busy_milliseconds(session: CDPSession) -> float:
-    """Processor time of the page's main thread so far: script, style, layout and paint."""
-    metrics = session.send("Performance.getMetrics")["metrics"]
-    return 1000 * next(metric["value"] for metric in metrics if metric["name"] == "TaskDuration")
-
-
-def clicks(page: Page, session: CDPSession, motion_map, nodes: np.ndarray) -> list[tuple[float, float]]:
-    """Clicks two keys, again and again on other nodes: time and processor time of every click, the first left out."""
+def clicks(page: Page, motion_map, nodes: np.ndarray) -> list[float]:
+    """Clicks two keys, again and again on other nodes: the time of every click, the first two left out."""
     times = []
     for first, second in zip(nodes[::2], nodes[1::2], strict=True):
         page.evaluate("motionscapeMap.setKeys([])")
@@ -71,9 +65,7 @@ def clicks(page: Page, session: CDPSession, motion_map, nodes: np.ndarray) -> li
             page.mouse.move(*place)
             page.wait_for_timeout(200)
             hits = len(motion_map.search(keys, 0.6))
-            before = busy_milliseconds(session)
-            taken = measured(page, len(keys), hits, lambda place=place: page.mouse.click(*place))
-            times.append((taken, busy_milliseconds(session) - before))
+            times.append(measured(page, len(keys), hits, lambda place=place: page.mouse.click(*place)))
     return times[2:]
 
 
@@ -90,12 +82,9 @@ def main() -> str:
             wait_for_map(page)
             page.wait_for_timeout(3000)
             page.evaluate(WATCH, "click")
-            session = page.context.new_cdp_session(page)
-            session.send("Performance.enable", {"timeDomain": "threadTicks"})
             busy = np.argwhere(motion_map.density > np.median(motion_map.density[motion_map.density > 0]))
             rng = np.random.default_rng(0)
-            found = clicks(page, session, motion_map, busy[rng.choice(len(busy), CLICKS + 2, replace=False)])
-        times, busy_times = zip(*found, strict=True)
+            times = clicks(page, motion_map, busy[rng.choice(len(busy), CLICKS + 2, replace=False)])
         version = browser.version
         browser.close()
     lines = [
@@ -105,15 +94,8 @@ def main() -> str:
 <<<<<<< HEAD
         "until the grown key, the strip of keys, the number of hits and the first 12 of their list are painted, "
         f"in headless Chromium {version}, software rendering, {VIEW['width']} x {VIEW['height']}; {len(times)} clicks: "
-        f"median {statistics.median(times):.0f}, worst {max(times):.0f}. "
-        f"Machine load at the end: {os.getloadavg()[0]:.1f} on {os.cpu_count()} cores. `{COMMAND}`",
-=======
-        "until the grown key, the strip of keys, the number of hits and the first 12 of their list are painted, in "
-        f"headless Chromium {version}, software rendering, {VIEW['width']} x {VIEW['height']}; {len(times)} clicks: "
-        f"median {statistics.median(times):.0f}, worst {max(times):.0f}. Processor time of the page's main thread "
-        f"for a click, its paint included: median {statistics.median(busy_times):.0f}. Machine load at the end: "
+        f"median {statistics.median(times):.0f}, worst {max(times):.0f}. Machine load at the end: "
         f"{os.getloadavg()[0]:.1f} on {os.cpu_count()} cores. `{COMMAND}`",
->>>>>>> 5dda96b (Map: search tasks in numbers, colours of many labels, the click's own cost)
     ]
     section = "\n".join(lines)
     print(section)
