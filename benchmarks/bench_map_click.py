@@ -91,7 +91,6 @@ def main() -> str:
         "## Click on the map",
         "",
         f"Milliseconds from a click on a node of the demo's 40 x 40 map ({len(motion_map.runs.node)} runs, T = .6 m) "
-<<<<<<< HEAD
         "until the grown key, the strip of keys, the number of hits and the first 12 of their list are painted, "
         f"in headless Chromium {version}, software rendering, {VIEW['width']} x {VIEW['height']}; {len(times)} clicks: "
         f"median {statistics.median(times):.0f}, worst {max(times):.0f}. Machine load at the end: "
