@@ -118,7 +118,7 @@
     const name = element("input", "search-clip");
     name.setAttribute("list", "search-clip-names");
     name.setAttribute("aria-label", "Clip that is looked for");
-    name.placeholder = now.clips ? "Type or choose a clip to look for" : "No dataset yet";
+    name.placeholder = now.clips ? "Choose a clip" : "No dataset yet";
     const hint = element("span", "muted search-hint", "What motion do you look for? Choose a clip, then drag over the part that matters.");
     const made = element("div", "search-source search-source-empty", element("div", "search-source-head", name, hint));
     made.dataset.index = 0;

@@ -9,8 +9,22 @@ from __future__ import annotations
 import math
 import types
 from collections.abc import Mapping
-from dataclasses import MISSING, dataclass, fields
+from dataclasses import MISSING, dataclass, field, fields
 from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
+
+
+def parameter(
+    default: Any,
+    help: str,
+    low: float | None = None,
+    high: float | None = None,
+    step: float | None = None,
+    choices: tuple = (),
+    advanced: bool = False,
+) -> Any:
+    """A field of a parameters' dataclass, with the metadata that this module reads."""
+    metadata = {"help": help, "min": low, "max": high, "step": step, "choices": choices, "advanced": advanced}
+    return field(default=default, metadata=metadata)
 
 
 class ParameterError(ValueError):
@@ -78,7 +92,7 @@ class Parameter:
 def parameters_of(kind: type) -> tuple[Parameter, ...]:
     """The parameters that the dataclass ``kind`` describes, in its order. Raises TypeError for other annotations."""
     hints = get_type_hints(kind)
-    return tuple(_parameter(field, hints[field.name]) for field in fields(kind) if field.init)
+    return tuple(_read(field, hints[field.name]) for field in fields(kind) if field.init)
 
 
 def fill(kind: type, values: Mapping[str, Any]) -> dict[str, Any]:
@@ -103,7 +117,7 @@ def build(kind: type, values: Mapping[str, Any]) -> Any:
         raise ParameterError(str(error)) from error
 
 
-def _parameter(field: Any, hint: Any) -> Parameter:
+def _read(field: Any, hint: Any) -> Parameter:
     kinds, words = _kinds(hint, field.name)
     meta = field.metadata
     default = _default(field)

@@ -7,13 +7,14 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
 
 from core.evaluation.ranking import RegimeScores, clip_labels, score_rankings
 from core.mocap.dataset import Dataset
+from core.parameters import parameter
 from core.progress import Report, silent
 from core.retrieval.queries import whole_query
 from core.retrieval.search import ENGINES, SearchParameters, build_search_index
@@ -27,11 +28,6 @@ KNOWN = (*ENGINES, *BASELINE_NAMES, CHANCE)
 """Everything that can rank clips: the engines of the search, the baselines, and chance."""
 
 
-def _parameter(default: Any, help: str, low=None, high=None, step=None, choices: tuple = (), advanced: bool = False):
-    metadata = {"help": help, "min": low, "max": high, "step": step, "choices": choices, "advanced": advanced}
-    return field(default=default, metadata=metadata)
-
-
 @dataclass(frozen=True)
 class RankingParameters:
     """What ranks the clips. Each field's metadata: ``help``, ``min``, ``max``, ``step``, ``choices``, ``advanced``.
@@ -39,13 +35,13 @@ class RankingParameters:
     Raises ValueError, in plain words, for a value out of range.
     """
 
-    engines: str = _parameter(
+    engines: str = parameter(
         "bounded-edit,parts,printed", "What is compared, with commas between: " + ", ".join(KNOWN) + "."
     )
-    queries: int = _parameter(
+    queries: int = parameter(
         300, "Clips that are searched for, spread evenly over all; each is compared with every other.", 1, 100_000, 1
     )
-    seed: int = _parameter(0, "Number that starts the random choices.", 0, None, 1, advanced=True)
+    seed: int = parameter(0, "Number that starts the random choices.", 0, None, 1, advanced=True)
 
     def __post_init__(self) -> None:
         if not self.names:

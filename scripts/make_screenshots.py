@@ -2,13 +2,15 @@
 
 usage: python -m scripts.make_screenshots [FOLDER]      (default: docs)
 
-Serves a fresh workspace with the demo, waits for its motif graph, selects a motif, and writes motifs.png.
+Serves a fresh workspace with the demo and the results that the pages show, and writes motifs.png, map.png, search.png
+and grammar.png.
 """
 
 from __future__ import annotations
 
 import sys
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
 
 from playwright.sync_api import Page, sync_playwright
@@ -19,25 +21,51 @@ from tests.browser.start import running, start_chromium
 from webapp.app import create_app
 
 SIZE = {"width": 1440, "height": 900}
+PATIENCE = 120_000  # milliseconds
 
 
 def prepared(folder: Path) -> Workspace:
-    """A workspace in ``folder`` with the demo and its motif graph."""
+    """A workspace in ``folder`` with the demo and what is shown of it."""
     workspace = Workspace(folder)
     run(workspace, Request(DEMO, "demo"))
-    run(workspace, Request(DEMO, "motifs"))
+    for method in ("motifs", "map", "search", "grammar"):
+        run(workspace, Request(DEMO, method))
     return workspace
 
 
-def motifs(page: Page, address: str) -> bytes:
-    """PNG of the Motifs page with a motif of several long motions playing."""
-    page.goto(f"{address}/motifs?dataset={DEMO}")
+def motifs(page: Page) -> None:
+    """A motif of several long motions playing."""
     page.locator(".ag-row").first.wait_for()
     page.locator(".ag-row[row-index='3']").first.click()
     page.wait_for_function("window.motionscapeStage.figures > 1")
-    page.evaluate("window.scrollTo(0, 0); document.querySelectorAll('*').forEach(e => { e.scrollTop = 0; })")
-    page.wait_for_timeout(900)
-    return page.screenshot()
+
+
+def motion_map(page: Page) -> None:
+    """A key posture chosen and its first hit played."""
+    page.wait_for_function("window.motionscapeMap?.state?.hits?.length > 0")
+    page.locator("#map-play-all").click()
+    page.wait_for_function("window.motionscapeStage.figures > 0")
+
+
+def search(page: Page) -> None:
+    """Hits of a stretch, and the first beside the query."""
+    page.locator(".search-hit.explained").first.wait_for()
+    page.locator(".search-open").nth(1).click()
+    page.wait_for_function("window.motionscapeStage.figures > 1")
+
+
+def grammar(page: Page) -> None:
+    """An action with all its occurrences."""
+    page.locator("#action-cards button, #action-cards [data-value]").nth(5).click()
+    page.wait_for_function("window.motionscapeStage.figures > 1")
+
+
+PICTURES: dict[str, tuple[str, Callable[[Page], None]]] = {
+    "motifs": ("/motifs?dataset=demo", motifs),
+    "map": ("/map?dataset=demo&keys=10-10&reach=0.60", motion_map),
+    "search": ("/search?dataset=demo&query=ana_01:900-1080", search),
+    "grammar": ("/grammar?dataset=demo", grammar),
+}
 
 
 def main(folder: Path) -> None:
@@ -47,7 +75,18 @@ def main(folder: Path) -> None:
         application = create_app(prepared(Path(temporary)).path).server
         with running(application) as address:
             browser = start_chromium(playwright)
-            (folder / "motifs.png").write_bytes(motifs(browser.new_page(viewport=SIZE), address))
+            for name, (link, arrange) in PICTURES.items():
+                page = browser.new_page(viewport=SIZE)
+                page.set_default_timeout(PATIENCE)
+                page.goto(f"{address}{link}")
+                arrange(page)
+                page.evaluate(
+                    "window.scrollTo(0, 0); document.querySelectorAll('*').forEach(e => { e.scrollTop = 0; })"
+                )
+                page.wait_for_timeout(1500)
+                page.mouse.move(SIZE["width"] / 2, 4)
+                (folder / f"{name}.png").write_bytes(page.screenshot())
+                page.close()
             browser.close()
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass, field, fields
+from dataclasses import asdict, dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -20,14 +20,10 @@ from core.grammar.sentences import best_cuts
 from core.grammar.terminals import Terminals
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
+from core.parameters import parameter
 from core.progress import Report, silent
 
 ENOUGH_CLIPS = 8  # recordings that can be sentences by themselves: fewer have little to be compared
-
-
-def _parameter(default: Any, help: str, low=None, high=None, step=None, choices: tuple = (), advanced: bool = True):
-    metadata = {"help": help, "min": low, "max": high, "step": step, "choices": choices, "advanced": advanced}
-    return field(default=default, metadata=metadata)
 
 
 @dataclass(frozen=True)
@@ -37,39 +33,41 @@ class GrammarParameters(TerminalParameters):
     Raises ValueError, in plain words, for a value out of range.
     """
 
-    sentences: str = _parameter(
+    sentences: str = parameter(
         "auto",
         "clips = every recording is one sentence; shortest = cut recordings where that makes the description shortest; "
         "auto = clips where there are eight or more.",
-        choices=("auto", "clips", "shortest"), advanced=False,
+        choices=("auto", "clips", "shortest"),
     )  # fmt: skip
-    repeats: str = _parameter(
+    repeats: str = parameter(
         "keep",
         "keep = an action done again counts again; join = the same action several times in a row counts as one.",
-        choices=("keep", "join"), advanced=False,
+        choices=("keep", "join"),
     )  # fmt: skip
-    min_sentence: int = _parameter(3, "With shortest: actions that a sentence has at least.", 1, 1000, 1)
-    candidates: int = _parameter(40, "With shortest: ways to cut that are tried.", 0, 10_000, 10)
-    align: str = _parameter(
+    min_sentence: int = parameter(3, "With shortest: actions that a sentence has at least.", 1, 1000, 1, advanced=True)
+    candidates: int = parameter(40, "With shortest: ways to cut that are tried.", 0, 10_000, 10, advanced=True)
+    align: str = parameter(
         "auto",
         "pairs = every two sentences side by side; contexts = whatever stands between equal actions; auto = pairs "
         "where there are not too many.",
-        choices=("auto", "pairs", "contexts"),
+        choices=("auto", "pairs", "contexts"), advanced=True,
     )  # fmt: skip
-    select: str = _parameter(
+    select: str = parameter(
         "saving",
         "Which of overlapping phrases is kept: saving = the one that saves most writing; branch = the most usual of "
         "its kind, as in the 2011 paper; leaf = the one whose actions recur most.",
-        choices=("saving", "branch", "leaf"),
+        choices=("saving", "branch", "leaf"), advanced=True,
     )  # fmt: skip
-    touching: bool = _parameter(
-        False, "Let phrases meet: more new sentences, and neighbours among their actions that were never seen."
+    touching: bool = parameter(
+        False,
+        "Let phrases meet: more new sentences, and neighbours among their actions that were never seen.",
+        advanced=True,
     )
-    merge: str = _parameter(
+    merge: str = parameter(
         "side",
         "Make phrases one kind where that shortens the description: side = if they also stand beside the same action; "
         "rules = wherever; no = never.",
-        choices=("side", "rules", "no"),
+        choices=("side", "rules", "no"), advanced=True,
     )  # fmt: skip
 
     def __post_init__(self) -> None:

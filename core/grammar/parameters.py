@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from typing import Any
+from dataclasses import dataclass
+
+from core.parameters import parameter
 
 METHODS = ("alternation", "paper", "annealing")
-
-
-def _parameter(default: Any, help: str, low=None, high=None, step=None, choices: tuple = (), advanced: bool = False):
-    metadata = {"help": help, "min": low, "max": high, "step": step, "choices": choices, "advanced": advanced}
-    return field(default=default, metadata=metadata)
 
 
 @dataclass(frozen=True)
@@ -20,25 +16,25 @@ class TerminalParameters:
     Raises ValueError, in plain words, for a value out of range.
     """
 
-    n_terminals: int = _parameter(20, "How many elementary actions to tell apart.", 1, 500, 1)
-    weight: float = _parameter(
+    n_terminals: int = parameter(20, "How many elementary actions to tell apart.", 1, 500, 1)
+    weight: float = parameter(
         0.02, "Higher: fewer, longer repeats count more; lower: likeness within an action counts more.", 0.0, 1.0, 0.01
     )
-    min_seconds: float = _parameter(1.25, "The shortest piece an action may have, in seconds.", 0.1, 10.0, 0.1)
-    max_seconds: float = _parameter(4.0, "The longest piece an action may have, in seconds.", 0.2, 30.0, 0.1)
-    method: str = _parameter(
+    min_seconds: float = parameter(1.25, "The shortest piece an action may have, in seconds.", 0.1, 10.0, 0.1)
+    max_seconds: float = parameter(4.0, "The longest piece an action may have, in seconds.", 0.2, 30.0, 0.1)
+    method: str = parameter(
         "alternation",
         "alternation = fast; paper = the 2011 paper's genetic search and fine tuning (slow); annealing = the same, "
         "with true annealing.",
         choices=METHODS,
     )
-    mirror: bool = _parameter(True, "Whether a motion to the left and the same to the right are one action.")
-    pose: str = _parameter(
+    mirror: bool = parameter(True, "Whether a motion to the left and the same to the right are one action.")
+    pose: str = parameter(
         "positions",
         "What is compared: positions = where the joints are, seen from the pelvis; angles = how the joints are bent.",
         choices=("positions", "angles"), advanced=True,
     )  # fmt: skip
-    velocity: float = _parameter(
+    velocity: float = parameter(
         0.25,
         "How much speed counts beside posture: the seconds over which it would lead.",
         0.0,
@@ -46,19 +42,19 @@ class TerminalParameters:
         0.05,
         advanced=True,
     )
-    starts: int = _parameter(
+    starts: int = parameter(
         8, "With alternation: random beginnings, of which the best goes on.", 1, 1000, 1, advanced=True
     )
-    grid: int = _parameter(15, "With paper and annealing: frames between possible cuts.", 1, 1000, 1, advanced=True)
-    population: int = _parameter(
+    grid: int = parameter(15, "With paper and annealing: frames between possible cuts.", 1, 1000, 1, advanced=True)
+    population: int = parameter(
         100, "With paper and annealing: segmentations alive at a time.", 2, 10_000, 1, advanced=True
     )
-    generations: int = _parameter(500, "With paper and annealing: generations.", 1, 100_000, 10, advanced=True)
-    iterations: int = _parameter(
+    generations: int = parameter(500, "With paper and annealing: generations.", 1, 100_000, 10, advanced=True)
+    iterations: int = parameter(
         1000, "With paper and annealing: attempts to move single cuts.", 0, 1_000_000, 100, advanced=True
     )
-    analysis_fps: float = _parameter(15.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0, advanced=True)
-    seed: int = _parameter(
+    analysis_fps: float = parameter(15.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0, advanced=True)
+    seed: int = parameter(
         0, "Number that starts the random choices; the same number gives the same result.", 0, None, 1
     )
 

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, fields
 from typing import Any
 
-
-def _parameter(default: Any, help: str, low=None, high=None, step=None, choices: tuple = (), advanced: bool = False):
-    metadata = {"help": help, "min": low, "max": high, "step": step, "choices": choices, "advanced": advanced}
-    return field(default=default, metadata=metadata)
+from core.parameters import parameter
 
 
 @dataclass(frozen=True)
@@ -22,38 +19,38 @@ class MotifParameters:
     Raises ValueError, in plain words, for a value out of range.
     """
 
-    kappa: int | str = _parameter(
+    kappa: int | str = parameter(
         "auto",
         "How many different poses to tell apart. More: stricter motifs, less of the motion covered. "
         "auto: 50 times the square root of how far the motion travels through different poses.",
         2, 20_000, 1,
     )  # fmt: skip
-    rho: float = _parameter(
+    rho: float = parameter(
         1.0, "Below 1 prefers motifs with many motions, above 1 prefers motifs with long motions.", 0.2, 5.0, 0.1
     )
-    gamma: float = _parameter(
+    gamma: float = parameter(
         1.5, "How much faster or slower one motion of a motif may be than another (1.5: by half).", 1.0, 4.0, 0.05
     )
-    min_letters: int = _parameter(
+    min_letters: int = parameter(
         5, "Shortest motion, counted in changes of pose. Lower finds shorter motions, and more chance hits.", 2, 100, 1
     )
-    max_letters: int = _parameter(30, "Longest motion, counted in changes of pose.", 2, 400, 1)
-    adjacency: str = _parameter(
+    max_letters: int = parameter(30, "Longest motion, counted in changes of pose.", 2, 400, 1)
+    adjacency: str = parameter(
         "radius",
         "Which poses may stand for each other: radius = all within one distance; spheres = the 2008 paper's rule, "
         "whose reach depends on how many poses are told apart.",
         choices=("radius", "spheres"),
     )
-    pose: str = _parameter(
+    pose: str = parameter(
         "angles", "What makes poses alike: joint angles, or positions of the joints.", choices=("angles", "positions")
     )
-    analysis_fps: float = _parameter(
+    analysis_fps: float = parameter(
         30.0, "Frames a second that are looked at. 30 is fast and enough for most motion.", 5.0, 240.0, 5.0
     )
-    seed: int = _parameter(
+    seed: int = parameter(
         0, "Number that starts the random choices; the same number gives the same result.", 0, None, 1
     )
-    reach: float = _parameter(
+    reach: float = parameter(
         0.07,
         "With radius: the share of all pairs of pose clusters that count as alike.",
         0.001,
@@ -61,33 +58,33 @@ class MotifParameters:
         0.005,
         advanced=True,
     )
-    strictness: float = _parameter(
+    strictness: float = parameter(
         0.545, "Mean distance along two motions up to which they match, as a share of the radius.", 0.05, 1.0, 0.05,
         advanced=True,
     )  # fmt: skip
-    join: float = _parameter(
+    join: float = parameter(
         0.8,
         "Leftover motions join a motif they match up to this mean distance, as a share of the radius; 0: none.",
         0.0, 1.5, 0.05, advanced=True,
     )  # fmt: skip
-    tightness: float = _parameter(
+    tightness: float = parameter(
         0.6,
         "How much less a motion counts for a motif that is only just near enough; 0: all count alike, as in the paper.",
         0.0, 1.0, 0.1, advanced=True,
     )  # fmt: skip
-    min_seconds: float = _parameter(
+    min_seconds: float = parameter(
         0.35, "Shortest motion in seconds, whatever its number of letters.", 0.0, 10.0, 0.1, advanced=True
     )
-    hold: float = _parameter(
+    hold: float = parameter(
         0.25,
         "Seconds of a held first or last pose that count as part of a motion.",
         0.0, 2.0, 0.01, advanced=True,
     )  # fmt: skip
-    slack: float = _parameter(
+    slack: float = parameter(
         1.0, "Freedom of the time alignment around a pose that is held, in shares of its duration.", 0.0, 4.0, 0.1,
         advanced=True,
     )  # fmt: skip
-    seeding: str = _parameter(
+    seeding: str = parameter(
         "largest",
         "largest = always the largest motif next, the same every time; random = the paper's random seeds.",
         choices=("largest", "random"), advanced=True,

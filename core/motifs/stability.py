@@ -23,6 +23,7 @@ from core.motifs.parameters import MotifParameters
 from core.motifs.quantize import automatic_kappa
 from core.motifs.stages import STAGES, Stage, Work
 from core.motifs.sweep import graphs_of
+from core.parameters import parameter
 from core.poses.features import pose_features
 from core.progress import Report, silent
 
@@ -30,18 +31,14 @@ FORMAT = "motionscape/stability/1"
 KINDS = ("noise", "seed", "parameters")
 
 
-def _parameter(default: Any, help: str, low: float, high: float, step: float) -> Any:
-    return field(default=default, metadata={"help": help, "min": low, "max": high, "step": step, "choices": ()})
-
-
 @dataclass(frozen=True)
 class StabilityParameters(MotifParameters):
     """The parameters of the motif graph that is judged, and how it is tried. Raises ValueError as its base does."""
 
-    repetitions: int = _parameter(2, "How many times noise is added, and how many other seeds are tried.", 1, 20, 1)
-    noise_degrees: float = _parameter(2.0, "Strength of the noise on each axis of each joint, in degrees.", 0.0, 45, 1)
-    noise_low: float = _parameter(0.5, "Lowest frequency of the noise, in Hz.", 0.0, 100, 0.5)
-    noise_high: float = _parameter(5.0, "Highest frequency of the noise, in Hz.", 0.1, 200, 0.5)
+    repetitions: int = parameter(2, "How many times noise is added, and how many other seeds are tried.", 1, 20, 1)
+    noise_degrees: float = parameter(2.0, "Strength of the noise on each axis of each joint, in degrees.", 0.0, 45, 1)
+    noise_low: float = parameter(0.5, "Lowest frequency of the noise, in Hz.", 0.0, 100, 0.5)
+    noise_high: float = parameter(5.0, "Highest frequency of the noise, in Hz.", 0.1, 200, 0.5)
 
     def __post_init__(self) -> None:
         super().__post_init__()
@@ -168,8 +165,8 @@ def stability(dataset: Dataset, parameters: StabilityParameters = _DEFAULT, repo
 class _Shaken(MotifParameters):
     """An analysis of the motion with noise number ``noise``; 0 is the motion as it is."""
 
-    noise: int = _parameter(0, "", 0, 100, 1)
-    degrees: float = _parameter(0.0, "", 0, 360, 1)
+    noise: int = parameter(0, "", 0, 100, 1)
+    degrees: float = parameter(0.0, "", 0, 360, 1)
     band: tuple[float, float] = field(default=(0.0, 1.0), metadata={"choices": (), "min": None, "max": None})
 
     def __post_init__(self) -> None:

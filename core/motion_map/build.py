@@ -6,8 +6,7 @@ import re
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass, field, replace
-from typing import Any
+from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
@@ -19,13 +18,9 @@ from core.motion_map.motion_map import MotionMap
 from core.motion_map.regions import find_regions, region_icons
 from core.motion_map.samples import reduce_samples, threshold_for
 from core.motion_map.som import PASSES, batch_som, best_nodes, errors, online_som
+from core.parameters import parameter
 from core.poses.postures import postures_of
 from core.progress import Report, silent
-
-
-def _parameter(default: Any, help: str, low=None, high=None, step=None, choices: tuple = (), advanced: bool = False):
-    metadata = {"help": help, "min": low, "max": high, "step": step, "choices": choices, "advanced": advanced}
-    return field(default=default, metadata=metadata)
 
 
 @dataclass(frozen=True)
@@ -35,28 +30,28 @@ class MapParameters:
     Raises ValueError, in plain words, for a value out of range.
     """
 
-    grid: str = _parameter(
+    grid: str = parameter(
         "21x21",
         "Nodes across and down: more show finer differences between postures, and give more icons to choose from.",
     )
-    analysis_fps: float = _parameter(30.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0)
-    samples: int = _parameter(
+    analysis_fps: float = parameter(30.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0)
+    samples: int = parameter(
         2000, "About how many different postures the map learns from; near-equal ones count once.", 50, 100_000, 50
     )
-    sigma: float = _parameter(
+    sigma: float = parameter(
         0.7,
         "How smooth the map ends up: higher keeps neighbours more alike, lower follows single postures.",
         0.2, 5.0, 0.1,
     )  # fmt: skip
-    epochs: int = _parameter(24, "How many times the map is adapted.", 1, 1000, 1, advanced=True)
-    training: str = _parameter(
+    epochs: int = parameter(24, "How many times the map is adapted.", 1, 1000, 1, advanced=True)
+    training: str = parameter(
         "batch",
         "batch = fast, all postures at once; online = the 2004 paper's own schedule, one posture at a time (slow).",
         choices=("batch", "online"), advanced=True,
     )  # fmt: skip
-    passes: int = _parameter(PASSES, "With online: passes over all samples.", 1, 10_000, 1, advanced=True)
-    seed: int = _parameter(0, "Number that starts the random choices; the same number gives the same map.", 0, None, 1)
-    model: str = _parameter(
+    passes: int = parameter(PASSES, "With online: passes over all samples.", 1, 10_000, 1, advanced=True)
+    seed: int = parameter(0, "Number that starts the random choices; the same number gives the same map.", 0, None, 1)
+    model: str = parameter(
         "",
         "Key of an earlier map in the workspace: its postures stay, and the clips are only put on them. "
         "Then the other settings do nothing.",

@@ -12,6 +12,7 @@ import numpy as np
 
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
+from core.parameters import parameter
 from core.poses.body_parts import LEAVES, normalise_weights
 from core.progress import Report, silent
 from core.retrieval.hits import Explanation, Hit, IndexedClip
@@ -29,11 +30,6 @@ INTERVALS = 20
 """Hits of a search for intervals, where nothing else is said."""
 
 
-def _parameter(default: Any, help: str, low=None, high=None, step=None, choices: tuple = (), advanced: bool = False):
-    metadata = {"help": help, "min": low, "max": high, "step": step, "choices": choices, "advanced": advanced}
-    return field(default=default, metadata=metadata)
-
-
 @dataclass(frozen=True)
 class SearchParameters:
     """What an index is built from. Each field's metadata: ``help``, ``min``, ``max``, ``step``, ``choices``,
@@ -42,20 +38,20 @@ class SearchParameters:
     Raises ValueError, in plain words, for a value out of range.
     """
 
-    method: str = _parameter(
+    method: str = parameter(
         "bounded-edit",
         "bounded-edit = how the postures change, by an edit distance; the default. parts = the 2009 paper's patterns "
         "of parts of the body, repaired. printed = the same with the paper's own matching, to compare with.",
         choices=tuple(ENGINES),
     )
-    analysis_fps: float = _parameter(30.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0, advanced=True)
-    pattern_error: float = _parameter(
+    analysis_fps: float = parameter(30.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0, advanced=True)
+    pattern_error: float = parameter(
         0.6,
         "With parts and printed: how far a movement may be from its pattern, as a share of their spread; "
         "less makes more patterns.",
         0.1, 5.0, 0.1, advanced=True,
     )  # fmt: skip
-    seed: int = _parameter(0, "Number that starts the random choices; equal numbers give equal indexes.", 0, None, 1)
+    seed: int = parameter(0, "Number that starts the random choices; equal numbers give equal indexes.", 0, None, 1)
 
     def __post_init__(self) -> None:
         if self.method not in ENGINES:

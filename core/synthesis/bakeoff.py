@@ -17,6 +17,7 @@ from core.grammar.trees import leaves
 from core.mocap.clip import Clip
 from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
+from core.parameters import parameter
 from core.progress import Report, silent
 from core.synthesis.derivations import Derivation, perform
 from core.synthesis.motif_paths import MotifPaths, motif_paths
@@ -29,18 +30,14 @@ String = tuple[int, ...]
 Accepts = Callable[[Sequence[int]], bool]
 
 
-def _parameter(default: int, help: str, low: int, high: int) -> Any:
-    return field(default=default, metadata={"help": help, "min": low, "max": high, "step": 1})
-
-
 @dataclass(frozen=True)
 class BakeoffParameters(GrammarParameters):
     """How the comparison is made, besides how the grammar is learned. Raises ValueError for a value out of range."""
 
-    folds: int = _parameter(5, "Parts into which sentences are divided; each is held out once.", 2, 50)
-    shuffles: int = _parameter(20, "Shuffles of every held-out sentence.", 1, 1000)
-    routines: int = _parameter(4, "New motions that each makes, to measure them.", 1, 50)
-    max_terminals: int = _parameter(40, "Actions of a new motion at most.", 1, 200)
+    folds: int = parameter(5, "Parts into which sentences are divided; each is held out once.", 2, 50)
+    shuffles: int = parameter(20, "Shuffles of every held-out sentence.", 1, 1000)
+    routines: int = parameter(4, "New motions that each makes, to measure them.", 1, 50)
+    max_terminals: int = parameter(40, "Actions of a new motion at most.", 1, 200)
 
     def __post_init__(self) -> None:
         super().__post_init__()

@@ -13,7 +13,7 @@ from webapp.components import method
 from webapp.components.actions import sends
 from webapp.components.downloads import table_download
 from webapp.components.icons import icon
-from webapp.figures.charts import CONFIG
+from webapp.figures.charts import CONFIG, empty
 from webapp.figures.motion_map import COLOURINGS
 from webapp.motion_maps import OtherMap
 
@@ -91,7 +91,7 @@ def _map_card() -> Component:
         **{"aria-label": "What a click on the map does"},
     )
     bar = html.Div([colour, click, html.Div(className="spacer"), _save()], className="map-bar")
-    graph = dcc.Graph(id="map-graph", config={**CONFIG, "staticPlot": True}, responsive=True)
+    graph = dcc.Graph(id="map-graph", figure=empty(), config={**CONFIG, "staticPlot": True}, responsive=True)
     plot = html.Div(graph, id="map-plot", className="map-plot")
     return html.Div(
         [

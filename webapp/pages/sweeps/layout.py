@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import dash_mantine_components as dmc
-import plotly.graph_objects as go
 from dash import dcc, html
 from dash.development.base_component import Component
 
@@ -18,7 +17,7 @@ from webapp.components.errors import empty_state
 from webapp.components.icons import icon
 from webapp.components.page_head import page_head
 from webapp.components.running import running
-from webapp.figures.charts import CONFIG
+from webapp.figures.charts import CONFIG, empty
 from webapp.figures.measures import MEASURES
 from webapp.pages.motifs.form import LABELS
 from webapp.pages.sweeps.reading import MOST_SEEDS, NO_AXIS
@@ -193,18 +192,7 @@ def _heat() -> Component:
 
 
 def _graph(name: str, height: int) -> Component:
-    """A chart before there is anything to show: no axes to flash."""
-    bare = {"visible": False}
-    clear = {
-        "xaxis": bare,
-        "yaxis": bare,
-        "template": "none",
-        "paper_bgcolor": "rgba(0,0,0,0)",
-        "plot_bgcolor": "rgba(0,0,0,0)",
-    }
-    return dcc.Graph(
-        id=name, figure=go.Figure(layout=clear), config=CONFIG, className="sweep-chart", style={"height": f"{height}px"}
-    )
+    return dcc.Graph(id=name, figure=empty(), config=CONFIG, className="sweep-chart", style={"height": f"{height}px"})
 
 
 def status(dataset: str | None, job: Job | None, ready: int, total: int, problem: str = "") -> Component | None:
