@@ -12,7 +12,7 @@ import threading
 import time
 import traceback
 from collections import OrderedDict
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field
 from datetime import datetime
@@ -25,6 +25,7 @@ from core.mocap.errors import RecordingError
 from core.motifs.axes import SweepParameters
 from core.parameters import Parameter, ParameterError, build, parameters_of
 from core.progress import Cancelled, Report, silent
+from core.requests import Request, query_request
 from core.workspace import (
     Job,
     ResultDamaged,
@@ -48,15 +49,6 @@ _KEPT_RESULTS = 16
 
 class AnalysisError(ValueError):
     """An analysis failed; the message is for the person who asked."""
-
-
-@dataclass(frozen=True)
-class Request:
-    """Do ``method`` to the data set called ``dataset``; parameters that are not given take their defaults."""
-
-    dataset: str
-    method: str
-    parameters: Mapping[str, Any] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -398,28 +390,3 @@ TASKS: dict[str, Task] = {
     "sweep": Task("Sweep", SweepParameters, _sweep, analyses=True),
     "grammar-table": Task("Compare numbers of actions", TableParameters, _grammar_table, analyses=True),
 }
-
-
-def query_request(file: str, upload: str) -> Request:
-    """The request that reads an upload, called ``file`` for people, as something to look for; kept under its key."""
-    return Request(file, "query", {"upload": upload})
-
-
-def import_request(name: str, upload: str, **options: Any) -> Request:
-    """The request that imports an upload as the data set ``name``; options as in tasks.ImportParameters."""
-    return Request(name, "import", {"upload": upload, **options})
-
-
-def add_request(name: str, upload: str, **options: Any) -> Request:
-    """The request that adds an upload to the data set ``name``; options as in tasks.AddParameters."""
-    return Request(name, "add", {"upload": upload, **options})
-
-
-def remove_request(name: str, clips: Iterable[str]) -> Request:
-    """The request that removes clips from the data set ``name``."""
-    return Request(name, "remove", {"clips": tasks.names_of_clips(clips)})
-
-
-def edit_request(name: str, clip: str, action: str, **options: Any) -> Request:
-    """The request that edits a clip of the data set ``name``; options as in tasks.EditParameters."""
-    return Request(name, "edit", {"clip": clip, "action": action, **options})

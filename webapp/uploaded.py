@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import re
 
-from core import analyses
+from core import requests
 from core.mocap.dataset import Dataset
 from core.workspace import Job, ResultDamaged, Workspace, WorkspaceError
 from core.workspace.query_files import kept_query
@@ -21,7 +21,7 @@ GONE = "The uploaded recording is no longer here; upload it again."
 def start(workspace: Workspace, file: str, token: str) -> Job:
     """Asks for an upload, called ``file`` for people, to be read. Raises WorkspaceError, ParameterError."""
     workspace.uploads.path(token)  # raises where there is none
-    return jobs.start(workspace, analyses.query_request(file[:80] or "recording", token))
+    return jobs.start(workspace, requests.query_request(file[:80] or "recording", token))
 
 
 def name_of(job: Job) -> str:

@@ -6,7 +6,7 @@ import signal
 
 import pytest
 
-from core import analyses
+from core import analyses, requests
 from core.analyses import AnalysisError, Request
 from core.parameters import ParameterError, fill, parameters_of
 from core.progress import Cancelled
@@ -226,31 +226,31 @@ def test_an_upload_is_imported_as_a_job(workspace, tmp_path):
     write_bvh(tmp_path / "a.bvh", clip)
     token = workspace.uploads.create()
     workspace.uploads.add(token, "a.bvh", [(tmp_path / "a.bvh").read_bytes()])
-    analyses.run(workspace, analyses.import_request("uploaded", token))
+    analyses.run(workspace, requests.import_request("uploaded", token))
     assert workspace.info("uploaded").clips == 1 and workspace.jobs.list()[0].state == "done"
     with pytest.raises(WorkspaceError, match="already"):
-        analyses.submit(workspace, analyses.import_request("uploaded", token))
+        analyses.submit(workspace, requests.import_request("uploaded", token))
     with pytest.raises(AnalysisError, match="no longer here"):
-        analyses.run(workspace, analyses.import_request("again", token))
+        analyses.run(workspace, requests.import_request("again", token))
     bad = workspace.uploads.create()
     workspace.uploads.add(bad, "a.bvh", [b"nothing of use"])
     with pytest.raises(AnalysisError, match=r"cannot be read: a\.bvh"):
-        analyses.run(workspace, analyses.import_request("bad", bad))
+        analyses.run(workspace, requests.import_request("bad", bad))
     with pytest.raises(AnalysisError, match="not a valid upload"):
-        analyses.run(workspace, analyses.import_request("bad", "../datasets"))
+        analyses.run(workspace, requests.import_request("bad", "../datasets"))
 
 
 def test_what_comes_to_a_data_set_or_leaves_it_is_a_job(workspace):
     token = workspace.uploads.create()
     workspace.uploads.add(token, "a.csv", [b"clip,action\nwalk_1,sit\nwalk_0,stand\n"])
-    analyses.run(workspace, analyses.add_request("toy", token, labels="replace"))
+    analyses.run(workspace, requests.add_request("toy", token, labels="replace"))
     assert [label.action for label in workspace.open("toy").labels] == ["sit", "stand"]
-    analyses.run(workspace, analyses.remove_request("toy", ["walk_1"]))
+    analyses.run(workspace, requests.remove_request("toy", ["walk_1"]))
     assert workspace.open("toy").names == ("walk_0",)
-    for wrong in (analyses.remove_request("toy", ["x"]), Request("toy", "remove", {"clips": "{"})):
+    for wrong in (requests.remove_request("toy", ["x"]), Request("toy", "remove", {"clips": "{"})):
         with pytest.raises(AnalysisError, match=r"no clip|not clear"):
             analyses.run(workspace, wrong)
-    for wrong in (analyses.remove_request("none", ["x"]), analyses.add_request("none", token)):
+    for wrong in (requests.remove_request("none", ["x"]), requests.add_request("none", token)):
         with pytest.raises(WorkspaceError, match="no dataset"):
             analyses.submit(workspace, wrong)
     titles = {job.title for job in workspace.jobs.list()}

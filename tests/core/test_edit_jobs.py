@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from core import analyses
+from core import analyses, requests
 from core.mocap.clip import Label
 from core.mocap.dataset import Dataset
 from core.parameters import ParameterError
@@ -24,7 +24,7 @@ def workspace(tmp_path):
 
 
 def edit(workspace: Workspace, action: str, **options) -> Dataset:
-    analyses.run(workspace, analyses.edit_request("walks", "gait", action, **options))
+    analyses.run(workspace, requests.edit_request("walks", "gait", action, **options))
     return workspace.open(options.get("into") or "walks")
 
 
@@ -75,11 +75,11 @@ def test_what_cannot_be_edited_says_why_and_leaves_all_as_it_is(workspace):
         ("mirror", {"into": "walks"}, "already a dataset"),
     ):
         with pytest.raises(analyses.AnalysisError, match=why):
-            analyses.run(workspace, analyses.edit_request("walks", "gait", action, **options))
+            analyses.run(workspace, requests.edit_request("walks", "gait", action, **options))
     with pytest.raises(analyses.AnalysisError, match="no clip 'jump'"):
-        analyses.run(workspace, analyses.edit_request("walks", "jump", "mirror"))
+        analyses.run(workspace, requests.edit_request("walks", "jump", "mirror"))
     with pytest.raises(ParameterError, match="action"):
-        analyses.submit(workspace, analyses.edit_request("walks", "gait", "paint"))
+        analyses.submit(workspace, requests.edit_request("walks", "gait", "paint"))
     with pytest.raises(WorkspaceError, match="no dataset"):
-        analyses.submit(workspace, analyses.edit_request("none", "gait", "mirror"))
+        analyses.submit(workspace, requests.edit_request("none", "gait", "mirror"))
     assert workspace.open("walks").fingerprint == before

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from core import analyses
+from core import analyses, requests
 from core.mocap.bvh import write_bvh
 from core.mocap.dataset import motion_digest
 from core.workspace import Workspace
@@ -25,7 +25,7 @@ def read(workspace: Workspace, files: dict[str, bytes]) -> tuple[str, str]:
     token = workspace.uploads.create()
     for name, content in files.items():
         workspace.uploads.add(token, name, [content])
-    request = analyses.query_request(next(iter(files)), token)
+    request = requests.query_request(next(iter(files)), token)
     analyses.run(workspace, request)
     return analyses.key(workspace, request), token
 

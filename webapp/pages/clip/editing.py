@@ -10,7 +10,7 @@ from dash import Dash, Input, Output, State, dcc, html, no_update, set_props
 from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
-from core import analyses
+from core import requests
 from core.editing import edits
 from core.editing.mirror import partners
 from core.mocap.dataset import Dataset
@@ -206,7 +206,7 @@ def _do(app: Dash, workspace: Workspace) -> None:
                 return wrong, no_update
             if where == NEW:
                 options["into"] = workspace.check_free(check_name(name or ""))
-            changes.ask(workspace, analyses.edit_request(dataset.name, shown["clip"], action, **options))
+            changes.ask(workspace, requests.edit_request(dataset.name, shown["clip"], action, **options))
         except (WorkspaceError, ParameterError) as error:
             return str(error), no_update
         return None, False

@@ -11,7 +11,7 @@ from dash import ALL, Dash, Input, Output, State, ctx, html, no_update, set_prop
 from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
-from core import analyses
+from core import analyses, requests
 from core.parameters import ParameterError
 from core.workspace import Workspace, WorkspaceError, check_name
 from webapp import jobs
@@ -143,8 +143,8 @@ def request_for(upload: Mapping[str, Any], name: str | None, new: str, labels: s
     options = {"fps": float(fps)} if asked else {}
     token = str(upload.get("token"))
     if name:
-        return analyses.add_request(name, token, labels=labels or "add", **options)
-    return analyses.import_request(check_name(new), token, **options)
+        return requests.add_request(name, token, labels=labels or "add", **options)
+    return requests.import_request(check_name(new), token, **options)
 
 
 def register(app: Dash, workspace: Workspace) -> None:

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from dash import ALL, Dash, Input, Output, State, ctx, dcc, no_update, set_props
 from dash.dependencies import ClientsideFunction
 
-from core import analyses
+from core import analyses, requests
 from core.workspace import Workspace, WorkspaceError
 from webapp import jobs
 from webapp.components import changes
@@ -168,7 +168,7 @@ def _choose_clips(app: Dash, workspace: Workspace) -> None:
             try:
                 if len(rows) == workspace.info(name).clips:
                     raise WorkspaceError("These are all its clips; delete the dataset instead.")
-                changes.ask(workspace, analyses.remove_request(name, [row["clip"] for row in rows]))
+                changes.ask(workspace, requests.remove_request(name, [row["clip"] for row in rows]))
             except WorkspaceError as error:
                 _say(notice("That did not work", str(error), "red"))
                 return no_update

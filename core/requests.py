@@ -1,0 +1,43 @@
+"""What can be asked for: a method or a task, a data set, and what it is told."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+from core.workspace import tasks
+
+
+@dataclass(frozen=True)
+class Request:
+    """Do ``method`` to the data set called ``dataset``; parameters that are not given take their defaults."""
+
+    dataset: str
+    method: str
+    parameters: Mapping[str, Any] = field(default_factory=dict)
+
+
+def query_request(file: str, upload: str) -> Request:
+    """The request that reads an upload, called ``file`` for people, as something to look for; kept under its key."""
+    return Request(file, "query", {"upload": upload})
+
+
+def import_request(name: str, upload: str, **options: Any) -> Request:
+    """The request that imports an upload as the data set ``name``; options as in tasks.ImportParameters."""
+    return Request(name, "import", {"upload": upload, **options})
+
+
+def add_request(name: str, upload: str, **options: Any) -> Request:
+    """The request that adds an upload to the data set ``name``; options as in tasks.AddParameters."""
+    return Request(name, "add", {"upload": upload, **options})
+
+
+def remove_request(name: str, clips: Iterable[str]) -> Request:
+    """The request that removes clips from the data set ``name``."""
+    return Request(name, "remove", {"clips": tasks.names_of_clips(clips)})
+
+
+def edit_request(name: str, clip: str, action: str, **options: Any) -> Request:
+    """The request that edits a clip of the data set ``name``; options as in tasks.EditParameters."""
+    return Request(name, "edit", {"clip": clip, "action": action, **options})
