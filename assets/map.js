@@ -97,7 +97,7 @@
     state.reach = reach;
     showReach();
     refresh(done);
-    if (done) put({ reach: reach ? reach.toFixed(2) : "" });
+    if (done) put({ within: reach ? reach.toFixed(2) : "" });
   }
   function showReach() {
     const slider = document.getElementById("map-reach"), label = document.getElementById("map-reach-value");
@@ -144,7 +144,7 @@
   function show(view) {
     const { map } = state;
     if (!map || !mount()) return;
-    const keys = read(view.keys, map), reach = Math.min(number(view.reach, 0), map.reach), pace = paceOf(view);
+    const keys = read(view.keys, map), reach = Math.min(number(view.within, 0), map.reach), pace = paceOf(view);
     state.mode = ["regions", "draw"].includes(view.click) ? view.click : "keys";
     page().dataset.mode = state.mode;
     const region = number(view.region, -1);

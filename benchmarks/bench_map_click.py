@@ -78,7 +78,7 @@ def main() -> str:
         browser = start_chromium(playwright)
         with running(create_app(workspace.path).server) as address:
             page = browser.new_page(viewport=VIEW)
-            page.goto(f"{address}/map?dataset=demo&map-grid=40x40&reach=0.60")
+            page.goto(f"{address}/map?dataset=demo&map-grid=40x40&within=0.60")
             wait_for_map(page)
             page.wait_for_timeout(3000)
             page.evaluate(WATCH, "click")

@@ -60,22 +60,31 @@ def grammar(page: Page) -> None:
     page.wait_for_function("window.motionscapeStage.figures > 1")
 
 
-PICTURES: dict[str, tuple[str, Callable[[Page], None]]] = {
-    "motifs": ("/motifs?dataset=demo", motifs),
-    "map": ("/map?dataset=demo&keys=10-10&reach=0.60", motion_map),
-    "search": ("/search?dataset=demo&query=ana_01:900-1080", search),
-    "grammar": ("/grammar?dataset=demo", grammar),
-}
+def pictures(workspace: Workspace) -> dict[str, tuple[str, Callable[[Page], None]]]:
+    """Name -> link and what is done there. The map's keys and the query are postures and frames of one kick."""
+    kick = next(label for label in workspace.open(DEMO).labels if label.action == "kick")
+    found = run(workspace, Request(DEMO, "map"))
+    nodes = found.nodes_of(kick.clip)
+    scale = found.fps / found.clip_fps[found.clips.index(kick.clip)]
+    at = [round((kick.start + share * (kick.end - kick.start)) * scale) for share in (0.15, 0.5)]
+    keys = ",".join("-".join(map(str, nodes[frame])) for frame in at)
+    return {
+        "motifs": (f"/motifs?dataset={DEMO}", motifs),
+        "map": (f"/map?dataset={DEMO}&keys={keys}&within=0.40", motion_map),
+        "search": (f"/search?dataset={DEMO}&query={kick.clip}:{kick.start}-{kick.end}", search),
+        "grammar": (f"/grammar?dataset={DEMO}", grammar),
+    }
 
 
 def main(folder: Path) -> None:
     """Write the pictures into ``folder``."""
     folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as temporary, sync_playwright() as playwright:
-        application = create_app(prepared(Path(temporary)).path).server
+        workspace = prepared(Path(temporary))
+        application = create_app(workspace.path).server
         with running(application) as address:
             browser = start_chromium(playwright)
-            for name, (link, arrange) in PICTURES.items():
+            for name, (link, arrange) in pictures(workspace).items():
                 page = browser.new_page(viewport=SIZE)
                 page.set_default_timeout(PATIENCE)
                 page.goto(f"{address}{link}")

@@ -38,7 +38,7 @@ VIEW_KEYS = {  # what a page shows beside the selection: kept in the store "view
     ),
     "grammar": ("show", "routine", "sentence", "pick", "up", "alt", "counts", *settings.keys("grammar")),
     "clip": ("chart", "angles", "joints", "rig", "channels", "span"),
-    "map": ("keys", "drawn", "reach", "pace", "way", "colour", "click", "below", "region", *settings.keys("map")),
+    "map": ("keys", "drawn", "within", "pace", "way", "colour", "click", "below", "region", *settings.keys("map")),
 }
 PAGES = tuple(VIEW_KEYS)
 OF_DATASET = (

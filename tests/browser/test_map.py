@@ -52,8 +52,8 @@ def test_keys_reach_and_hits_are_the_servers(mapped, show):
     expect(page.locator(".map-hit")).to_have_count(min(len(wanted), 60))
     expect(page.locator(".map-reach")).to_have_count(1)
     link = "-".join(map(str, keys[0])) + "," + "-".join(map(str, keys[1]))
-    page.wait_for_function("text => location.search.includes(text)", arg=f"keys={link}&reach=0.50")
-    again = open_map(show, f"&keys={link}&reach=0.50")
+    page.wait_for_function("text => location.search.includes(text)", arg=f"keys={link}&within=0.50")
+    again = open_map(show, f"&keys={link}&within=0.50")
     expect(again.locator(".map-key-card")).to_have_count(2)
     expect(again.locator("#map-count")).to_contain_text(f"{len(wanted)} hits")
     assert float(again.locator("#map-reach").input_value()) == 0.5
@@ -84,7 +84,7 @@ def test_keys_are_reordered_and_removed_with_mouse_and_keyboard(mapped, show):
 
 def test_a_hit_plays_and_its_dot_moves_along_its_path(mapped, show):
     (a, b), (c, d) = two_keys(mapped)
-    page = open_map(show, f"&keys={a}-{b},{c}-{d}&reach=0.40")
+    page = open_map(show, f"&keys={a}-{b},{c}-{d}&within=0.40")
     page.locator(".map-hit").first.click()
     clip, start, end = hits_of(page)[0]
     wait_for_stage(page, clip)

@@ -93,7 +93,7 @@ def test_equal_postures_are_told_apart_by_pace(mapped, show):
 
 def test_pictures_hold_what_was_chosen(mapped, show, tmp_path):
     (a, b), (c, d) = two_keys(mapped)
-    page = open_map(show, f"&keys={a}-{b},{c}-{d}&reach=0.40")
+    page = open_map(show, f"&keys={a}-{b},{c}-{d}&within=0.40")
     made = {}
     for kind in ("SVG", "PNG"):
         page.get_by_role("button", name="Save the map as a picture").click()

@@ -5,7 +5,8 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from webapp.links import PAGES, View, format_link, page_of, parse, without_selection
+from core import analyses
+from webapp.links import PAGES, STAGE_KEYS, VIEW_KEYS, View, format_link, page_of, parse, without_selection
 
 PARAMETERS = ("kappa", "rho", "adjacency")
 NAMES = st.text(st.characters(exclude_categories=("Cs", "Cc")), min_size=1, max_size=40)
@@ -77,3 +78,9 @@ def test_a_flood_is_refused():
 def test_nothing_selected_keeps_the_rest():
     view = View("motifs", "demo", {"rho": "2"}, {"motif": 3}, {"time": "1"})
     assert without_selection(view) == View("motifs", "demo", {"rho": "2"})
+
+
+def test_a_key_of_a_link_means_one_thing():
+    """The parameters of the motifs stand in the links of all pages, so no page may call anything the same."""
+    taken = {"dataset", *STAGE_KEYS, *(parameter.name for parameter in analyses.parameters("motifs"))}
+    assert {page: taken & set(keys) for page, keys in VIEW_KEYS.items()} == {page: set() for page in VIEW_KEYS}
