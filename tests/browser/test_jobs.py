@@ -6,7 +6,7 @@ import time
 
 import psutil
 import pytest
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Error, Page, expect
 
 from core import analyses
 from tests.browser.app import PATIENCE, address, demo_workspace, setting, show, wait_for_graph, workspace
@@ -23,6 +23,21 @@ def find_anew(page: Page, seed: int = 7) -> None:
     page.click("#find-motifs")
 
 
+def progress_is_seen(page: Page, seed: int) -> bool:
+    """Asks for a graph, and whether the page shows how that goes on, in one and the same box."""
+    setting(page, "seed").fill(str(seed))
+    page.click("#find-motifs")
+    try:
+        page.locator(".job-title", has_text="Motif graph: demo").wait_for(timeout=15_000)
+        page.get_by_text("Finding motifs", exact=True).wait_for(timeout=5_000)
+        words = page.locator(".running .job-words")
+        page.evaluate("window.awaited = document.querySelector('.running')")
+        expect(words).not_to_have_text(words.inner_text(timeout=5_000), timeout=15_000)
+        return page.evaluate("awaited.isConnected")  # it is the same all the time, and can be clicked
+    except (AssertionError, Error):
+        return False
+
+
 def slow_job(workspace):
     from webapp import jobs
 
@@ -32,15 +47,12 @@ def slow_job(workspace):
 def test_progress_is_seen_and_the_graph_comes_by_itself(show, workspace):
     page = show("/motifs")
     wait_for_graph(page)
-    find_anew(page)
-    expect(page.locator(".job-title", has_text="Motif graph: demo")).to_be_visible(timeout=15_000)
-    expect(page.get_by_text("Finding motifs", exact=True)).to_be_visible()
-    page.evaluate("window.awaited = document.querySelector('.running')")
-    words = page.locator(".running .job-words").inner_text()
-    expect(page.locator(".running .job-words")).not_to_have_text(words, timeout=PATIENCE)
-    assert page.evaluate("awaited.isConnected")  # it is the same all the time, and can be clicked
+    page.get_by_role("button", name="Settings").click()
+    # a search is short: a page on a busy machine may look only when it is over
+    seed = next((seed for seed in (7, 8, 9, 10) if progress_is_seen(page, seed)), None)
+    assert seed, "no progress was seen in four searches"
     wait_for_graph(page)
-    assert "seed=7" in page.url
+    assert f"seed={seed}" in page.url
     expect(page.locator(".job")).to_have_count(0, timeout=15_000)
     page.get_by_role("button", name="Earlier results").click()
     page.get_by_role("menuitem", name="Default settings").click()
