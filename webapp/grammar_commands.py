@@ -7,7 +7,6 @@ from argparse import Namespace
 from collections.abc import Iterator
 from pathlib import Path
 
-from core import analyses
 from core.grammar.learned import LearnedGrammar, from_json
 from core.mocap.bvh import write_bvh
 from core.mocap.dataset import Dataset
@@ -15,8 +14,9 @@ from core.synthesis.derivations import MOST_TERMINALS, Derivation, derive
 from core.synthesis.kept_derivations import derivation_json
 from core.workspace import WorkspaceError
 from webapp.commands import write_json
+from webapp.one_result import result_of
 from webapp.progress_bar import progress_bar
-from webapp.sources import named_dataset, open_source, refuse_reading_options
+from webapp.sources import open_source
 
 SHOWN_RULES = 12
 
@@ -26,18 +26,7 @@ def grammar(asked: Namespace) -> int:
 
     Raises ParameterError, WorkspaceError, RecordingError, ValueError or OSError in plain words.
     """
-    values = {p.name: getattr(asked, p.name) for p in analyses.parameters("grammar")}
-    analyses.normalise(analyses.Request("", "grammar", values))  # refuses before anything is read
-    if asked.out.is_dir():
-        raise WorkspaceError(f"{asked.out} is a folder; --out names the file to write.")
-    named = named_dataset(asked.source)
-    with progress_bar(asked.quiet) as report:
-        if named and not asked.clips:
-            refuse_reading_options(asked)
-            workspace, name = named
-            found = analyses.run(workspace, analyses.Request(name, "grammar", values), report)
-        else:
-            found = analyses.compute(open_source(asked, report), "grammar", values, report)
+    found = result_of(asked, "grammar")
     write_json(asked.out, found.to_json())
     if not asked.quiet:
         print("\n".join(_grammar_summary(found, asked)))

@@ -4,11 +4,8 @@ from __future__ import annotations
 
 from argparse import Namespace
 
-from core import analyses
-from core.workspace import WorkspaceError
 from webapp.commands import write_json
-from webapp.progress_bar import progress_bar
-from webapp.sources import named_dataset, open_source, refuse_reading_options
+from webapp.one_result import result_of
 
 
 def map_(asked: Namespace) -> int:
@@ -16,18 +13,7 @@ def map_(asked: Namespace) -> int:
 
     Raises ParameterError, WorkspaceError, RecordingError, ValueError or OSError in plain words.
     """
-    values = {p.name: getattr(asked, p.name) for p in analyses.parameters("map")}
-    analyses.normalise(analyses.Request("", "map", values))  # refuses before anything is read
-    if asked.out.is_dir():
-        raise WorkspaceError(f"{asked.out} is a folder; --out names the file to write.")
-    named = named_dataset(asked.source)
-    with progress_bar(asked.quiet) as report:
-        if named and not asked.clips:
-            refuse_reading_options(asked)
-            workspace, name = named
-            found = analyses.run(workspace, analyses.Request(name, "map", values), report)
-        else:
-            found = analyses.compute(open_source(asked, report), "map", values, report)
+    found = result_of(asked, "map")
     write_json(asked.out, found.to_json())
     if not asked.quiet:
         for stage, taken in found.seconds.items():

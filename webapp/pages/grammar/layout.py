@@ -11,6 +11,7 @@ from dash.development.base_component import Component
 from webapp.components import method
 from webapp.components.icons import icon
 from webapp.components.method import MethodPage
+from webapp.components.tile import metric_tile
 from webapp.pages.grammar import views
 
 LABELS = {
@@ -81,7 +82,7 @@ def result(tiles: Sequence[tuple[str, str, str]]) -> Component:
     """The figures, every recording as a string, and the views below; assets/grammar_*.js fill them."""
     return html.Div(
         [
-            html.Div([_tile(*tile) for tile in tiles], className="tiles grammar-tiles section"),
+            html.Div([metric_tile(*tile) for tile in tiles], className="tiles grammar-tiles section"),
             html.Div(
                 [
                     html.H2("Recordings"),
@@ -107,20 +108,6 @@ def _zoom(symbol: str, label: str, direction: str) -> Component:
         title=label,
         className="walk-button string-zoom",
         **{"aria-label": label, "data-zoom": direction},
-    )
-
-
-def _tile(name: str, value: str, explanation: str) -> Component:
-    return dmc.Tooltip(
-        html.Div(
-            [html.Span(name, className="tile-name"), html.Span(value, className="tile-value number")],
-            className="tile card",
-            tabIndex="0",
-            **{"aria-label": f"{name}: {value}. {explanation}"},
-        ),
-        label=explanation,
-        boxWrapperProps={"className": "tile-box"},
-        events={"hover": True, "focus": True, "touch": True},
     )
 
 

@@ -20,6 +20,7 @@ from webapp.components.errors import empty_state
 from webapp.components.icons import icon
 from webapp.components.page_head import page_head
 from webapp.components.running import running
+from webapp.components.tile import metric_tile
 from webapp.figures import graph as graph_figure
 from webapp.figures.names import brief_names
 from webapp.figures.tables import strip_address
@@ -110,7 +111,7 @@ def result(graph: MotifGraph, dataset: Dataset, elements: list[dict], scheme: st
         )
     return html.Div(
         [
-            html.Div([_tile(*tile) for tile in metric_tiles(graph, dataset)], className="tiles section"),
+            html.Div([metric_tile(*tile) for tile in metric_tiles(graph, dataset)], className="tiles section"),
             html.Div(
                 className="graph-and-selection section",
                 children=[
@@ -142,20 +143,6 @@ def metric_tiles(graph: MotifGraph, dataset: Dataset) -> list[tuple[str, str, st
         ("Motions each", f"{metrics.get('mean_motions', 0):.1f}", "Mean number of motions of a motif."),
         ("Mean length", f"{sum(lengths) / len(lengths):.1f} s" if lengths else "–", "Mean duration of a motion."),
     ]  # fmt: skip
-
-
-def _tile(name: str, value: str, explanation: str) -> Component:
-    return dmc.Tooltip(
-        html.Div(
-            [html.Span(name, className="tile-name"), html.Span(value, className="tile-value number")],
-            className="tile card",
-            tabIndex="0",
-            **{"aria-label": f"{name}: {value}. {explanation}"},
-        ),
-        label=explanation,
-        boxWrapperProps={"className": "tile-box"},
-        events={"hover": True, "focus": True, "touch": True},
-    )
 
 
 def _graph_card(graph: MotifGraph, elements: list[dict], scheme: str) -> Component:

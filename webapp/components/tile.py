@@ -1,0 +1,22 @@
+"""A figure of a result with its name; what it means is told while the pointer or the focus rests on it."""
+
+from __future__ import annotations
+
+import dash_mantine_components as dmc
+from dash import html
+from dash.development.base_component import Component
+
+
+def metric_tile(name: str, value: str, explanation: str) -> Component:
+    """One tile; focusable, so that its explanation is there for the keyboard too."""
+    return dmc.Tooltip(
+        html.Div(
+            [html.Span(name, className="tile-name"), html.Span(value, className="tile-value number")],
+            className="tile card",
+            tabIndex="0",
+            **{"aria-label": f"{name}: {value}. {explanation}"},
+        ),
+        label=explanation,
+        boxWrapperProps={"className": "tile-box"},
+        events={"hover": True, "focus": True, "touch": True},
+    )
