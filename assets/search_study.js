@@ -14,7 +14,9 @@
   let shown = ""; // what is on the Stage
 
   const mode = () => (view.study === "vote" ? "vote" : view.study === "results" ? "results" : "rate");
-  const rows = () => (mode() === "vote" ? data.duels : data.pairs) || [];
+  // The order of the pairs is each person's own: until that of who answers is here, nothing is asked.
+  const awaited = () => data.asked[2] !== (person.name || person.id);
+  const rows = () => (awaited() ? [] : (mode() === "vote" ? data.duels : data.pairs) || []);
   const visible = () => Boolean($("study-setup")?.offsetParent) && data && !data.error;
   const button = (words, name, className = "search-button") => {
     const made = element("button", className, ...[words].flat());
@@ -71,6 +73,7 @@
     if (which === "results") return;
     const box = $(which === "vote" ? "study-vote" : "study-rate");
     const all = rows();
+    if (awaited()) return box.replaceChildren(nothing(`Fetching the pairs for ${person.name || "you"} …`));
     if (!data.queries.length) return box.replaceChildren(nothing("Choose queries above: the one of the search, or three drawn by chance."));
     if (!all.length) {
       const built = data.engines.filter((engine) => engine.ready).length;
@@ -142,7 +145,7 @@
     given.set(nameOf(row), value);
     const told = which === "vote" ? { kind: "vote", query: row.query, left: row.left, right: row.right, choice: value }
       : { kind: "rating", query: row.query, hit: row.hit, value };
-    pending.push({ ...told, id: `${Date.now()} ${Math.random()}` });
+    pending.push({ ...told, person: person.name || person.id, id: `${Date.now()} ${Math.random()}` });
     set("study-answer", { answers: [...pending], at: Date.now() });
     step(1);
   }
@@ -156,6 +159,12 @@
   // Answers given here: data that was on its way meanwhile does not know them yet.
   const given = new Map();
   const nameOf = (row) => JSON.stringify([person.name || person.id, row.query, row.hit, row.left, row.right]);
+
+  /** Where to go on: at the question one was at, where the order is the same, else at the first without an answer. */
+  function place(at, before, all) {
+    const same = before[at] && before.length === all.length && nameOf(before[at]) === nameOf(all[at]);
+    return same ? at : Math.max(all.findIndex((row) => !row.value), 0);
+  }
 
   const pending = []; // answers the server has not confirmed: of callbacks that wait Dash runs only the last one
 
@@ -185,6 +194,7 @@
       if (!stored || !stored.id) who(stored);
       else person = stored;
       const fresh = found !== data;
+      const before = data && data.asked[2] === found.asked[2] ? data : null;
       data = found;
       if (data.error) {
         $("study-setup").replaceChildren(nothing(data.error));
@@ -192,7 +202,7 @@
         return clientside.no_update;
       }
       if (fresh) for (const row of [...data.pairs, ...data.duels]) row.value = given.get(nameOf(row)) ?? row.value;
-      if (fresh) for (const [which, all] of [["rate", data.pairs], ["vote", data.duels]]) at[which] = Math.max(all.findIndex((row) => !row.value), 0);
+      if (fresh) for (const [which, all] of [["rate", "pairs"], ["vote", "duels"]]) at[which] = place(at[which], (before && before[all]) || [], data[all]);
       setup();
       draw();
       return clientside.no_update;
@@ -221,7 +231,10 @@
     if (on && !on.disabled) ACTS[on.dataset.study](on);
   });
   document.addEventListener("change", (event) => {
-    if (event.target.id === "study-name") set("study-person", { ...person, name: event.target.value.trim() });
+    if (event.target.id !== "study-name") return;
+    who({ ...person, name: event.target.value.trim() });
+    set("study-person", person);
+    draw();
   });
 
   // Digits belong to the answers while pairs are shown, wherever the focus is but in a field.

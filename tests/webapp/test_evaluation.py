@@ -43,10 +43,10 @@ def found(workspace: Workspace):
     return evaluation.evaluation_of(workspace, dataset, key, VIEW)
 
 
-def test_the_engines_of_a_link_are_compared():
-    assert evaluation.chosen_engines(VIEW) == ["bounded-edit", "chance"]
-    assert evaluation.chosen_engines({}) == ["bounded-edit", "parts", "printed"]
-    assert evaluation.chosen_engines({"ranking-engines": "nobody"}) == []
+def test_the_chips_know_the_engines_and_the_usual_choice():
+    known = next(part for part in evaluation.layout()._traverse() if getattr(part, "id", "") == "ranking-engines-of")
+    assert known.data["key"] in settings.keys("ranking")
+    assert set(known.data["usual"].split(",")) < set(known.data["names"])
 
 
 def test_the_result_shows_every_measure_of_every_engine(workspace, found):

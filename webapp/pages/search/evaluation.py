@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from urllib.parse import urlencode
 
 import dash_mantine_components as dmc
-from dash import Dash, Input, Output, State, dcc, html, no_update, set_props
+from dash import ClientsideFunction, Dash, Input, Output, State, dcc, html, no_update, set_props
 from dash.development.base_component import Component
 
 from core.mocap.dataset import Dataset
@@ -53,6 +53,7 @@ _KEPT = 8
 
 def layout() -> Component:
     """The panel."""
+    usual = next(p.default for p in settings.parameters(PAGE) if p.name == "engines")
     chips = [dmc.Chip(NAMES[name], value=name, size="xs", variant="outline") for name in KNOWN]
     return html.Div(
         [
@@ -75,6 +76,7 @@ def layout() -> Component:
             html.Div(settings_fold(METHOD), className="section"),
             status_place(METHOD),
             html.Div(id="ranking-result"),
+            dcc.Store(id="ranking-engines-of", data={"key": "ranking-engines", "names": list(KNOWN), "usual": usual}),
         ],
         className="study",
     )
@@ -88,21 +90,19 @@ def register(app: Dash, workspace: Workspace) -> None:
 
 
 def _choose(app: Dash) -> None:
-    @app.callback(Output("ranking-engines", "value"), Input("ranking-settings", "data"))
-    def show_engines(view):
-        return chosen_engines(view)
-
-    @app.callback(
+    app.clientside_callback(
+        ClientsideFunction("settings", "list"),
+        Output("ranking-engines", "value"),
+        Input("ranking-settings", "data"),
+        State("ranking-engines-of", "data"),
+    )
+    app.clientside_callback(
+        ClientsideFunction("settings", "listed"),
         Input("ranking-engines", "value"),
-        State("ranking-settings", "data"),
+        State("view", "data"),
+        State("ranking-engines-of", "data"),
         prevent_initial_call=True,
     )
-    def choose_engines(names, view):
-        ordered = [name for name in KNOWN if name in (names or [])]
-        if not ordered or ordered == [name for name in KNOWN if name in chosen_engines(view)]:
-            return
-        settled = settings.view_of(PAGE, {"engines": ",".join(ordered)})
-        set_props("view-change", {"data": {"ranking-engines": settled["ranking-engines"]}})
 
     @app.callback(
         Input("ranking-regime", "value"),
@@ -114,13 +114,6 @@ def _choose(app: Dash) -> None:
         text = f"{regime}:{engine}"
         if regime and engine and text != (view or {}).get("measure"):
             set_props("view-change", {"data": {"measure": text}})
-
-
-def chosen_engines(view: Mapping[str, str] | None) -> list[str]:
-    """What a view compares."""
-    text = settings.request_of(PAGE, "", view).parameters.get("engines")
-    default = next(p.default for p in settings.parameters(PAGE) if p.name == "engines")
-    return [name for name in (text or default).split(",") if name in KNOWN]
 
 
 def _show(app: Dash, workspace: Workspace) -> None:

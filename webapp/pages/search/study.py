@@ -172,7 +172,7 @@ def _take(app: Dash, workspace: Workspace) -> None:
         for answer in answers:
             try:
                 take = studying.keep_vote if answer.get("kind") == "vote" else studying.keep_rating
-                take(workspace, dataset, view, answer | {"person": who})
+                take(workspace, dataset, view, answer | {"person": str(answer.get("person") or who)[:80]})
             except ValueError as error:
                 set_props("notices", {"sendNotifications": [notice("An answer was not kept", said(error), "red")]})
         return {"kept": [answer.get("id") for answer in answers]}
