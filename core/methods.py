@@ -57,12 +57,17 @@ def _method(
     compute: str,
     pack: Callable[[Any, Dataset], Kept] | None = None,
     unpack: Callable[[dict[str, Any], dict[str, np.ndarray]], Any] | None = None,
+    result: str = "",
     extends: Callable[[Any], str] | None = None,
 ) -> Method:
     """A method whose parts are names in ``module``, imported when first used.
 
     Where nothing else is said the result keeps itself: ``result.to_json()``, and ``from_json(document)`` of the module.
+    result: the module of a result that has arrays: ``result.pack()``, and ``unpack(document, arrays)`` of that module.
     """
+    if result:
+        pack = lambda made, dataset: made.pack()  # noqa: E731
+        unpack = lambda document, arrays: import_module(result).unpack(document, arrays)  # noqa: E731
 
     def named(name: str) -> Any:
         return getattr(import_module(module), name)
@@ -122,8 +127,7 @@ METHODS: dict[str, Method] = {
         "core.motion_map.build",
         "MapParameters",
         "build_motion_map",
-        pack=lambda result, dataset: result.pack(),
-        unpack=lambda document, arrays: import_module("core.motion_map.motion_map").unpack(document, arrays),
+        result="core.motion_map.motion_map",
         extends=lambda values: values.model,
     ),
     "search": _method(
@@ -132,8 +136,7 @@ METHODS: dict[str, Method] = {
         "core.retrieval.search",
         "SearchParameters",
         "build_search_index",
-        pack=lambda index, dataset: index.pack(),
-        unpack=lambda document, arrays: import_module("core.retrieval.search").unpack(document, arrays),
+        result="core.retrieval.search",
     ),
     "ranking": _method(
         "Rankings by several engines",
@@ -141,8 +144,7 @@ METHODS: dict[str, Method] = {
         "core.rankings",
         "RankingParameters",
         "rank_dataset",
-        pack=lambda rankings, dataset: rankings.pack(),
-        unpack=lambda document, arrays: import_module("core.rankings").unpack(document, arrays),
+        result="core.rankings",
     ),
     "features": _method(
         "Features",
@@ -173,7 +175,7 @@ METHODS: dict[str, Method] = {
     ),
     "terminals": _method(
         "Terminals",
-        1,
+        2,
         "core.grammar.identification",
         "TerminalParameters",
         "find_terminals",

@@ -89,6 +89,30 @@ def alternate(
     return best, least
 
 
+def recombine(
+    space: PoseSpace,
+    parents: Sequence[Clustering],
+    k: int,
+    weight: float,
+    limits: tuple[int, int],
+    rng: np.random.Generator,
+    turns: int = 4,
+) -> tuple[Clustering, float] | None:
+    """What becomes of the medoids of several clusterings together, and its cost; None where too few segments remain.
+
+    The cuts are made anew for all medoids at once, those go that are missed least until ``k`` are left, and
+    :func:`alternate` goes on from there: what one parent has got right and another wrong survives. Raises ValueError
+    where there are no parents.
+    """
+    if not parents:
+        raise ValueError("there must be clusterings to recombine")
+    medoids = np.concatenate([parent.spans[parent.medoids] for parent in parents])
+    spans, labels = cut_by_medoids(space, medoids, limits)
+    if len(spans) < k:
+        return None
+    return alternate(space, k, weight, limits, rng, spans=spans, labels=labels, turns=turns)
+
+
 def _cost(space: PoseSpace, found: Clustering, weight: float, price: float) -> float:
     return 1 / found.objective(space, weight)["F"] + (1 - weight) * price * len(found.spans) / space.n / space.largest
 

@@ -12,7 +12,9 @@ from collections.abc import Sequence
 import numba
 import numpy as np
 
-_BLOCK = 4096  # poses whose distances to the medoids' frames are in memory at a time
+_BLOCK = (
+    1024  # poses whose distances to the medoids' frames are looked at together: those to one medoid stay in the cache
+)
 
 
 def pose_distances(x: np.ndarray, y: np.ndarray) -> np.ndarray:
@@ -39,25 +41,25 @@ def best_cuts(
     cuts, total = _shortest_path(costs, shortest, float(price))
     if not len(cuts):
         whole = candidate_costs(x, medoids, len(x), len(x))
-        return np.array([0, len(x)]), whole[1][0, :1].astype(np.int64), float(whole[0][0, 0]) + price
-    return cuts, nearest[cuts[:-1], np.diff(cuts) - shortest].astype(np.int64), float(total)
+        return np.array([0, len(x)]), whole[1][:1, 0].astype(np.int64), float(whole[0][0, 0]) + price
+    return cuts, nearest[np.diff(cuts) - shortest, cuts[:-1]].astype(np.int64), float(total)
 
 
 def candidate_costs(
     x: np.ndarray, medoids: Sequence[np.ndarray], shortest: int, longest: int
 ) -> tuple[np.ndarray, np.ndarray]:
-    """What each candidate costs, and its nearest medoid: ``(n, longest - shortest + 1)``, row: start, column: length.
+    """What each candidate costs, and its nearest medoid: ``(longest - shortest + 1, n)``, row: length, column: start.
 
     Arguments as of :func:`best_cuts`. Infinite where a candidate would reach beyond the end.
     """
     n, width = len(x), longest - shortest + 1
-    costs, nearest = np.full((n, width), np.inf, np.float32), np.full((n, width), -1, np.int32)
+    costs, nearest = np.full((width, n), np.inf, np.float32), np.full((width, n), -1, np.int32)
     lengths = np.array([len(m) for m in medoids], np.int64)
     frames = np.ascontiguousarray(np.concatenate(medoids), np.float32)
     for start in range(0, n, _BLOCK):
         stop = min(start + _BLOCK, n)
         table = pose_distances(frames, np.asarray(x[start : min(stop + longest, n)], np.float32))
-        _costs(table, lengths, shortest, costs[start:stop], nearest[start:stop])
+        _costs(table, lengths, shortest, costs[:, start:stop], nearest[:, start:stop])
     return costs, nearest
 
 
@@ -65,42 +67,48 @@ def candidate_costs(
 def _costs(table, lengths, shortest, costs, nearest):
     """table: distances of the frames of all medoids, one medoid after the other (rows), to poses (columns).
 
-    The frame that stands beside another, floor(m l' / l), is counted up, as a division a frame would take most of the
-    time; a candidate is left as soon as it costs more than with another medoid.
+    All starts go side by side, since what they add up for one medoid and one length lies side by side too. The frame
+    that stands beside another, floor(m l' / l), is counted up, as a division a frame would take most of the time.
     """
     n, first = table.shape[1], 0
+    totals = np.empty(costs.shape[1], np.float32)
     for k in range(len(lengths)):
         own = lengths[k]
-        for s in range(len(costs)):
-            for c in range(min(costs.shape[1], n - s - shortest + 1)):
-                length = shortest + c
-                longer, shorter = max(length, own), min(length, own)
-                enough = costs[s, c] * (np.float32(longer) / np.float32(length))
-                total, beside, carried = np.float32(0), 0, 0
-                for m in range(longer):
-                    total += table[first + beside, s + m] if length >= own else table[first + m, s + beside]
-                    if total >= enough:
-                        break
-                    carried += shorter
-                    if carried >= longer:
-                        carried -= longer
-                        beside += 1
-                if total < enough:
-                    costs[s, c] = total * (np.float32(length) / np.float32(longer))
-                    nearest[s, c] = k
+        for c in range(len(costs)):
+            length = shortest + c
+            starts = min(costs.shape[1], n - length + 1)
+            if starts <= 0:
+                break
+            longer, shorter = max(length, own), min(length, own)
+            totals[:starts] = 0
+            beside, carried = 0, 0
+            for m in range(longer):
+                row, shift = (beside, m) if length >= own else (m, beside)
+                line = table[first + row, shift : shift + starts]
+                for s in range(starts):
+                    totals[s] += line[s]
+                carried += shorter
+                if carried >= longer:
+                    carried -= longer
+                    beside += 1
+            share = np.float32(length) / np.float32(longer)
+            for s in range(starts):
+                if totals[s] * share < costs[c, s]:
+                    costs[c, s] = totals[s] * share
+                    nearest[c, s] = k
         first += own
 
 
 @numba.njit(cache=True, nogil=True)
 def _shortest_path(costs, shortest, price):
-    n = len(costs)
+    width, n = costs.shape
     best, back = np.full(n + 1, np.inf), np.full(n + 1, -1, np.int64)
     best[0] = 0.0
     for s in range(n):
         if best[s] == np.inf:
             continue
-        for c in range(min(costs.shape[1], n - s - shortest + 1)):
-            cost = best[s] + costs[s, c] + price
+        for c in range(min(width, n - s - shortest + 1)):
+            cost = best[s] + costs[c, s] + price
             if cost < best[s + shortest + c]:
                 best[s + shortest + c], back[s + shortest + c] = cost, s
     if best[n] == np.inf:

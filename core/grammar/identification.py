@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from core.grammar.alternation import alternate, cut_by_medoids, even_cuts
+from core.grammar.alternation import alternate, cut_by_medoids, even_cuts, recombine
 from core.grammar.fine_tuning import fine_tune
 from core.grammar.genetic import GeneticSettings, genetic_spans
 from core.grammar.objective import Clustering
@@ -24,6 +24,7 @@ from core.progress import Report, silent
 _ROUGH_FPS = 6.0  # the search begins at about this rate
 _SURPLUS = (2.0, 1.6, 1.3)  # times as many groups as asked for, in the first turns
 _FINE_TURNS = 3
+_PARENTS = 3  # of a recombination
 
 
 def find_terminals(
@@ -90,28 +91,49 @@ def limits_of(parameters: TerminalParameters, fps: float) -> tuple[int, int]:
 
 
 def _alternation(space: PoseSpace, parameters: TerminalParameters, report: Report) -> Clustering:
-    """From several random beginnings at a low rate, then from the best of these at the full rate."""
-    k, weight = parameters.n_terminals, parameters.weight
+    """At a low rate from several random beginnings and by recombining what came of them, then the best at the full
+    rate."""
     step = max(1, int(space.fps // _ROUGH_FPS))
     thin = space.thinned(step)
-    limits = limits_of(parameters, thin.fps)
-    best, least = None, np.inf
-    for start in range(parameters.starts):
-        report("rough search", start / parameters.starts)
-        rng = np.random.default_rng([parameters.seed, start])
-        spans = even_cuts(thin, rng.uniform(1.3 * limits[0], 0.7 * limits[1]), limits)
-        if len(spans) < k:
-            spans = even_cuts(thin, limits[0], limits)
-        found, cost = alternate(thin, k, weight, limits, rng, spans=spans, surplus=_SURPLUS)
-        if cost < least:
-            best, least = found, cost
+    best = _recombined(thin, parameters, _beginnings(thin, parameters, report), report)
     if step == 1:
         return best
     report("fine search", 0.0)
     limits = limits_of(parameters, space.fps)
     spans, labels = cut_by_medoids(space, space.unthinned(best.spans[best.medoids], step, thin), limits)
     rng = np.random.default_rng(parameters.seed)
+    k, weight = parameters.n_terminals, parameters.weight
     return alternate(space, k, weight, limits, rng, spans=spans, labels=labels, turns=_FINE_TURNS)[0]
+
+
+def _beginnings(space: PoseSpace, parameters: TerminalParameters, report: Report) -> list[tuple[Clustering, float]]:
+    """A clustering and its cost from each of ``starts`` random beginnings."""
+    k, limits, found = parameters.n_terminals, limits_of(parameters, space.fps), []
+    for start in range(parameters.starts):
+        report("random beginnings", start / parameters.starts)
+        rng = np.random.default_rng([parameters.seed, start])
+        spans = even_cuts(space, rng.uniform(1.3 * limits[0], 0.7 * limits[1]), limits)
+        if len(spans) < k:
+            spans = even_cuts(space, limits[0], limits)
+        found.append(alternate(space, k, parameters.weight, limits, rng, spans=spans, surplus=_SURPLUS))
+    return found
+
+
+def _recombined(
+    space: PoseSpace, parameters: TerminalParameters, found: list[tuple[Clustering, float]], report: Report
+) -> Clustering:
+    """The best clustering after ``crossings`` recombinations; a better child takes the place of its worst parent."""
+    rng, limits = np.random.default_rng(parameters.seed), limits_of(parameters, space.fps)
+    for crossing in range(parameters.crossings if len(found) > 1 else 0):
+        report("recombination", crossing / parameters.crossings)
+        parents = rng.choice(len(found), min(_PARENTS, len(found)), replace=False)
+        chosen = [found[i][0] for i in parents]
+        child = recombine(space, chosen, parameters.n_terminals, parameters.weight, limits, rng)
+        worst = max(parents, key=lambda i: found[i][1])
+        known = child is None or any(np.isclose(child[1], cost, rtol=1e-9, atol=0) for _, cost in found)
+        if not known and child[1] < found[worst][1]:
+            found[worst] = child
+    return min(found, key=lambda one: one[1])[0]
 
 
 def _paper(space: PoseSpace, parameters: TerminalParameters, report: Report) -> Clustering:

@@ -45,6 +45,10 @@ class TerminalParameters:
     starts: int = parameter(
         8, "With alternation: random beginnings, of which the best goes on.", 1, 1000, 1, advanced=True
     )
+    crossings: int = parameter(
+        20, "With alternation: attempts to make a better one of several beginnings' results.", 0, 10_000, 1,
+        advanced=True,
+    )  # fmt: skip
     grid: int = parameter(15, "With paper and annealing: frames between possible cuts.", 1, 1000, 1, advanced=True)
     population: int = parameter(
         100, "With paper and annealing: segmentations alive at a time.", 2, 10_000, 1, advanced=True
@@ -65,8 +69,8 @@ class TerminalParameters:
             raise ValueError("min_seconds must be 0.1 to 10, max_seconds at least twice as long and at most 30")
         if not (1 <= self.grid <= 1000 and 2 <= self.population <= 10_000 and 1 <= self.generations <= 100_000):
             raise ValueError("grid must be 1 to 1000, population 2 to 10000, generations 1 to 100000")
-        if not 1 <= self.starts <= 1000:
-            raise ValueError("starts must be 1 to 1000")
+        if not (1 <= self.starts <= 1000 and 0 <= self.crossings <= 10_000):
+            raise ValueError("starts must be 1 to 1000, crossings 0 to 10000")
         if not 0 <= self.iterations <= 1_000_000:
             raise ValueError("iterations must be 0 to 1000000")
         if not 0 <= self.velocity <= 2 or self.pose not in ("positions", "angles"):

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from core.grammar.alternation import alternate, cut_by_medoids, even_cuts
+from core.grammar.alternation import alternate, cut_by_medoids, even_cuts, recombine
 from core.grammar.cuts import best_cuts
 from core.grammar.medoids import seed_medoids, swap_medoids
 from core.grammar.objective import clustering_of, span_distances
@@ -112,6 +112,27 @@ def test_the_alternation_comes_near_the_best_of_all():
             costs.append(cost)
         ratios.append(min(costs) / best)
     assert min(ratios) > 1 - 1e-5 and max(ratios) < 1.1 and np.median(ratios) < 1.02
+
+
+def test_a_recombination_keeps_what_each_parent_has_right():
+    rng = np.random.default_rng(0)
+    motions = 4 * rng.normal(size=(4, 4, 2))
+    order = [0, 1, 2, 3, 1, 0, 3, 2, 0, 2, 1, 3]
+    space = naive.toy_space(np.concatenate([motions[i] for i in order]) + 0.01 * rng.normal(size=(48, 2)))
+    spans = np.arange(0, 52, 4)[:13]
+    spans = np.stack([spans[:-1], spans[1:]], axis=1)
+
+    def knows(*places):  # a clustering whose medoids are these segments alone
+        medoids = np.array(places)
+        return clustering_of(spans, medoids, span_distances(space, spans, spans[medoids]))
+
+    parents = knows(0, 1, 4, 5), knows(2, 3, 6, 7)  # motions 0 and 1 twice; motions 2 and 3 twice
+    child, cost = recombine(space, parents, 4, 0.0, (3, 6), np.random.default_rng(0))
+    assert sorted(order[i] for i in child.medoids) == [0, 1, 2, 3] and child.spans.tolist() == spans.tolist()
+    assert cost < 0.1 * min(1 / parent.objective(space, 0.0)["F"] for parent in parents)
+    assert recombine(space, parents, 40, 0.0, (3, 6), rng) is None
+    with pytest.raises(ValueError, match="must be clusterings"):
+        recombine(space, [], 4, 0.0, (3, 6), rng)
 
 
 @given(seeds)
