@@ -183,7 +183,7 @@ METHODS: dict[str, Method] = {
     ),
     "grammar": Method(
         "Grammar",
-        2,
+        3,
         lambda: import_module("core.grammar.build").GrammarParameters,
         _grammar,
         lambda result, dataset: (result.to_json(), {}),
@@ -192,7 +192,7 @@ METHODS: dict[str, Method] = {
     ),
     "derive": Method(
         "New routine",
-        2,
+        3,
         lambda: import_module("core.synthesis.parameters").DeriveParameters,
         _derive,
         lambda made, dataset: import_module("core.synthesis.kept_derivations").pack_derivation(made),
@@ -201,7 +201,7 @@ METHODS: dict[str, Method] = {
     ),
     "bakeoff": Method(
         "Comparison of four ways",
-        2,
+        3,
         lambda: import_module("core.synthesis.bakeoff").BakeoffParameters,
         _bake_off,
         lambda found, dataset: import_module("core.synthesis.kept_bakeoff").pack_bakeoff(found),

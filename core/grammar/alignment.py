@@ -19,7 +19,9 @@ from numba import njit
 from core.progress import Report, silent
 
 Sentence = tuple[int, ...]
-_CELLS = 400_000_000  # cells of all edit distance tables that "auto" is willing to fill: a few seconds
+WAYS = ("pairs", "contexts")
+_CELLS = 400_000_000  # of all edit distance tables: a few seconds
+_SPANS = 1_000_000  # of all sentences: a few seconds, too
 
 
 class Hypotheses(NamedTuple):
@@ -32,19 +34,25 @@ class Hypotheses(NamedTuple):
     kind: np.ndarray
 
 
-def align(sentences: Sequence[Sentence], how: str = "auto", report: Report = silent) -> Hypotheses:
-    """The hypotheses of different sentences; how: "pairs" by edit distance, "contexts", or "auto": pairs where there
-    are not too many. Raises ValueError for another word or for equal sentences."""
+def ways(sentences: Sequence[Sentence]) -> tuple[str, ...]:
+    """The ways to align so many sentences in good time; the pairs where there is none."""
+    lengths = np.array([len(sentence) for sentence in sentences], float)
+    cells, spans = lengths.sum() ** 2 / 2, (lengths**2).sum() / 2
+    return tuple(way for way, fits in zip(WAYS, (cells <= _CELLS, spans <= _SPANS), strict=True) if fits) or WAYS[:1]
+
+
+def align(sentences: Sequence[Sentence], how: str = "pairs", report: Report = silent) -> Hypotheses:
+    """The hypotheses of different sentences; how: "pairs" by edit distance, or "contexts".
+
+    Raises ValueError for another word or for equal sentences.
+    """
     if len(set(sentences)) < len(sentences):
         raise ValueError("the sentences to align must differ")
-    if how == "auto":
-        lengths = np.array([len(sentence) for sentence in sentences], float)
-        how = "pairs" if lengths.sum() ** 2 / 2 <= _CELLS else "contexts"
     if how == "pairs":
         return align_pairs(sentences, report)
     if how == "contexts":
         return align_contexts(sentences)
-    raise ValueError(f"how must be auto, pairs or contexts, not {how!r}")
+    raise ValueError(f"the ways to align are {', '.join(WAYS)}, not {how!r}")
 
 
 def align_pairs(sentences: Sequence[Sentence], report: Report = silent) -> Hypotheses:

@@ -12,8 +12,7 @@ from core.grammar.medoids import seed_medoids, swap_medoids
 from core.grammar.objective import Clustering, clustering_of, span_distances
 from core.grammar.pose_space import PoseSpace
 
-_LITTLE = 1e-3  # a turn that lowers the cost by a smaller share leads nowhere
-_PATIENCE = 2  # such turns in a row before the search stops
+_LITTLE = 1e-3  # the search stops at a turn that lowers the cost by a smaller share
 _MOST = 2500  # segments whose distances to one another are looked at; beyond, a sample of them
 
 
@@ -68,22 +67,21 @@ def alternate(
     """
     begin = spans, labels
     for share in surplus:
-        medoids = _choose(space, spans, labels, min(len(spans), max(k, round(share * k))), weight, rng)
+        medoids, _ = _choose(space, spans, labels, min(len(spans), max(k, round(share * k))), weight, rng)
         spans, labels = cut_by_medoids(space, spans[medoids], limits, price)
         if len(spans) < k:
             spans, labels = begin
             break
-    best, least, idle = None, np.inf, 0
+    best, least = None, np.inf
     for turn in range(turns):
-        medoids = _choose(space, spans, labels, k, weight, rng)
-        found = clustering_of(spans, medoids, span_distances(space, spans, spans[medoids]))
+        found = clustering_of(spans, *_choose(space, spans, labels, k, weight, rng))
         cost = _cost(space, found, weight, price)
-        idle = idle + 1 if cost > (1 - _LITTLE) * least else 0
-        if cost < least:
-            best, least = found, cost
-        if idle >= _PATIENCE or turn == turns - 1:
+        before, least = least, min(cost, least)
+        if cost == least:
+            best = found
+        if cost > (1 - _LITTLE) * before or turn == turns - 1:
             break
-        spans, labels = cut_by_medoids(space, spans[medoids], limits, price)
+        spans, labels = cut_by_medoids(space, spans[found.medoids], limits, price)
         if len(spans) < k:
             break
     return best, least
@@ -117,8 +115,8 @@ def _cost(space: PoseSpace, found: Clustering, weight: float, price: float) -> f
     return 1 / found.objective(space, weight)["F"] + (1 - weight) * price * len(found.spans) / space.n / space.largest
 
 
-def _choose(space, spans, labels, k, weight, rng) -> np.ndarray:
-    """Indices ``(k,)`` of the spans that serve best as medoids."""
+def _choose(space, spans, labels, k, weight, rng) -> tuple[np.ndarray, np.ndarray]:
+    """Indices ``(k,)`` of the spans that serve best as medoids, and the distances ``(n, k)`` of all spans to them."""
     if len(spans) < k:
         raise ValueError(f"there are only {len(spans)} segments for {k} terminals; ask for fewer, or shorter pieces")
     sample = np.arange(len(spans))
@@ -132,7 +130,10 @@ def _choose(space, spans, labels, k, weight, rng) -> np.ndarray:
         medoids = seed_medoids(distances, weights + 1e-12, k, rng)
     else:
         medoids = _central(distances, weights, prices, labels[sample], k)
-    return sample[swap_medoids(distances, weights, prices, medoids)]
+    medoids = swap_medoids(distances, weights, prices, medoids)
+    if len(sample) == len(spans):
+        return medoids, distances[:, medoids]
+    return sample[medoids], span_distances(space, spans, spans[sample[medoids]])
 
 
 def _central(distances, weights, prices, labels, k) -> np.ndarray:

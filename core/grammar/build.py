@@ -48,8 +48,8 @@ class GrammarParameters(TerminalParameters):
     candidates: int = parameter(40, "With shortest: ways to cut that are tried.", 0, 10_000, 10, advanced=True)
     align: str = parameter(
         "auto",
-        "pairs = every two sentences side by side; contexts = whatever stands between equal actions; auto = pairs "
-        "where there are not too many.",
+        "pairs = every two sentences side by side; contexts = whatever stands between equal actions; auto = what gives "
+        "the shorter description.",
         choices=("auto", "pairs", "contexts"), advanced=True,
     )  # fmt: skip
     select: str = parameter(

@@ -19,8 +19,11 @@ _BLOCK = (
 
 def pose_distances(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     """Squared Euclidean distances ``(n, m)`` float32 between poses ``(n, d)`` and ``(m, d)``."""
-    squares = np.einsum("nd,nd->n", x, x)[:, None] + np.einsum("md,md->m", y, y)
-    return np.maximum(squares - 2 * (x @ y.T), 0).astype(np.float32, copy=False)
+    # one product gives |x|^2 - 2 xy + |y|^2, each square beside a column of ones
+    left = np.column_stack([-2 * x, np.einsum("nd,nd->n", x, x), np.ones(len(x), x.dtype)])
+    right = np.column_stack([y, np.ones(len(y), y.dtype), np.einsum("md,md->m", y, y)])
+    found = (left @ right.T).astype(np.float32, copy=False)
+    return np.maximum(found, 0, out=found)
 
 
 def best_cuts(
@@ -67,11 +70,15 @@ def candidate_costs(
 def _costs(table, lengths, shortest, costs, nearest):
     """table: distances of the frames of all medoids, one medoid after the other (rows), to poses (columns).
 
-    All starts go side by side, since what they add up for one medoid and one length lies side by side too. The frame
-    that stands beside another, floor(m l' / l), is counted up, as a division a frame would take most of the time.
+    All starts go side by side, since what they add up for one medoid and one length lies side by side too, and four
+    frames at a time, so that the totals are fetched and kept a quarter as often.
     """
     n, first = table.shape[1], 0
     totals = np.empty(costs.shape[1], np.float32)
+    rows, shifts = (
+        np.empty(table.shape[0] + table.shape[1], np.int64),
+        np.empty(table.shape[0] + table.shape[1], np.int64),
+    )
     for k in range(len(lengths)):
         own = lengths[k]
         for c in range(len(costs)):
@@ -79,18 +86,21 @@ def _costs(table, lengths, shortest, costs, nearest):
             starts = min(costs.shape[1], n - length + 1)
             if starts <= 0:
                 break
-            longer, shorter = max(length, own), min(length, own)
+            longer = max(length, own)
+            for m in range(longer):  # floor(m l' / l) of the longer and the shorter
+                rows[m] = first + (m * own // length if length >= own else m)
+                shifts[m] = m if length >= own else m * length // own
             totals[:starts] = 0
-            beside, carried = 0, 0
-            for m in range(longer):
-                row, shift = (beside, m) if length >= own else (m, beside)
-                line = table[first + row, shift : shift + starts]
+            whole = longer - longer % 4
+            for m in range(0, whole, 4):
+                line0, line1 = table[rows[m], shifts[m] :], table[rows[m + 1], shifts[m + 1] :]
+                line2, line3 = table[rows[m + 2], shifts[m + 2] :], table[rows[m + 3], shifts[m + 3] :]
+                for s in range(starts):
+                    totals[s] += (line0[s] + line1[s]) + (line2[s] + line3[s])
+            for m in range(whole, longer):
+                line = table[rows[m], shifts[m] :]
                 for s in range(starts):
                     totals[s] += line[s]
-                carried += shorter
-                if carried >= longer:
-                    carried -= longer
-                    beside += 1
             share = np.float32(length) / np.float32(longer)
             for s in range(starts):
                 if totals[s] * share < costs[c, s]:

@@ -6,7 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
-from core.grammar.alignment import Sentence, align
+from core.grammar.alignment import Sentence, align, ways
 from core.grammar.constituents import grammar_of, merge_kinds, read_off
 from core.grammar.motion_grammar import Grammar
 from core.grammar.selection import select
@@ -37,7 +37,8 @@ def induce(
 ) -> Induced:
     """The grammar of sentences of terminals (numbers from 0).
 
-    align_by: see :func:`core.grammar.alignment.align`; select_by, touching: see :func:`core.grammar.selection.select`;
+    align_by: see :func:`core.grammar.alignment.align`; "auto" takes the way that gives the shorter description;
+    select_by, touching: see :func:`core.grammar.selection.select`;
     merge: "no", "side" or "rules", see :func:`core.grammar.constituents.merge_kinds`. With touching=False and
     merge="no" no sentence of the grammar has two neighbours that are not neighbours in a training sentence.
     Raises ValueError where there are no sentences or one is empty.
@@ -45,6 +46,14 @@ def induce(
     given = [tuple(map(int, sentence)) for sentence in sentences]
     if not given or not all(given):
         raise ValueError("a grammar needs sentences, and every sentence at least one terminal")
+    tried = ways(list(dict.fromkeys(given))) if align_by == "auto" else (align_by,)
+    learned = [_induced(given, way, select_by, touching, merge, report) for way in tried]
+    return min(learned, key=lambda one: one.bits)
+
+
+def _induced(
+    given: list[Sentence], align_by: str, select_by: str, touching: bool, merge: str, report: Report
+) -> Induced:
     different: dict[Sentence, int] = Counter(given)
     kept = list(different)
     hypotheses = align(kept, align_by, report)

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from core.grammar.alignment import Hypotheses, align, align_contexts, align_pairs, links
+from core.grammar.alignment import Hypotheses, align, align_contexts, align_pairs, links, ways
 from core.grammar.constituents import Description, grammar_of, read_off, renamed
 from core.grammar.induction import induce
 from core.grammar.neighbours import END, Neighbours
@@ -183,9 +183,23 @@ def test_new_neighbours_are_plausible_where_much_is_new() -> None:
     assert neighbours.allow({(0, 1)}, {()})
 
 
+@given(SENTENCES)
+@settings(max_examples=30)
+def test_auto_is_the_way_with_the_shorter_description(sentences) -> None:
+    both = [induce(sentences, align_by=way).bits for way in ("pairs", "contexts")]
+    assert induce(sentences).bits == min(both)
+
+
+def test_ways_that_would_take_long_are_left_out() -> None:
+    assert ways([(1, 2, 3)] * 5) == ("pairs", "contexts")
+    assert ways([(0,) * 2000] * 2) == ("pairs",), "four million spans"
+    assert ways([(0,) * 10] * 10_000) == ("contexts",), "five thousand million cells of tables"
+    assert ways([(0,) * 2000] * 1000) == ("pairs",), "too many of both"
+
+
 def test_nothing_to_learn_from() -> None:
     for nothing in ([], [(1, 2), ()]):
         with pytest.raises(ValueError, match="at least one terminal"):
             induce(nothing)
-    with pytest.raises(ValueError, match="auto, pairs"):
+    with pytest.raises(ValueError, match="pairs, contexts"):
         induce([(1, 2)], align_by="words")
