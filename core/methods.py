@@ -169,8 +169,8 @@ METHODS: dict[str, Method] = {
         3,
         lambda: import_module("core.synthesis.parameters").WalkParameters,
         _walk,
-        lambda walk, dataset: import_module("core.synthesis.kept").pack_walk(walk),
-        lambda document, arrays: import_module("core.synthesis.kept").unpack_walk(document, arrays),
+        lambda walk, dataset: import_module("core.synthesis.kept_walks").pack_walk(walk),
+        lambda document, arrays: import_module("core.synthesis.kept_walks").unpack_walk(document, arrays),
         needs=lambda values: (("motifs", values.graph),),
     ),
     "terminals": _method(

@@ -6,7 +6,9 @@ A computation calls ``report(stage, fraction)`` now and then. Whoever started it
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 
 Report = Callable[[str, float], None]
 
@@ -17,3 +19,11 @@ class Cancelled(Exception):
 
 def silent(stage: str, fraction: float) -> None:
     """A report that nobody reads. ``fraction`` runs from 0 to 1 within ``stage``."""
+
+
+@contextmanager
+def timed(stage: str, seconds: dict[str, float]) -> Iterator[None]:
+    """Notes in ``seconds`` how long what stands inside took."""
+    started = time.perf_counter()
+    yield
+    seconds[stage] = time.perf_counter() - started

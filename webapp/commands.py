@@ -12,9 +12,10 @@ from pathlib import Path
 from typing import Any
 
 from core.progress import Report
-from core.workspace import Workspace, WorkspaceError, atomic_file, clean_name
+from core.workspace import Workspace, WorkspaceError, clean_name
 from webapp.advice import on_the_command_line
 from webapp.progress_bar import progress_bar
+from webapp.result_files import write_json
 
 MB = 1024 * 1024
 SHOWN = 20  # bad files that an import names
@@ -113,13 +114,6 @@ def motifs(asked: Namespace) -> int:
     if not asked.quiet:
         print("\n".join(_motif_summary(dataset, graph, {"reading": read} | dict(graph.seconds), asked)))
     return 0
-
-
-def write_json(path: Path, document: dict[str, Any]) -> None:
-    """Writes JSON atomically; raises OSError."""
-    with atomic_file(path) as file:
-        file.write(json.dumps(document, ensure_ascii=False, allow_nan=False, separators=(",", ":")).encode())
-        file.write(b"\n")
 
 
 def _motif_summary(dataset: Any, graph: Any, seconds: dict[str, float], asked: Namespace) -> Iterator[str]:

@@ -2,30 +2,26 @@
 
 from __future__ import annotations
 
-import json
 import time
 from argparse import Namespace
 from collections.abc import Iterator
-from pathlib import Path
 
 import numpy as np
 
-from core import analyses
 from core.motifs.compare import Comparison, compare
-from core.motifs.graph import MotifGraph, from_json
+from core.motifs.graph import from_json
 from core.motifs.stability import Stability
 from core.workspace import WorkspaceError
-from webapp.commands import write_json
 from webapp.figures.compare import WORDS, sentence
-from webapp.progress_bar import progress_bar
-from webapp.sources import named_dataset, open_source, refuse_reading_options
+from webapp.one_result import result_of
+from webapp.result_files import read_result, write_json
 
 
 def compare_files(asked: Namespace) -> int:
     """Compares two motifs.json files: prints what changed, a line a motif, and writes ``--out`` where it is given."""
     if asked.out is not None and asked.out.is_dir():
         raise WorkspaceError(f"{asked.out} is a folder; --out names the file to write.")
-    found = compare(_read_graph(asked.first), _read_graph(asked.second))
+    found = compare(*(read_result(path, "motifs", from_json) for path in (asked.first, asked.second)))
     if asked.out is not None:
         write_json(asked.out, found.to_json())
     if not asked.quiet:
@@ -35,32 +31,13 @@ def compare_files(asked: Namespace) -> int:
 
 def measure_stability(asked: Namespace) -> int:
     """Measures how stable the motifs of SOURCE are and writes stability.json; prints a table."""
-    values = {p.name: getattr(asked, p.name) for p in analyses.parameters("stability")}
-    analyses.normalise(analyses.Request("", "stability", values))  # refuses before anything is read
-    if asked.out.is_dir():
-        raise WorkspaceError(f"{asked.out} is a folder; --out names the file to write.")
-    named = named_dataset(asked.source)
     started = time.perf_counter()
-    with progress_bar(asked.quiet) as report:
-        if named and not asked.clips:
-            refuse_reading_options(asked)
-            found = analyses.run(named[0], analyses.Request(named[1], "stability", values), report)
-        else:
-            found = analyses.compute(open_source(asked, report), "stability", values, report)
+    found = result_of(asked, "stability")
     write_json(asked.out, found.to_json())
     if not asked.quiet:
         print("\n".join(_stability_summary(found)))
         print(f"{time.perf_counter() - started:.1f} s, written to {asked.out}")
     return 0
-
-
-def _read_graph(path: Path) -> MotifGraph:
-    try:
-        return from_json(json.loads(path.read_bytes()))
-    except (UnicodeDecodeError, json.JSONDecodeError) as error:
-        raise WorkspaceError(f"{path} is no JSON file; expected one that `motionscape motifs` wrote.") from error
-    except ValueError as error:
-        raise WorkspaceError(f"{path}: {error}") from error
 
 
 def _changes(found: Comparison) -> Iterator[str]:

@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import json
 from argparse import Namespace
 from collections.abc import Iterator
-from pathlib import Path
 
 from core.grammar.learned import LearnedGrammar, from_json
 from core.mocap.bvh import write_bvh
-from core.mocap.dataset import Dataset
 from core.synthesis.derivations import MOST_TERMINALS, Derivation, derive
 from core.synthesis.kept_derivations import derivation_json
 from core.workspace import WorkspaceError
-from webapp.commands import write_json
 from webapp.one_result import result_of
 from webapp.progress_bar import progress_bar
+from webapp.result_files import check_bvh, check_clips, made_lines, read_result, write_json
 from webapp.sources import open_source
 
 SHOWN_RULES = 12
@@ -35,15 +32,15 @@ def grammar(asked: Namespace) -> int:
 
 def derive_(asked: Namespace) -> int:
     """Writes a new sentence of a grammar as motion. Raises WorkspaceError, ValueError or OSError in plain words."""
-    if asked.out.suffix.lower() != ".bvh":
-        raise WorkspaceError(f"{asked.out}: --out names a BVH file, such as sentence.bvh.")
+    check_bvh(asked.out)
     if not 1 <= asked.max_terminals <= MOST_TERMINALS:
         raise WorkspaceError(f"--max-terminals: 1 to {MOST_TERMINALS}, not {asked.max_terminals}.")
-    learned = read_grammar(asked.grammar)
+    learned = read_result(asked.grammar, "grammar", from_json)
+    clips = learned.terminals.clips
     sentence = asked.sentence or f"random:{asked.seed}:{asked.max_terminals}"
     with progress_bar(asked.quiet) as report:
         dataset = open_source(asked, report)
-        check_clips(dataset, learned, asked)
+        check_clips(asked.grammar, clips, [name for name, _, _ in clips], dataset, asked.source)
         made = derive(
             dataset,
             learned,
@@ -59,27 +56,6 @@ def derive_(asked: Namespace) -> int:
     if not asked.quiet:
         print("\n".join(_derivation_summary(made, learned, asked)))
     return 0
-
-
-def read_grammar(path: Path) -> LearnedGrammar:
-    """The grammar in a file of ``motionscape grammar``. Raises WorkspaceError for another file, OSError."""
-    try:
-        return from_json(json.loads(path.read_text(encoding="utf-8")))
-    except (ValueError, RecursionError) as error:
-        raise WorkspaceError(f"{path}: not a file that “motionscape grammar” wrote ({error})") from error
-
-
-def check_clips(dataset: Dataset, learned: LearnedGrammar, asked: Namespace) -> None:
-    """Raises WorkspaceError where the grammar was not learned from these recordings."""
-    have = {clip.name: clip.n_frames for clip in dataset.clips}
-    for name, frames, _ in learned.terminals.clips:
-        if name not in have:
-            raise WorkspaceError(f"{asked.grammar} names the clip “{name}”, which {asked.source} does not have.")
-        if have[name] != frames:
-            raise WorkspaceError(
-                f"{asked.grammar} was made from other recordings: “{name}” has {have[name]} frames here, "
-                f"{frames} there."
-            )
 
 
 def _grammar_summary(found: LearnedGrammar, asked: Namespace) -> Iterator[str]:
@@ -104,11 +80,4 @@ def _derivation_summary(made: Derivation, learned: LearnedGrammar, asked: Namesp
     yield f"{len(made.terminals)} terminals: {shown}"
     if made.tree is not None:
         yield f"sentence: {'.'.join(map(str, learned.grammar.rule_indices(made.tree)))}"
-    yield f"{made.clip.seconds:.1f} s, {made.clip.n_frames} frames, {len(made.seams)} blends"
-    skate, speeds = made.skate, made.speeds
-    yield (
-        f"foot skate, m per second of contact: {skate.kept:.3f} (blending alone {skate.plain:.3f}, "
-        f"recordings {skate.source:.3f})"
-    )
-    yield f"fastest joint, m/s: {speeds.seams:.2f} in the blends, {speeds.sources:.2f} in the recordings"
-    yield f"written to {asked.out}" + (f" and {asked.parts}" if asked.parts else "")
+    yield from made_lines(made, asked.out, asked.parts)

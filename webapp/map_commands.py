@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from argparse import Namespace
 
-from webapp.commands import write_json
 from webapp.one_result import result_of
+from webapp.result_files import write_json
 
 
 def map_(asked: Namespace) -> int:

@@ -17,8 +17,8 @@ from core.progress import Report
 from core.retrieval.queries import Query, hybrid_query, parse_stretch, whole_query
 from core.retrieval.search import SearchIndex
 from core.workspace import WorkspaceError
-from webapp.commands import write_json
 from webapp.progress_bar import progress_bar
+from webapp.result_files import write_json
 from webapp.sources import named_dataset, open_source, refuse_reading_options
 
 FORMAT = "motionscape/hits/1"

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, fields
 from typing import Any
 
@@ -21,7 +19,7 @@ from core.grammar.terminals import Terminals
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.parameters import parameter
-from core.progress import Report, silent
+from core.progress import Report, silent, timed
 
 ENOUGH_CLIPS = 8  # recordings that can be sentences by themselves: fewer have little to be compared
 
@@ -116,9 +114,9 @@ def grammar_of_terminals(
     """
     parameters = parameters or GrammarParameters()
     seconds = dict(terminals.seconds)
-    with _timed("sentences", seconds):
+    with timed("sentences", seconds):
         sentences = _sentences(terminals, parameters, report)
-    with _timed("rules", seconds):
+    with timed("rules", seconds):
         learned = induce((s.terminals for s in sentences), **parameters.induction, report=report)
     return LearnedGrammar(
         terminals=terminals,
@@ -179,10 +177,3 @@ def _figures(rules: int, bits: Bits) -> dict[str, float]:
         "bits_sentences": float(bits.sentences),
         "bits_total": float(bits.total),
     }
-
-
-@contextmanager
-def _timed(stage: str, seconds: dict[str, float]) -> Iterator[None]:
-    started = time.perf_counter()
-    yield
-    seconds[stage] = time.perf_counter() - started

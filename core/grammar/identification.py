@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import time
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from dataclasses import asdict, replace
 from typing import Any
 
@@ -19,7 +17,7 @@ from core.grammar.pose_space import PoseSpace, pose_space
 from core.grammar.terminals import Terminals
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
-from core.progress import Report, silent
+from core.progress import Report, silent, timed
 
 _ROUGH_FPS = 6.0  # the search begins at about this rate
 _SURPLUS = (2.0, 1.6, 1.3)  # times as many groups as asked for, in the first turns
@@ -37,9 +35,9 @@ def find_terminals(
     """
     parameters = parameters or TerminalParameters()
     seconds: dict[str, float] = {}
-    with _timed("poses", seconds):
+    with timed("poses", seconds):
         space = space_of(dataset, parameters, report)
-    with _timed("search", seconds):
+    with timed("search", seconds):
         clustering = search(space, parameters, report)
     return terminals_of(space, clustering, parameters, dataset, seconds)
 
@@ -55,12 +53,12 @@ def find_several(
     if not numbers:
         raise ValueError("say for which numbers of terminals")
     seconds: dict[str, float] = {}
-    with _timed("poses", seconds):
+    with timed("poses", seconds):
         space = space_of(dataset, parameters, report)
     found = []
     for i, number in enumerate(numbers):
         chosen, own = replace(parameters, n_terminals=number), dict(seconds)
-        with _timed("search", own):
+        with timed("search", own):
             clustering = search(space, chosen, lambda stage, share, i=i: report(stage, (i + share) / len(numbers)))
         found.append(terminals_of(space, clustering, chosen, dataset, own))
     return tuple(found)
@@ -180,10 +178,3 @@ def terminals_of(
         clips=tuple(zip(space.clips, space.clip_frames, space.clip_fps, strict=True)),
         dataset={"name": dataset.name, "fingerprint": dataset.fingerprint},
     )
-
-
-@contextmanager
-def _timed(stage: str, seconds: dict[str, float]) -> Iterator[None]:
-    started = time.perf_counter()
-    yield
-    seconds[stage] = time.perf_counter() - started

@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import re
-import time
-from collections.abc import Iterator
-from contextlib import contextmanager
 from dataclasses import asdict, dataclass, replace
 
 import numpy as np
@@ -20,7 +17,7 @@ from core.motion_map.samples import reduce_samples, threshold_for
 from core.motion_map.som import PASSES, batch_som, best_nodes, errors, online_som
 from core.parameters import parameter
 from core.poses.postures import postures_of
-from core.progress import Report, silent
+from core.progress import Report, silent, timed
 
 
 @dataclass(frozen=True)
@@ -91,13 +88,13 @@ def build_motion_map(
     if model is not None:
         return replace(assign_clips(model, dataset, report), parameters=asdict(parameters))
     seconds: dict[str, float] = {}
-    with _timed("postures", seconds):
+    with timed("postures", seconds):
         postures = postures_of(dataset, analysis_fps=parameters.analysis_fps, report=report)
-    with _timed("samples", seconds):
+    with timed("samples", seconds):
         threshold = threshold_for(postures.vectors, parameters.samples, seed=parameters.seed)
         kept = reduce_samples(postures.vectors, threshold, report)
         samples = postures.vectors[kept]
-    with _timed("map", seconds):
+    with timed("map", seconds):
         grid = parse_grid(parameters.grid)
         if parameters.training == "online":
             weights = online_som(samples, grid, passes=parameters.passes, seed=parameters.seed, report=report)
@@ -106,9 +103,9 @@ def build_motion_map(
             weights = batch_som(
                 samples, grid, epochs=parameters.epochs, sigma=sigma, seed=parameters.seed, report=report
             )
-    with _timed("regions", seconds):
+    with timed("regions", seconds):
         regions = find_regions(weights)
-    with _timed("runs", seconds):
+    with timed("runs", seconds):
         nodes, distances = best_nodes(postures.vectors, weights)
         runs = runs_of(nodes, distances, postures.clip_starts, postures.velocity)
         quantisation, topographic = errors(samples, weights)
@@ -138,10 +135,3 @@ def build_motion_map(
         seconds=seconds,
         dataset={"name": dataset.name, "fingerprint": dataset.fingerprint},
     )
-
-
-@contextmanager
-def _timed(stage: str, seconds: dict[str, float]) -> Iterator[None]:
-    started = time.perf_counter()
-    yield
-    seconds[stage] = time.perf_counter() - started

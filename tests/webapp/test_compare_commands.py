@@ -38,7 +38,7 @@ def test_what_cannot_be_compared_is_said(recordings, tmp_path):
     (tmp_path / "other.json").write_text("{}")
     for second, words in (
         ("part.json", "different recordings"),
-        ("text.json", "no JSON file"),
+        ("text.json", "not a file that “motionscape motifs” wrote"),
         ("other.json", "not a motif graph"),
         ("none.json", "no such file"),
     ):

@@ -11,7 +11,7 @@ from flask import Blueprint, Response, jsonify, request
 from core import analyses
 from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
-from core.synthesis import kept
+from core.synthesis import kept_walks
 from core.workspace import Workspace, WorkspaceError
 from webapp import results
 from webapp.figures.drawing import graph_svg
@@ -62,7 +62,7 @@ def export_blueprint(workspace: Workspace) -> Blueprint:
         walk = analyses.kept(workspace, "walk", key) if re.fullmatch(r"[0-9a-f]{8,64}", key) else None
         if walk is None:
             raise Refusal("This walk is no longer there; make it again on the Motifs page.", 404)
-        return attachment(json.dumps(kept.walk_json(walk)), "application/json", "walk.json")
+        return attachment(json.dumps(kept_walks.walk_json(walk)), "application/json", "walk.json")
 
     @routes.get("/motifs.svg")
     def motifs_svg() -> Response:

@@ -15,7 +15,7 @@ from core.mocap.dataset import Dataset, open_dataset
 from core.mocap.kinematics import joint_positions
 from core.motifs.build import find_motifs
 from core.synthesis import TRANSITION, NoWay, Random, find_route, make_walk
-from core.synthesis.kept import pack_walk, unpack_walk
+from core.synthesis.kept_walks import pack_walk, unpack_walk
 from core.synthesis.stitching import seam_speed
 from tests.core.synthesis.recordings import demo, other_joints, string_graph
 from tests.core.synthesis.test_stitching import same_up_to_place
@@ -170,5 +170,5 @@ def test_a_walk_is_kept_whole() -> None:
     assert (back.path, back.links, back.parts, back.seams) == (walk.path, walk.links, walk.parts, walk.seams)
     assert (back.skate, back.speeds, back.warnings) == (walk.skate, walk.speeds, walk.warnings)
     assert back.clip.skeleton == walk.clip.skeleton and np.array_equal(back.clip.rotations, walk.clip.rotations)
-    with pytest.raises(ValueError, match="not a walk"):
+    with pytest.raises(ValueError, match="expected format motionscape/walk/1"):
         unpack_walk({"format": "something else"}, {})

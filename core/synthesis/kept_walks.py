@@ -7,12 +7,10 @@ from typing import Any
 
 import numpy as np
 
-from core.mocap.clip import Clip, Segment
-from core.mocap.skeleton import Skeleton
-from core.synthesis.footing import Skate
+from core.mocap.clip import Segment
 from core.synthesis.links import Link
+from core.synthesis.packing import head_of, pack_motion, quality_of, unpack_made
 from core.synthesis.postures import Moment
-from core.synthesis.stitching import Speeds
 from core.synthesis.walks import Part, Walk
 
 FORMAT = "motionscape/walk/1"
@@ -20,17 +18,14 @@ FORMAT = "motionscape/walk/1"
 
 def pack_walk(walk: Walk) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
     """The document, and the arrays ``root (n, 3)`` metres, ``rotations (n, n_joints, 4)`` and ``contacts (n, 2)``."""
-    clip = walk.clip
-    document = walk_json(walk) | {"name": clip.name, "fps": clip.fps, "skeleton": clip.skeleton.to_json()}
-    return document, {"root": clip.root_positions, "rotations": clip.rotations, "contacts": walk.contacts}
+    said, arrays = pack_motion(walk)
+    return walk_json(walk) | said, arrays
 
 
 def walk_json(walk: Walk) -> dict[str, Any]:
     """All of a walk but its motion: where every frame comes from, and how well it was made."""
     return {
-        "format": FORMAT,
-        "frames": walk.clip.n_frames,
-        "fps": walk.clip.fps,
+        **head_of(walk, FORMAT),
         "path": list(walk.path),
         "links": [{**link._asdict(), "exit": list(link.exit), "entry": list(link.entry)} for link in walk.links],
         "parts": [
@@ -44,32 +39,21 @@ def walk_json(walk: Walk) -> dict[str, Any]:
             }
             for part in walk.parts
         ],
-        "seams": [list(seam) for seam in walk.seams],
-        "skate": walk.skate._asdict(),
-        "speeds": walk.speeds._asdict(),
-        "warnings": list(walk.warnings),
+        **quality_of(walk),
     }
 
 
 def unpack_walk(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Walk:
     """The walk back from :func:`pack_walk`; arrays ``(n, ...)`` as there. Raises ValueError, KeyError,
     TypeError for others."""
-    if document.get("format") != FORMAT:
-        raise ValueError(f"not a walk: expected format {FORMAT}, found {document.get('format')}")
-    skeleton = Skeleton.from_json(document["skeleton"])
     return Walk(
-        clip=Clip(document["name"], skeleton, document["fps"], arrays["root"], arrays["rotations"]),
+        **unpack_made(document, arrays, FORMAT),
         path=tuple(document["path"]),
         links=tuple(
             Link(**{**link, "exit": Moment(*link["exit"]), "entry": Moment(*link["entry"])})
             for link in document["links"]
         ),
         parts=tuple(_part(entry) for entry in document["parts"]),
-        seams=tuple((start, end) for start, end in document["seams"]),
-        contacts=arrays["contacts"],
-        skate=Skate(**document["skate"]),
-        speeds=Speeds(**document["speeds"]),
-        warnings=tuple(document["warnings"]),
     )
 
 
