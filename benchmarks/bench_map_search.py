@@ -3,7 +3,7 @@
 usage: python -m benchmarks.bench_map_search
 
 First test (its table 1): the keys are the icons nearest to three postures of one labelled instance of an action; the
-right action, in another instance, should be among the first five hits; on the paper's 21 x 21 nodes and on 30 x 30.
+right action, in another instance, should be among the first five hits; on the paper's 21 x 21 nodes and on 30 x 30, the default.
 Second test (its table 2, "Choice"): one key posture of a clip narrows the clips to few.
 """
 
@@ -178,7 +178,7 @@ def main() -> str:
         "|---|---|---|---|---|---|---|---|",
         *rows,
         "",
-        f"Choice: one key, the posture of a clip that is farthest from the mean posture, on 21 x 21 nodes; clips of "
+        f"Choice: one key, the posture of a clip that is farthest from the mean posture, on 30 x 30 nodes; clips of "
         f"{len(wide.clips)} with a hit. `python -m benchmarks.bench_map_search`",
         "",
         "| clip | T = 0 | T = .2 m | T = .4 m |",

@@ -28,7 +28,7 @@ class MapParameters:
     """
 
     grid: str = parameter(
-        "21x21",
+        "30x30",
         "Nodes across and down: more show finer differences between postures, and give more icons to choose from.",
     )
     analysis_fps: float = parameter(30.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0)

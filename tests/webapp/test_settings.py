@@ -33,7 +33,7 @@ def test_the_view_of_settings_gives_the_same_request_back(values):
 
 
 def test_defaults_take_their_keys_out():
-    assert set(settings.view_of(PAGE, {"grid": "21x21"}).values()) == {""}
+    assert set(settings.view_of(PAGE, {"grid": "30x30"}).values()) == {""}
     assert settings.view_of(PAGE, {"grid": "31x31"})["map-grid"] == "31x31"
 
 
