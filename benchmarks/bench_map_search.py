@@ -3,7 +3,8 @@
 usage: python -m benchmarks.bench_map_search
 
 First test (its table 1): the keys are the icons nearest to three postures of one labelled instance of an action; the
-right action, in another instance, should be among the first five hits; on the paper's 21 x 21 nodes and on 30 x 30, the default.
+right action, in another instance, should be among the first five hits; on the paper's 21 x 21 nodes and on the
+default's 30 x 30.
 Second test (its table 2, "Choice"): one key posture of a clip narrows the clips to few.
 """
 
