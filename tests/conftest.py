@@ -11,6 +11,11 @@ from hypothesis import settings
 
 REPOSITORY = Path(__file__).resolve().parents[1]
 
+# As many processes as cores run the tests: threads of linear algebra in each would wait for one another. numpy reads
+# this when it is first imported; the processes that tests start inherit it.
+for variable in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"):
+    os.environ.setdefault(variable, "1")
+
 # Kernels compile within the first example, so none has a deadline; a failure in CI can be had again anywhere.
 settings.register_profile("motionscape", deadline=None, derandomize="CI" in os.environ)
 settings.load_profile("motionscape")

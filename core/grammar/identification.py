@@ -7,6 +7,7 @@ from dataclasses import asdict, replace
 from typing import Any
 
 import numpy as np
+from threadpoolctl import threadpool_limits
 
 from core.grammar.alternation import alternate, cut_by_medoids, even_cuts, recombine
 from core.grammar.fine_tuning import fine_tune
@@ -79,7 +80,8 @@ def space_of(dataset: Dataset, parameters: TerminalParameters, report: Report = 
 
 def search(space: PoseSpace, parameters: TerminalParameters, report: Report = silent) -> Clustering:
     """The clustering of ``space`` that the method of ``parameters`` finds. Raises ValueError as find_terminals does."""
-    return (_alternation if parameters.method == "alternation" else _paper)(space, parameters, report)
+    with threadpool_limits(1, user_api="blas"):  # thousands of small products: threads would wait for one another
+        return (_alternation if parameters.method == "alternation" else _paper)(space, parameters, report)
 
 
 def limits_of(parameters: TerminalParameters, fps: float) -> tuple[int, int]:
