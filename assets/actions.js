@@ -10,6 +10,7 @@
     const button = event.target.closest && event.target.closest("[data-store]");
     if (!button || button.disabled) return;
     put(button.dataset.store, JSON.parse(button.dataset.value), button.dataset.stamp);
+    if (button.dataset.page) window.dash_clientside.set_props("url", { pathname: button.dataset.page, search: "" });
   });
 
   // tables: a click or Enter on a row selects what the row stands for
@@ -44,7 +45,8 @@
   const KEYS = ["clip", "motif", "edge"];
   const same = (a, b) => Boolean(a && b) && KEYS.some((key) => key in a) && KEYS.every((key) => String(a[key] ?? "") === String(b[key] ?? ""));
   let chosen = null;
-  grid.isChosen = (params) => same(params.data && params.data.selection, chosen);
+  const among = (own) => Boolean(own && chosen && chosen.motifs && "motif" in own) && chosen.motifs.split("-").includes(String(own.motif));
+  grid.isChosen = (params) => same(params.data && params.data.selection, chosen) || among(params.data && params.data.selection);
 
   const clientside = (window.dash_clientside = window.dash_clientside || {});
   clientside.tables = {

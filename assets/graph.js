@@ -18,6 +18,7 @@
   function chosenIn(cy, selection) {
     if (!selection) return cy.collection();
     if (selection.motif !== undefined) return cy.getElementById("m" + selection.motif);
+    if (selection.motifs !== undefined) return cy.nodes().filter((node) => selection.motifs.split("-").includes(String(node.data("motif"))));
     if (selection.edge !== undefined) return cy.getElementById("e" + selection.edge);
     return cy.collection();
   }
@@ -161,7 +162,7 @@
       cy.batch(() => {
         cy.elements().removeClass("chosen near faded rare");
         const chosen = chosenIn(cy, selection);
-        const near = chosen.isNode && chosen.nonempty() && chosen.isNode() ? chosen.closedNeighborhood() : chosen.union(chosen.connectedNodes());
+        const near = chosen.length === 1 && chosen.isNode() ? chosen.closedNeighborhood() : chosen.union(chosen.connectedNodes());
         cy.edges().forEach((edge) => {
           if (edge.data("count") < (threshold || 1) && !near.contains(edge)) edge.addClass("rare");
         });

@@ -6,7 +6,7 @@
   const REST = 90; // milliseconds the pointer stays before anything is fetched
   const PATIENCE = 400; // milliseconds
   const KEPT = 15000; // milliseconds: a name that is given meanwhile is soon seen
-  const OTHER = ["motif", "motion", "edge", "transition", "action", "segment", "clip", "start", "end", "as", "time", "speed", "layout", "camera"];
+  const OTHER = ["motifs", "motif", "motion", "edge", "transition", "action", "segment", "clip", "start", "end", "as", "time", "speed", "layout", "camera"];
   const requests = new Map(); // address -> promise of a request, null where there is nothing to play
   let current = Promise.resolve();
   let timer = 0;
@@ -34,7 +34,7 @@
 
   const box = (selection) => selection.edge !== undefined || (selection.motif !== undefined && selection.motion === undefined);
   const usable = (selection) =>
-    selection && Object.keys(selection).length > 0 && document.getElementById("stage") && !(window.motionscapeWalk?.on && box(selection));
+    selection && Object.keys(selection).length > 0 && !selection.motifs && document.getElementById("stage") && !(window.motionscapeWalk?.on && box(selection));
 
   window.motionscapeAhead = {
     /** Fetch what a selection plays: at once, or when the pointer has rested (`later`) until `leave`. */

@@ -59,7 +59,7 @@ FREE_TEXT = frozenset(
     {"query", "hit", "label", "named", "asks"}
 )  # keys that may hold any text one can print, such as names of clips
 MAX_QUERY = 4000
-_SELECTION_KEYS = ("motif", "motion", "edge", "transition", "action", "segment", "clip", "start", "end", "as")
+_SELECTION_KEYS = ("motifs", "motif", "motion", "edge", "transition", "action", "segment", "clip", "start", "end", "as")
 _MAX_NUMBER = 10**7
 
 
@@ -67,7 +67,8 @@ _MAX_NUMBER = 10**7
 class View:
     """What the link shows. ``parameters`` are the method's, as text; ``selection`` is one of
 
-    {"motif": int[, "motion": int]}, {"edge": "SOURCE-TARGET"[, "transition": int]},
+    {"motif": int[, "motion": int]}, {"motifs": "3-7-9"} (marked together),
+    {"edge": "SOURCE-TARGET"[, "transition": int]},
     {"action": int[, "segment": int]} (of the Grammar page),
     {"clip": name[, "start": frame, "end": frame][, "as": "actions"]} (frames of the clip's own rate, end exclusive;
     as: coloured by its actions).
@@ -152,6 +153,11 @@ def _first_values(query: str, problems: list[str]) -> dict[str, str]:
 def _selection(values: Mapping[str, str], problems: list[str]) -> dict[str, int | str]:
     if "motif" in values:
         return _with_numbers("motif", _number(values, "motif", problems), values, ("motion",), problems)
+    if "motifs" in values:
+        if re.fullmatch(r"\d{1,6}(-\d{1,6}){0,299}", values["motifs"]):
+            return {"motifs": values["motifs"]}
+        problems.append("“motifs” in the link should look like 3-7-9.")
+        return {}
     if "action" in values:
         return _with_numbers("action", _number(values, "action", problems), values, ("segment",), problems)
     if "edge" in values:

@@ -44,6 +44,12 @@ def find_motif(graph: MotifGraph, number: Any) -> Motif | None:
     return next((motif for motif in graph.motifs if str(motif.id) == str(number)), None)
 
 
+def find_motifs(graph: MotifGraph, selection: Mapping[str, Any]) -> list[Motif]:
+    """The motifs that a selection names, one or several; those that are not there left out."""
+    wanted = set(str(selection.get("motifs", selection.get("motif", ""))).split("-"))
+    return [motif for motif in graph.motifs if str(motif.id) in wanted]
+
+
 def find_edge(graph: MotifGraph, name: Any) -> Edge | None:
     """The edge called ``"source-target"``, or None."""
     return next((edge for edge in graph.edges if f"{edge.source}-{edge.target}" == str(name)), None)
@@ -177,6 +183,8 @@ def missing(
         return None
     if "motif" in selection and find_motif(graph, selection["motif"]) is None:
         return f"The result shown has no motif {selection['motif']}; it has {len(graph.motifs)} motifs."
+    if "motifs" in selection and not find_motifs(graph, selection):
+        return f"The result shown has none of the motifs of the link; it has {len(graph.motifs)} motifs."
     if "edge" in selection and find_edge(graph, selection["edge"]) is None:
         return f"In the result shown, no motion leads from motif {str(selection['edge']).replace('-', ' to ')}."
     return None

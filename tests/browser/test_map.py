@@ -141,6 +141,15 @@ def test_a_motif_lights_its_nodes_and_a_region_gives_motifs_and_clips(mapped, sh
     page.locator("#map-region .map-choice", has_text=mapped.clips[0]).first.click()
     wait_for_stage(page, mapped.clips[0])
     expect(page.locator(".map-way")).to_have_count(1)
+    listed = page.locator("#map-region .map-choice", has_text="Motif ").count()
+    page.get_by_text("Mark them in the motif graph").click()
+    expect(page.locator(".marked-motifs button")).to_have_count(listed)
+    page.wait_for_function(
+        "count => document.getElementById('motif-graph')?._cyreg?.cy?.nodes('.chosen').length === count", arg=listed
+    )
+    page.wait_for_function("() => location.pathname === '/motifs' && location.search.includes('motifs=')")
+    page.locator(".marked-motifs button").first.click()
+    expect(page.locator(".marked-motifs")).to_have_count(0)
 
 
 def test_colours_and_small_maps(mapped, show):

@@ -64,6 +64,13 @@ def test_an_interval_needs_both_ends_in_order():
     assert parse("/library", "?clip=a&start=3&end=9")[0].selection == {"clip": "a", "start": 3, "end": 9}
 
 
+def test_several_motifs_are_marked_together():
+    assert parse("/motifs", "?motifs=3-7-12")[0].selection == {"motifs": "3-7-12"}
+    for wrong in ("3-", "a-b", "-".join(["1"] * 500)):
+        view, problems = parse("/motifs", f"?motifs={wrong}")
+        assert view.selection == {} and "3-7-9" in problems[0]
+
+
 def test_only_what_we_know_colours_a_clip():
     assert parse("/grammar", "?clip=a&as=actions")[0].selection == {"clip": "a", "as": "actions"}
     assert parse("/grammar", "?clip=a&as=ghosts")[0].selection == {"clip": "a"}

@@ -190,7 +190,9 @@ def test_the_panel_lists_every_motion_with_its_time(dataset, graph):
     assert listed["rows"][1]["when"] == "0:00.2 to 0:01.0"
     assert listed["rows"][2]["selection"] == {"motif": 0, "motion": 2}
     assert "3 motions" in str(selection_panel(graph, {"motif": 0}))
-    for nothing in ({}, {"motif": 99}, {"edge": "7-8"}):
+    marked = str(selection_panel(graph, {"motifs": "0-1-99"}))
+    assert "2 motifs marked" in marked and "Motif 1" in marked and motion_list(dataset, graph, {"motifs": "0-1"}) == {}
+    for nothing in ({}, {"motif": 99}, {"motifs": "98-99"}, {"edge": "7-8"}):
         assert "Choose a box" in str(selection_panel(graph, nothing)) and motion_list(dataset, graph, nothing) == {}
 
 

@@ -187,6 +187,8 @@ def test_what_lights_up_is_where_the_motif_passes(shown, graph):
     scale = dataset.clip(segment.clip).fps / motion_map.fps
     first = motion_map.nodes_of(segment.clip)[round(segment.start / scale)]
     assert int(first[0] * 8 + first[1]) in lit
+    several = callbacks.lit_nodes(motion_map, graph, {"motifs": "-".join(str(motif.id) for motif in graph.motifs)})
+    assert set(lit) <= set(several)
     assert callbacks.lit_nodes(motion_map, graph, {"clip": "x"}) == []
 
 

@@ -20,6 +20,12 @@ def similar(clip: str, start: int, end: int) -> dict[str, str]:
     return {"data-similar": json.dumps({"clip": clip, "start": int(start), "end": int(end)})}
 
 
-def sends(store: str, value: Mapping[str, object], *, every_time: bool = False) -> dict[str, str]:
-    """Attributes for a button: a click puts ``value`` into ``store``; ``every_time``: also when it is there already."""
-    return {"data-store": store, "data-value": json.dumps(value), **({"data-stamp": "yes"} if every_time else {})}
+def sends(
+    store: str, value: Mapping[str, object], *, every_time: bool = False, page: str | None = None
+) -> dict[str, str]:
+    """Attributes for a button: a click puts ``value`` into ``store``; ``every_time``: also when it is there already;
+
+    ``page``: and goes to that page.
+    """
+    said = {"data-store": store, "data-value": json.dumps(value)}
+    return said | ({"data-stamp": "yes"} if every_time else {}) | ({"data-page": f"/{page}"} if page else {})

@@ -13,7 +13,7 @@ from dash import dcc, html
 from dash.development.base_component import Component
 
 from core.mocap.dataset import Dataset
-from core.motifs.graph import MotifGraph
+from core.motifs.graph import Motif, MotifGraph
 from core.workspace import Job, MotifNote
 from webapp.components.actions import copies, sends, similar
 from webapp.components.errors import empty_state
@@ -26,7 +26,7 @@ from webapp.figures.names import brief_names
 from webapp.figures.tables import strip_address
 from webapp.pages.motifs import stability_marks, views
 from webapp.pages.motifs.form import summary
-from webapp.playback import find_edge, find_motif, moment, transition_segment
+from webapp.playback import find_edge, find_motif, find_motifs, moment, transition_segment
 
 ERROR_RATIO = (
     "How far the motions of a motif lie apart, compared with how far poses lie from the average pose. "
@@ -300,6 +300,9 @@ def selection_panel(
     edge = find_edge(graph, selection["edge"]) if "edge" in selection else None
     if edge is not None:
         return _panel_head(f"From {edge.source} to {edge.target}", f"seen {edge.count}×")
+    several = find_motifs(graph, selection) if "motifs" in selection else []
+    if several:
+        return _several(several, notes)
     hint = (
         "Choose a box to see all motions of a motif play together, or an arrow to see how one motif leads to the next."
     )
@@ -307,6 +310,20 @@ def selection_panel(
         [html.Div(icon("play", 26), className="empty-icon"), html.P(hint, className="muted")],
         className="selection-hint",
     )
+
+
+def _several(motifs: list[Motif], notes: Mapping[int, MotifNote]) -> Component:
+    """Motifs that are marked together, each a button that selects it alone."""
+    buttons = [
+        html.Button(
+            (notes[motif.id].name if motif.id in notes else "") or f"Motif {motif.id}",
+            className="soft-button",
+            **sends("selection", {"motif": motif.id}),
+        )
+        for motif in motifs
+    ]
+    head = _panel_head(f"{len(motifs)} motifs marked" if len(motifs) > 1 else "1 motif marked", "choose one to play it")
+    return html.Div([head, html.Div(buttons, className="marked-motifs")])
 
 
 def _panel_head(title: str, count: str, action: Component | None = None) -> Component:

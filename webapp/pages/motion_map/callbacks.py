@@ -23,7 +23,7 @@ from webapp.figures import motion_map as figures
 from webapp.figures import tables
 from webapp.motion_maps import other_maps
 from webapp.pages.motion_map import layout, panels
-from webapp.playback import find_motif
+from webapp.playback import find_motifs
 
 METHOD = layout.METHOD
 
@@ -49,11 +49,12 @@ def opened(
 
 
 def lit_nodes(motion_map: MotionMap, graph: MotifGraph | None, selection: Mapping[str, Any]) -> list[int]:
-    """Nodes that the motions of the selected motif pass, row by row in the grid; none where no motif is selected."""
-    motif = find_motif(graph, selection["motif"]) if graph is not None and "motif" in selection else None
-    if motif is None:
+    """Nodes that the motions of the selected motifs pass, row by row in the grid; none where no motif is selected."""
+    motifs = find_motifs(graph, selection) if graph is not None else []
+    if not motifs:
         return []
-    return np.flatnonzero(layers.seconds_on_nodes(motion_map, [motif.segments])[0]).tolist()
+    segments = [segment for motif in motifs for segment in motif.segments]
+    return np.flatnonzero(layers.seconds_on_nodes(motion_map, [segments])[0]).tolist()
 
 
 def facts_of(motion_map: MotionMap, dataset: Dataset) -> dict[str, Any]:

@@ -137,7 +137,11 @@ def _motifs(motion_map: MotionMap, graph: MotifGraph | None, nodes: np.ndarray) 
     sizes = {motif.id: motif.n_motions for motif in graph.motifs}
     order: Sequence[int] = sorted(found, key=lambda motif: (-len(found[motif]) / sizes[motif], motif))
     buttons = [_choice(f"Motif {m}", f"{len(found[m])} of {sizes[m]} motions", {"motif": m}) for m in order[:60]]
-    return html.Div(buttons, className="map-region-groups")
+    all_of_them = {"motifs": "-".join(map(str, order[:300]))}
+    together = html.Button(
+        "Mark them in the motif graph", className="soft-button", **sends("selection", all_of_them, page="motifs")
+    )
+    return html.Div([html.Div(buttons, className="map-region-groups"), together])
 
 
 def _choice(name: str, said: str, selection: dict[str, Any]) -> Component:
