@@ -20,7 +20,7 @@ from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.progress import Report, silent, timed
 
-_ROUGH_FPS = 6.0  # the search begins at about this rate
+_ROUGH_FPS = 6.0  # results are recombined at about this rate; the search begins at half of it
 _SURPLUS = (2.0, 1.6, 1.3)  # times as many groups as asked for, in the first turns
 _FINE_TURNS = 3
 _PARENTS = 3  # of a recombination
@@ -91,23 +91,32 @@ def limits_of(parameters: TerminalParameters, fps: float) -> tuple[int, int]:
 
 
 def _alternation(space: PoseSpace, parameters: TerminalParameters, report: Report) -> Clustering:
-    """At a low rate from several random beginnings and by recombining what came of them, then the best at the full
-    rate."""
+    """Several random beginnings at a very low rate, what came of them recombined at a low one, the best of it at the
+    full rate."""
     step = max(1, int(space.fps // _ROUGH_FPS))
     thin = space.thinned(step)
-    best = _recombined(thin, parameters, _beginnings(thin, parameters, report), report)
-    if step == 1:
-        return best
+    coarse = thin.thinned(2)
+    found = [_refined(thin, coarse, 2, one, parameters, turns=1) for one in _beginnings(coarse, parameters, report)]
+    best = _recombined(thin, parameters, found, report)
     report("fine search", 0.0)
-    limits = limits_of(parameters, space.fps)
-    spans, labels = cut_by_medoids(space, space.unthinned(best.spans[best.medoids], step, thin), limits)
+    return _refined(space, thin, step, best, parameters, turns=_FINE_TURNS)[0]
+
+
+def _refined(
+    space: PoseSpace, thin: PoseSpace, step: int, found: Clustering, parameters: TerminalParameters, turns: int
+) -> tuple[Clustering, float]:
+    """A clustering of ``thin``, which is ``space`` thinned by ``step``, improved at the rate of ``space``; its cost."""
+    k, limits = parameters.n_terminals, limits_of(parameters, space.fps)
+    medoids = space.unthinned(found.spans[found.medoids], step, thin)
+    spans, labels = cut_by_medoids(space, medoids, limits)
+    if len(spans) < k:
+        spans, labels = even_cuts(space, limits[0], limits), None
     rng = np.random.default_rng(parameters.seed)
-    k, weight = parameters.n_terminals, parameters.weight
-    return alternate(space, k, weight, limits, rng, spans=spans, labels=labels, turns=_FINE_TURNS)[0]
+    return alternate(space, k, parameters.weight, limits, rng, spans=spans, labels=labels, turns=turns)
 
 
-def _beginnings(space: PoseSpace, parameters: TerminalParameters, report: Report) -> list[tuple[Clustering, float]]:
-    """A clustering and its cost from each of ``starts`` random beginnings."""
+def _beginnings(space: PoseSpace, parameters: TerminalParameters, report: Report) -> list[Clustering]:
+    """What comes of each of ``starts`` random beginnings."""
     k, limits, found = parameters.n_terminals, limits_of(parameters, space.fps), []
     for start in range(parameters.starts):
         report("random beginnings", start / parameters.starts)
@@ -115,7 +124,7 @@ def _beginnings(space: PoseSpace, parameters: TerminalParameters, report: Report
         spans = even_cuts(space, rng.uniform(1.3 * limits[0], 0.7 * limits[1]), limits)
         if len(spans) < k:
             spans = even_cuts(space, limits[0], limits)
-        found.append(alternate(space, k, parameters.weight, limits, rng, spans=spans, surplus=_SURPLUS))
+        found.append(alternate(space, k, parameters.weight, limits, rng, spans=spans, surplus=_SURPLUS)[0])
     return found
 
 

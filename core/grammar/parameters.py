@@ -46,7 +46,7 @@ class TerminalParameters:
         8, "With alternation: random beginnings, of which the best goes on.", 1, 1000, 1, advanced=True
     )
     crossings: int = parameter(
-        12, "With alternation: attempts to make a better one of several beginnings' results.", 0, 10_000, 1,
+        16, "With alternation: attempts to make a better one of several beginnings' results.", 0, 10_000, 1,
         advanced=True,
     )  # fmt: skip
     grid: int = parameter(15, "With paper and annealing: frames between possible cuts.", 1, 1000, 1, advanced=True)
