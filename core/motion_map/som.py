@@ -11,6 +11,7 @@ from collections.abc import Iterator
 
 import numpy as np
 from numba import njit
+from threadpoolctl import threadpool_limits
 
 from core.progress import Report, silent
 
@@ -43,11 +44,12 @@ def batch_som(
         raise ValueError(f"sigma must fall and stay above 0, not from {first} to {last}, in at least one epoch")
     weights = plane(samples, grid)
     order = np.random.default_rng(seed).permutation(len(samples))
-    for epoch in range(epochs):
-        width = first * (last / first) ** (epoch / max(epochs - 1, 1))
-        seen = samples if width <= 2 * last else samples[order[: _enough(len(samples), first, width)]]
-        weights = _moved(seen, best_nodes(seen, weights)[0], weights, width)
-        report("map", (epoch + 1) / epochs)
+    with threadpool_limits(1, user_api="blas"):  # beside other work, threads wait for one another longer than they gain
+        for epoch in range(epochs):
+            width = first * (last / first) ** (epoch / max(epochs - 1, 1))
+            seen = samples if width <= 2 * last else samples[order[: _enough(len(samples), first, width)]]
+            weights = _moved(seen, best_nodes(seen, weights)[0], weights, width)
+            report("map", (epoch + 1) / epochs)
     return weights
 
 
