@@ -1,4 +1,4 @@
-"""The app and the commands. They, and not ``core``, decide how many threads linear algebra may have."""
+"""The Dash app and the command line. They, and not ``core``, decide how many threads linear algebra may have."""
 
 import os
 
