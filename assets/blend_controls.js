@@ -97,13 +97,13 @@
   }
 
   function row(state, i, hands) {
-    const { motion, clip, when } = state.data.bodies[state.body].motions.find((one) => one.motion === state.chosen[i]);
+    const { motion, clip, brief, when } = state.data.bodies[state.body].motions.find((one) => one.motion === state.chosen[i]);
     const made = element("div", { class: "blend-row" });
     const name = `Motion ${motion + 1}: ${clip}, ${when}`;
     const only = element("button", { type: "button", class: "blend-badge number", title: `Only motion ${motion + 1}`, "aria-label": `Only motion ${motion + 1}` }, String(motion + 1));
     only.addEventListener("click", () => hands.set(state.values.map((_, k) => Number(k === i))));
     const middle = element("div", { class: "blend-middle" });
-    middle.append(element("span", { class: "ellipsis blend-name", title: name }, `${clip} · ${when.split(" ")[0]}`));
+    middle.append(element("span", { class: "ellipsis blend-name", title: name }, `${brief} · ${when.split(" ")[0]}`));
     if (state.chosen.length !== 3) {
       const range = element("input", { type: "range", min: 0, max: 1, step: 0.01, "aria-label": `Weight of ${name}` });
       range.addEventListener("input", () => hands.set(state.values.map((value, k) => (k === i ? Number(range.value) : value))));
@@ -139,7 +139,7 @@
     parts.push(rows);
     const others = bodies[state.body].motions.filter(({ motion }) => !state.chosen.includes(motion));
     if (others.length && state.chosen.length < most) {
-      const options = [["", "Add a motion …"], ...others.map(({ motion, clip, when }) => [motion, `${motion + 1}  ${clip} · ${when.split(" ")[0]}`])];
+      const options = [["", "Add a motion …"], ...others.map(({ motion, brief, when }) => [motion, `${motion + 1}  ${brief} · ${when.split(" ")[0]}`])];
       parts.push(choice("Add a motion", options, (value) => value && hands.add(Number(value))));
     }
     box.replaceChildren(...parts);

@@ -192,7 +192,7 @@
       forget();
       if (figure && figure.layout && figure.layout.meta && figure.layout.meta.thinned) fetchValues(view);
       requestAnimationFrame(() => requestAnimationFrame(() => { forget(); parts.place(); })); // Plotly draws after this
-      return clientside.no_update;
+      return figure?.layout?.meta?.kind ?? null;
     },
     mark(selection, shown) {
       at.shown = shown;

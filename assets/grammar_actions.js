@@ -31,7 +31,7 @@
     const frames = new URLSearchParams({ start: Math.round(start * clip.fps), end: Math.round(end * clip.fps), n: 4, v: parts.data.version });
     strip.src = `/api/filmstrip/${encodeURIComponent(parts.data.dataset)}/${encodeURIComponent(clip.clip)}?${frames}`;
     Object.assign(strip, { alt: "", loading: "lazy", draggable: false });
-    button.append(parts.icon("play"), element("span", "ellipsis", clip.clip), element("span", "muted number", `${clock(start)} to ${clock(end)}`), strip);
+    button.append(parts.icon("play"), element("span", "ellipsis", clip.brief), element("span", "muted number", `${clock(start)} to ${clock(end)}`), strip);
     return button;
   }
 

@@ -9,7 +9,7 @@
     clip: routine.clip, start: routine.leaves[first][0], end: routine.leaves[end - 1][1], as: "actions",
   });
 
-  function row(routine, number) {
+  function row(routine, number, brief) {
     const line = element("li");
     const button = element("button", "routine-row");
     button.type = "button";
@@ -23,7 +23,7 @@
       square.style.setProperty("--tone", parts.action(id).colour);
       return square;
     }));
-    button.append(element("span", "number routine-number", String(number + 1)), element("span", "ellipsis routine-clip", routine.clip),
+    button.append(element("span", "number routine-number", String(number + 1)), element("span", "ellipsis routine-clip", brief),
       element("span", "muted number", clock(routine.seconds[0])), squares);
     line.append(button);
     return line;
@@ -38,7 +38,10 @@
   parts.drawRoutines = (shown, data, view) => {
     const list = parts.find("routine-list");
     if (!list || !data?.routines) return;
-    if (parts.fresh(list, [data.key, data.names])) parts.redraw(list, data.routines.map(row));
+    if (parts.fresh(list, [data.key, data.names])) {
+      const brief = new Map(data.rows.map((clip) => [clip.clip, clip.brief]));
+      parts.redraw(list, data.routines.map((routine, number) => row(routine, number, brief.get(routine.clip))));
+    }
     if (!shown || shown.key !== data.key) return;
     const routine = data.routines[shown.number];
     now = { routine, number: shown.number };

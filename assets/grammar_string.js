@@ -28,8 +28,9 @@
   function row(clip, longest) {
     const line = element("div", "string-row");
     line.setAttribute("role", "listitem");
-    const head = parts.plays(element("button", "string-clip ellipsis", clip.clip), { clip: clip.clip, as: "actions" });
+    const head = parts.plays(element("button", "string-clip ellipsis", clip.brief), { clip: clip.clip, as: "actions" });
     head.type = "button";
+    head.dataset.clip = clip.clip;
     head.title = `Play ${clip.clip} with its actions`;
     const time = element("div", "string-time");
     time.style.width = `${Math.max((100 * clip.seconds) / longest, 0.5)}%`;
@@ -77,7 +78,7 @@
       made.classList.toggle("same", same);
       made.setAttribute("aria-pressed", String(same && made.dataset.segment === String(selection.segment)));
     }
-    for (const head of box.querySelectorAll(".string-clip")) head.classList.toggle("chosen", selection?.clip === head.textContent);
+    for (const head of box.querySelectorAll(".string-clip")) head.classList.toggle("chosen", selection?.clip === head.dataset.clip);
   };
 
   document.addEventListener("keydown", (event) => {

@@ -24,7 +24,8 @@
 
   function motionBlock([start, end, motif, number], motifs, seconds) {
     const { name, colour: tone, motions } = motifs[motif];
-    const block = element("button", "timeline-motion", String(motif));
+    const block = element("button", "timeline-motion");
+    block.append(element("span", motif < 100 ? "" : "timeline-hundred", String(motif)));
     block.type = "button";
     block.tabIndex = -1;
     block.title = `${name}, motion ${number + 1} of ${motions}, ${clock(start)} to ${clock(end)}`;

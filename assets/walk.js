@@ -8,6 +8,7 @@
   const KEYS = ["walk", "extra", "gaps", "ends", "feet"];
   const OURS = "~walk~";
   const LONGEST = 300; // letters of a path that a link can hold
+  const MOST_NAMED = 12; // dead ends that are listed by number
   const BEFORE = 0.5; // seconds played before a motif that was just added
 
   let on = false; // whether the side is chosen: then the graph's boxes are for walking
@@ -119,7 +120,8 @@
     const total = data.motifs.length;
     const words = [];
     if (data.parts.length > 1) words.push(`From ${data.parts[0]} of ${total} motifs one can come back to each other; ${data.parts.length - 1} more such part${data.parts.length > 2 ? "s" : ""}.`);
-    if (data.dead.length) words.push(`Dead ends, where nothing leads on: ${data.dead.join(", ")} (marked in the graph).`);
+    const dead = data.dead.length > MOST_NAMED ? `${data.dead.length} motifs` : data.dead.join(", ");
+    if (data.dead.length) words.push(`Dead ends, where nothing leads on: ${dead} (marked in the graph).`);
     if (data.asked.extra) words.push(data.further.length ? `${data.further.length} further transitions (dashed).` : "No further transition points are good enough.");
     return words.join(" ");
   }

@@ -50,9 +50,10 @@ def name_action(workspace: Workspace, dataset: str, view: View, action: int, nam
 
 
 def names_mark(workspace: Workspace, dataset: str, view: View) -> str:
-    """Changes whenever an action is called something else."""
+    """Changes whenever an action is called something else, or the labels of the recordings change."""
     said = {action: note.name for action, note in (notes_of(workspace, dataset, view) or {}).items()}
-    return hashlib.blake2b(repr(sorted(said.items())).encode(), digest_size=6).hexdigest()
+    known = (sorted(said.items()), workspace.open(dataset).labels)
+    return hashlib.blake2b(repr(known).encode(), digest_size=6).hexdigest()
 
 
 def page_data(dataset: Dataset, found: LearnedGrammar, key: str, notes: Mapping[int, MotifNote]) -> dict[str, Any]:

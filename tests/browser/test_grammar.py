@@ -84,9 +84,10 @@ def test_every_piece_plays_and_the_cursor_moves_along(show, workspace):
 
     clip = page.locator(".string-clip").first
     clip.click()
-    wait_for_stage(page, clip.text_content())
+    name = clip.get_attribute("data-clip")
+    wait_for_stage(page, name)
     bands = page.locator(".ms-band span").count()
-    assert bands == len(found.terminals.occurrences[clip.text_content()])
+    assert bands == len(found.terminals.occurrences[name])
     width = "document.getElementById('grammar-string').scrollWidth"
     before = page.evaluate(width)
     page.get_by_role("button", name="Show less time, larger").click()

@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import re
+from dataclasses import replace
 from xml.etree import ElementTree
 
 import numpy as np
@@ -211,6 +212,12 @@ def test_facts_name_the_labels_of_every_node(shown):
     facts = callbacks.facts_of(motion_map, dataset)
     assert len(facts["labels"]) == 72 and set(facts["names"]) == {label.action for label in dataset.labels}
     assert all(node == sorted(node, key=lambda entry: -entry[1]) for node in facts["labels"])
+
+
+def test_recordings_without_labels_have_no_names_of_them(shown):
+    motion_map, dataset = shown
+    facts = callbacks.facts_of(motion_map, replace(dataset, labels=()))
+    assert facts == {"names": [], "labels": [[]] * 72}
 
 
 def test_the_clips_of_another_data_set_can_be_laid_on_a_map(workspace, key):

@@ -11,6 +11,7 @@ from urllib.parse import quote, urlencode
 from core.mocap.clip import Label, Segment
 from core.mocap.dataset import Dataset
 from core.workspace import MotifNote
+from webapp.figures.names import brief_names
 from webapp.figures.tables import majority_label, strip_address
 from webapp.figures.timeline import motif_colour
 
@@ -89,7 +90,7 @@ def icon_address(dataset: Dataset, segment: Segment, scheme: str = "") -> str:
 def string_rows(
     dataset: Dataset, segments: Sequence[Sequence[Segment]], cuts: Mapping[str, Sequence[int]]
 ) -> list[dict[str, Any]]:
-    """One row a clip, in seconds: {clip, fps, seconds, pieces: [[start, end, action, number]], cuts, labels}.
+    """One row a clip, in seconds: {clip, brief, fps, seconds, pieces: [[start, end, action, number]], cuts, labels}.
 
     number: which of the action's segments it is. cuts: frames at which a sentence begins, by clip.
     """
@@ -106,13 +107,14 @@ def string_rows(
     return [
         {
             "clip": clip.name,
+            "brief": brief,
             "fps": clip.fps,
             "seconds": _short(clip.seconds),
             "pieces": sorted(pieces[clip.name]),
             "cuts": [_short(frame / clip.fps) for frame in cuts.get(clip.name, ())],
             "labels": sorted(labels[clip.name]),
         }
-        for clip in dataset.clips
+        for clip, brief in zip(dataset.clips, brief_names(dataset.names, 18), strict=True)
     ]
 
 

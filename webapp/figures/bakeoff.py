@@ -54,12 +54,12 @@ MEASURES = (
 )  # fmt: skip
 _BY_FIELD = {measure.field: measure for measure in MEASURES}
 _PLOTS = (  # one small chart each: the figure, and a second one drawn as a mark on its bars
-    ("accepted", "shuffled", "Unseen accepted (%), ◆ shuffled"),
+    ("accepted", "shuffled", "Unseen accepted (%)<br>◆ shuffled"),
     ("bits", None, "Bits a routine"),
     ("new", None, "New routines (%)"),
     ("blends", None, "Blends a minute"),
-    ("seam_speed", "source_speed", "Fastest joint (m/s), ◆ recordings"),
-    ("skate", "skate_plain", "Foot skate (cm/s), ◆ blending alone"),
+    ("seam_speed", "source_speed", "Fastest joint (m/s)<br>◆ recordings"),
+    ("skate", "skate_plain", "Foot skate (cm/s)<br>◆ blending alone"),
 )
 
 

@@ -86,10 +86,9 @@ def confusion_chart(found: RegimeScores, scheme: str | None) -> go.Figure:
     )
     side = max(300, min(26 * len(found.contents) + 120, 680))
     themed(figure, scheme, height=side)
-    figure.update_xaxes(title_text="Label of the hits", showticklabels=named, tickangle=-45, showgrid=False)
-    figure.update_yaxes(
-        title_text="Label of the query", showticklabels=named, autorange="reversed", showgrid=False, scaleanchor=None
-    )
+    axis = {"showticklabels": named, "showgrid": False, "title_standoff": 10}
+    figure.update_xaxes(title_text="Label of the hits", tickangle=-45, **axis)
+    figure.update_yaxes(title_text="Label of the query", autorange="reversed", scaleanchor=None, **axis)
     if len(found.contents) <= 12:
         figure.update_traces(texttemplate="%{z:.0%}", textfont={"size": 11})
     figure.update_layout(font={"color": theme.CANVAS[scheme if scheme in theme.CANVAS else "light"]["text"]})

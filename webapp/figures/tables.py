@@ -45,6 +45,7 @@ MOTIF_COLUMNS = [
     column("motions", "Motions", 108, "How many times it occurs", sort="desc", **NUMBER),
     column("seconds", "Seconds", 94, "Mean duration of its motions", **SECONDS),
     column("clips", "Clips", 78, "In how many clips it occurs", **NUMBER),
+    column("label", "Mostly", 120, "The label that covers most of its frames", flex=1, minWidth=120),
     column("name", "Name", 130, "What people call it", flex=1, minWidth=110, tooltipField="note"),
     column("tags", "Tags", 100, flex=1, minWidth=90, tooltipField="tags"),
     column("note", "Note", 100, hide=True),
@@ -58,7 +59,6 @@ MOTIF_COLUMNS = [
         cellRenderer="Share",
         cellClass="strip-cell",
     ),
-    column("label", "Mostly", 120, "The label that covers most of its frames", flex=1, minWidth=120),
 ]
 
 
@@ -93,7 +93,7 @@ def grid(
         eventListeners={"rowClicked": ["chooseRow(params)"], "cellKeyDown": ["chooseRowByKey(params)"]},
         className="grid",
     )
-    return html.Div(table, role="group", **{"aria-label": label})
+    return html.Div(table, role="group", style={"--row-height": f"{row_height}px"}, **{"aria-label": label})
 
 
 def strip_address(dataset: str, segment: Segment, n_poses: int = 6, fingerprint: str = "") -> str:

@@ -188,12 +188,12 @@ def _draw(app: Dash, workspace: Workspace) -> None:
         Output("clip-graph", "figure", allow_duplicate=True),
         Input("selection", "data"),
         State("clip-shown", "data"),
-        State("view", "data"),
+        State("clip-drawn", "data"),
         State("theme", "data"),
         prevent_initial_call=True,
     )
-    def mark_path(selection, shown, view, scheme):
-        if (view or {}).get("chart") != "path" or (curves := curves_of(workspace, shown)) is None:
+    def mark_path(selection, shown, drawn, scheme):
+        if drawn != "path" or (curves := curves_of(workspace, shown)) is None:
             return no_update
         changed = Patch()
         changed["data"][1] = selected_part(curves, selection or {}, scheme or "light")

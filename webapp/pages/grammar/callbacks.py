@@ -43,11 +43,12 @@ def _show(app: Dash, workspace: Workspace) -> None:
         Output("grammar-data", "data"),
         Input("grammar-result-key", "data"),
         Input("grammar-names", "data"),
+        Input("revision", "data"),
         State("dataset", "data"),
         State("grammar-settings", "data"),
         State("grammar-data", "data"),
     )
-    def gather(key, _names, name, view, before):
+    def gather(key, _names, _revision, name, view, before):
         found = grammars.learned(workspace, name, view) if key and name else None
         if found is None or settings.key_of(workspace, grammars.PAGE, name, view) != key:
             return no_update

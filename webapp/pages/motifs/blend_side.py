@@ -15,6 +15,7 @@ from core.motifs.graph import Motif
 from core.workspace import Workspace, WorkspaceError
 from webapp import mixtures, results
 from webapp.components.icons import icon
+from webapp.figures.names import brief_names
 from webapp.playback import find_motif, moment, shown_motions, stage_request
 
 MOST_MIXED = 8  # motions that are mixed at once
@@ -129,6 +130,7 @@ def blend_data(workspace: Workspace, key: str, dataset: Dataset, motif: Motif, c
 
 def _body(dataset: Dataset, motif: Motif, space: BlendSpace) -> dict[str, Any]:
     at = np.linspace(0, len(space.tracks[space.reference].ticks) - 1, KNOTS)
+    brief = dict(zip(dataset.names, brief_names(dataset.names), strict=True))
     motions = []
     for k, track in space.tracks.items():
         segment = motif.segments[k]
@@ -137,6 +139,7 @@ def _body(dataset: Dataset, motif: Motif, space: BlendSpace) -> dict[str, Any]:
             {
                 "motion": k,
                 "clip": segment.clip,
+                "brief": brief[segment.clip],
                 "start": segment.start,
                 "end": segment.end,
                 "fps": track.clip.fps,

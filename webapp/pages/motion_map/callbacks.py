@@ -60,7 +60,8 @@ def lit_nodes(motion_map: MotionMap, graph: MotifGraph | None, selection: Mappin
 def facts_of(motion_map: MotionMap, dataset: Dataset) -> dict[str, Any]:
     """What is said of a node beside its posture: names of labels, and per node [[label, seconds], ...], most first."""
     groups: dict[str, list[Segment]] = figures.label_segments(dataset)
-    seconds = layers.seconds_on_nodes(motion_map, list(groups.values())).reshape(len(groups), -1)
+    seconds = layers.seconds_on_nodes(motion_map, list(groups.values()))
+    seconds = seconds.reshape(len(groups), motion_map.grid[0] * motion_map.grid[1])
     order = np.argsort(-seconds, axis=0, kind="stable")[:4]
     labels = [
         [[int(k), round(float(seconds[k, node]), 2)] for k in order[:, node] if seconds[k, node] > 0]
