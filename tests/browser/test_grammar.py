@@ -105,6 +105,15 @@ def test_every_piece_plays_and_the_cursor_moves_along(show, workspace):
     wait_for_stage(page, f"Action {first.nth(1).get_attribute('data-action')}, ")
 
 
+def test_labels_that_come_meanwhile_are_shown(show, workspace, tmp_path):
+    page = show(LINK)
+    wait_for_string(page)
+    clip = workspace.open("demo").names[0]
+    (tmp_path / "labels.csv").write_text(f"clip,start_frame,end_frame,action\n{clip},0,60,waiting here\n")
+    workspace.add_labels("demo", tmp_path / "labels.csv")
+    expect(page.locator(".string-label", has_text="waiting here")).to_have_count(1, timeout=PATIENCE)
+
+
 def test_a_name_is_kept_and_seen_everywhere(show, workspace):
     page = show(LINK + "&action=3")
     wait_for_string(page)

@@ -11,7 +11,7 @@ from plotly.subplots import make_subplots
 
 from webapp import theme
 from webapp.figures.charts import SERIES, themed
-from webapp.figures.tables import NUMBER, Row, column
+from webapp.figures.tables import NUMBER, Row, column, decimals
 
 if TYPE_CHECKING:
     from core.synthesis.bakeoff import Contender
@@ -53,6 +53,7 @@ MEASURES = (
     Measure("skate_source", "Skate of recordings", "cm/s", 2, "The same in the recordings used."),
 )  # fmt: skip
 _BY_FIELD = {measure.field: measure for measure in MEASURES}
+_HEAD = {"wrapHeaderText": True}
 _PLOTS = (  # one small chart each: the figure, and a second one drawn as a mark on its bars
     ("accepted", "shuffled", "Unseen accepted (%)<br>◆ shuffled"),
     ("bits", None, "Bits a routine"),
@@ -73,16 +74,11 @@ def shown_value(contender: Contender, field: str) -> float | None:
 def columns() -> list[dict[str, Any]]:
     """The way, its rules, and every figure."""
     numbers = [
-        column(m.field, f"{m.name} ({m.unit})" if m.unit else m.name, 112, m.help, wrapHeaderText=True, **_format(m))
+        column(m.field, f"{m.name} ({m.unit})" if m.unit else m.name, 112, m.help, **_HEAD, **decimals(m.digits))
         for m in MEASURES
     ]
     rules = column("rules", "Rules", 84, "Rules, transitions, or arrows of the graph", **NUMBER)
     return [column("name", "Way", 190, tooltipField="help", pinned="left"), rules, *numbers]
-
-
-def _format(measure: Measure) -> dict[str, Any]:
-    words = f"params.value == null ? '–' : d3.format('.{measure.digits}f')(params.value)"
-    return {"valueFormatter": {"function": words}, **NUMBER}
 
 
 def rows(contenders: Sequence[Contender]) -> list[Row]:

@@ -178,7 +178,7 @@ def time_chart(
     layout = _layout(colours, height)
     layout["xaxis"] |= {
         "range": [low, high],
-        "title": {"text": "Time (s)", "standoff": 6},
+        "title": {"text": "Time (s)", "standoff": 6, "font": {"size": 12}},
         "side": "bottom",
         "position": 0,
     }

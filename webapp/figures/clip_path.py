@@ -33,14 +33,15 @@ def path_chart(curves: ClipCurves, selection: Mapping[str, Any], scheme: str) ->
     axis = {"gridcolor": colours["soft"], "zeroline": False, "linecolor": colours["line"], "ticks": ""}
     axis |= {"tickfont": {"color": colours["muted"], "size": 11}, "automargin": True}
     (left, right), (near, far) = (_around(ground[:, k]) for k in (0, 1))
+    title = {"standoff": 6, "font": {"size": 12}}
     layout = {
         "height": HEIGHT,
         "margin": {"l": 52, "r": 12, "t": 10, "b": 42},
         "paper_bgcolor": "rgba(0,0,0,0)",
         "plot_bgcolor": "rgba(0,0,0,0)",
         "font": {"color": colours["text"], "size": 12, "family": "inherit"},
-        "xaxis": axis | {"title": {"text": "X (m)", "standoff": 6}, "range": [left, right]},
-        "yaxis": axis | {"title": {"text": "Z (m)", "standoff": 6}, "range": [far, near], "scaleanchor": "x"},
+        "xaxis": axis | {"title": {"text": "X (m)", **title}, "range": [left, right]},
+        "yaxis": axis | {"title": {"text": "Z (m)", **title}, "range": [far, near], "scaleanchor": "x"},
         "hovermode": "closest",
         "dragmode": "pan",
         "showlegend": True,

@@ -16,6 +16,7 @@ from core.motion_map.motion_map import MotionMap
 from webapp import theme
 from webapp.components.filmstrip import ICON_COLOURS, data_uri
 from webapp.figures.charts import themed
+from webapp.figures.names import brief_names
 from webapp.figures.posture_icons import body_of, figure_svg, turned
 from webapp.figures.timeline import motif_colour
 
@@ -79,7 +80,7 @@ def layer_of(motion_map: MotionMap, dataset: Dataset, graph: MotifGraph | None, 
     elif colouring == "clip":
         led = layers.leading(layers.seconds_of_clips(motion_map)).astype(float)
         shades = tuple(motif_colour(k) for k in range(len(motion_map.clips)))
-        return Layer(np.where(led < 0, np.nan, led), motion_map.clips, shades)
+        return Layer(np.where(led < 0, np.nan, led), tuple(brief_names(motion_map.clips, 28)), shades)
     if groups:
         led = layers.leading(layers.seconds_on_nodes(motion_map, list(groups.values()))).astype(float)
         return Layer(np.where(led < 0, np.nan, led), tuple(groups), colours)

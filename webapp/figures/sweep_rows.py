@@ -10,20 +10,22 @@ import numpy as np
 from core.motifs.parameters import MotifParameters
 from core.motifs.sweep_table import SweepTable
 from webapp.figures.measures import MEASURES
-from webapp.figures.tables import NUMBER, Row
+from webapp.figures.tables import NUMBER, Row, column, decimals
+
+_HEAD = {"wrapHeaderText": True}
 
 
 def columns(table: SweepTable) -> list[dict[str, Any]]:
     """Result (a link), the axes, the seed, and every figure that any point has."""
     link = {"field": "open", "headerName": "Result", "width": 84, "cellRenderer": "PointLink", "sortable": False}
-    axes = [(name, name.replace("_", " "), "", 98) for name in table.axes]
-    seed = [("seed", "Seed", "Number that starts the random choices", 74)] if table.seeds > 1 else []
-    figures = [(m, words.title, words.help, 116) for m, words in MEASURES.items() if table.has(m)]
-    numbers = [
-        {"field": field, "headerName": name, "headerTooltip": tip, "width": width, "wrapHeaderText": True, **NUMBER}
-        for field, name, tip, width in (*axes, *seed, *figures)
+    axes = [column(name, name.replace("_", " "), 98, **_HEAD, **NUMBER) for name in table.axes]
+    seed = [column("seed", "Seed", 74, "Number that starts the random choices", **_HEAD, **NUMBER)]
+    figures = [
+        column(measure, words.title, 116, words.help, **_HEAD, **decimals(words.digits))
+        for measure, words in MEASURES.items()
+        if table.has(measure)
     ]
-    return [link, *numbers]
+    return [link, *axes, *(seed if table.seeds > 1 else []), *figures]
 
 
 def rows(table: SweepTable, points: Sequence[MotifParameters], links: np.ndarray) -> list[Row]:

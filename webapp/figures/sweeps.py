@@ -92,7 +92,7 @@ def heat(table: SweepTable, links: np.ndarray, measure: str, chosen: Suggestion,
     if chosen.at:  # above the number, which it would hide
         star = {"text": "★" if chosen.verdict == CLEAR else "☆", "font": {"size": 17, "color": _STAR}}
         column, row = chosen.index  # the number of a category; its name would be taken for one
-        badge = {"bgcolor": c["surface"], "borderpad": 0, "yshift": 17, "showarrow": False}
+        badge = {"bgcolor": c["surface"], "borderpad": 0, "yshift": 22, "showarrow": False}
         figure.add_annotation(**star, **badge, x=column, y=row)
     figure = themed(figure, scheme, height=None, margin={"l": 60, "r": 16, "t": 10, "b": 46})
     figure.update_xaxes(title_text=axis_name(x_name), type="category", showgrid=False)

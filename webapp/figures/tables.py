@@ -21,7 +21,6 @@ from webapp import theme
 Row = dict[str, Any]
 
 NUMBER = {"cellClass": "number ag-right-aligned-cell", "headerClass": "ag-right-aligned-header"}
-SECONDS = {"valueFormatter": {"function": "d3.format('.1f')(params.value)"}, **NUMBER}
 
 STRIP = {
     "headerName": "Motion",
@@ -32,6 +31,15 @@ STRIP = {
     "cellClass": "strip-cell",
 }
 TEXT = {"filter": "agTextColumnFilter"}
+
+
+def decimals(digits: int) -> dict[str, Any]:
+    """How a column of numbers is written: so many digits behind the point, a dash where there is no number."""
+    words = f"params.value == null ? '–' : d3.format('.{digits}f')(params.value)"
+    return {"valueFormatter": {"function": words}, **NUMBER}
+
+
+SECONDS = decimals(1)
 
 
 def column(field: str, name: str, width: int, tip: str = "", **more: Any) -> dict[str, Any]:
@@ -45,7 +53,7 @@ MOTIF_COLUMNS = [
     column("motions", "Motions", 108, "How many times it occurs", sort="desc", **NUMBER),
     column("seconds", "Seconds", 94, "Mean duration of its motions", **SECONDS),
     column("clips", "Clips", 78, "In how many clips it occurs", **NUMBER),
-    column("label", "Mostly", 120, "The label that covers most of its frames", flex=1, minWidth=120),
+    column("label", "Mostly", 140, "The label that covers most of its frames", flex=1, minWidth=140),
     column("name", "Name", 130, "What people call it", flex=1, minWidth=110, tooltipField="note"),
     column("tags", "Tags", 100, flex=1, minWidth=90, tooltipField="tags"),
     column("note", "Note", 100, hide=True),

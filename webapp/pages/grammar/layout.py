@@ -20,7 +20,7 @@ LABELS = {
     "min_seconds": "Shortest piece (s)",
     "max_seconds": "Longest piece (s)",
     "method": "How they are found",
-    "mirror": "Left and right are one action",
+    "mirror": "Left and right alike",
     "pose": "What a posture is",
     "velocity": "Movement counts",
     "starts": "Beginnings tried",

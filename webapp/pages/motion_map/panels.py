@@ -19,6 +19,7 @@ from webapp.components.actions import sends
 from webapp.components.downloads import chart_menu
 from webapp.figures import motion_map as figures
 from webapp.figures.charts import CONFIG, themed
+from webapp.figures.tables import NUMBER, SECONDS, column, decimals
 from webapp.pages.motion_map.layout import BAD_FIT
 
 COLUMNS = 4
@@ -76,12 +77,12 @@ def clip_columns() -> list[dict[str, Any]]:
     """Columns of the table of clips."""
     tip = "Mean distance of its postures to the map, as a multiple of what is usual: from about 2 on the map does not know them."  # noqa: E501
     return [
-        {"field": "clip", "headerName": "Clip", "flex": 1, "minWidth": 120},
-        {"field": "seconds", "headerName": "Seconds", "width": 100, "type": "rightAligned"},
-        {"field": "nodes", "headerName": "Nodes", "width": 90, "type": "rightAligned"},
-        {"field": "regions", "headerName": "Regions", "width": 95, "type": "rightAligned"},
-        {"field": "fit", "headerName": "Off the map", "width": 125, "type": "rightAligned", "headerTooltip": tip},
-        {"field": "said", "headerName": "", "width": 150},
+        {"field": "clip", "headerName": "Clip", "flex": 1, "minWidth": 200},
+        column("seconds", "Seconds", 88, **SECONDS),
+        column("nodes", "Nodes", 78, **NUMBER),
+        column("regions", "Regions", 88, **NUMBER),
+        column("fit", "Off the map", 114, tip, **decimals(2)),
+        {"field": "said", "headerName": "", "width": 100},
     ]
 
 
