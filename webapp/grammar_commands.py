@@ -12,7 +12,7 @@ from core.synthesis.kept_derivations import derivation_json
 from core.workspace import WorkspaceError
 from webapp.one_result import result_of
 from webapp.progress_bar import progress_bar
-from webapp.result_files import check_bvh, check_clips, made_lines, read_result, write_json
+from webapp.result_files import check_clips, check_made, made_lines, read_result, write_json
 from webapp.sources import open_source
 
 SHOWN_RULES = 12
@@ -32,7 +32,7 @@ def grammar(asked: Namespace) -> int:
 
 def derive_(asked: Namespace) -> int:
     """Writes a new sentence of a grammar as motion. Raises WorkspaceError, ValueError or OSError in plain words."""
-    check_bvh(asked.out)
+    check_made(asked.out, asked.parts)
     if not 1 <= asked.max_terminals <= MOST_TERMINALS:
         raise WorkspaceError(f"--max-terminals: 1 to {MOST_TERMINALS}, not {asked.max_terminals}.")
     learned = read_result(asked.grammar, "grammar", from_json)

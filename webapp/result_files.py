@@ -50,10 +50,13 @@ def check_clips(
         raise WorkspaceError(f"{path} names the clip “{missing[0]}”{others}, which {source} does not have.")
 
 
-def check_bvh(path: Path) -> None:
-    """Raises WorkspaceError unless ``path`` is a name for a BVH file."""
+def check_made(path: Path, parts: Path | None) -> None:
+    """Raises WorkspaceError unless ``path`` is a name for a BVH file, and neither it nor ``parts`` a folder."""
     if path.suffix.lower() != ".bvh":
         raise WorkspaceError(f"{path}: --out names a BVH file, such as walk.bvh.")
+    for option, file in (("--out", path), ("--parts", parts)):
+        if file is not None and file.is_dir():
+            raise WorkspaceError(f"{file} is a folder; {option} names the file to write.")
 
 
 def made_lines(made: Made, out: Path, parts: Path | None) -> Iterator[str]:

@@ -12,14 +12,14 @@ from core.synthesis.kept_walks import walk_json
 from core.synthesis.paths import MOST_SECONDS
 from core.workspace import WorkspaceError
 from webapp.progress_bar import progress_bar
-from webapp.result_files import check_bvh, check_clips, made_lines, read_result, write_json
+from webapp.result_files import check_clips, check_made, made_lines, read_result, write_json
 from webapp.sources import open_source
 
 
 def walk(asked: Namespace) -> int:
     """Writes the walk that the arguments ask for. Raises WorkspaceError, ValueError or OSError in plain words."""
     path = _path(asked)
-    check_bvh(asked.out)
+    check_made(asked.out, asked.parts)
     graph = read_result(asked.graph, "motifs", from_json)
     used = {segment.clip for motif in graph.motifs for segment in motif.segments}
     with progress_bar(asked.quiet) as report:

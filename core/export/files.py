@@ -69,4 +69,5 @@ def _write_parquet(path: Path, table: FeatureTable) -> None:
         columns |= {f"{joint}.{axis}": table.positions[:, j, k] for k, axis in enumerate("xyz")}
     columns |= {name: table.angles[:, k] for k, name in enumerate(table.angle_names)}
     columns |= {f"pose.{k}": table.poses[:, k] for k in range(table.poses.shape[1])}
-    pq.write_table(pa.table({name: pa.array(values) for name, values in columns.items()}), path)
+    with path.open("wb") as file:  # ours, for its errors name the file
+        pq.write_table(pa.table({name: pa.array(values) for name, values in columns.items()}), file)

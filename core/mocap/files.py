@@ -26,9 +26,15 @@ def files_below(folder: str | Path) -> Iterator[Path]:
 def replacing(path: str | Path) -> Iterator[Path]:
     """A name beside ``path`` to write a file or a folder at; it takes the place of ``path`` when the block ends well.
 
-    Where the block raises, what was written is removed and ``path`` stays as it was. Raises OSError as writing does.
+    Where the block raises, what was written is removed and ``path`` stays as it was. Missing folders are made. A link
+    is followed, and a device or a pipe (/dev/null, /dev/stdout) is written to as it is. Raises OSError as writing does,
+    about ``path``.
     """
-    path = Path(path)
+    asked, path = str(path), Path(os.path.realpath(path))
+    if path.exists() and not path.is_file() and not path.is_dir():
+        yield path
+        return
+    path.parent.mkdir(parents=True, exist_ok=True)
     fresh = path.with_name(f"{TEMPORARY}{secrets.token_hex(8)}")
     old = path.with_name(fresh.name + ".old")
     try:
@@ -42,6 +48,10 @@ def replacing(path: str | Path) -> Iterator[Path]:
                 raise
         else:
             fresh.replace(path)
+    except OSError as error:
+        if error.filename == str(fresh):  # a name that nobody gave
+            error.filename = asked
+        raise
     finally:
         for left in (fresh, old):
             _remove(left)
@@ -51,14 +61,13 @@ def replacing(path: str | Path) -> Iterator[Path]:
 def atomic_file(path: str | Path) -> Iterator[BinaryIO]:
     """Opens a file for binary writing that is on the disk, at ``path``, only when the block has ended well.
 
-    Missing folders are made. Raises OSError as usual (disk full, no permission); then nothing has changed at ``path``.
+    Raises OSError as usual (disk full, no permission); then nothing has changed at ``path``. See :func:`replacing`.
     """
-    path = Path(path)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with replacing(path) as fresh, fresh.open("xb") as file:
+    with replacing(path) as fresh, fresh.open("wb") as file:
         yield file
         file.flush()
-        os.fsync(file.fileno())
+        if fresh.is_file():  # not a device or a pipe
+            os.fsync(file.fileno())
 
 
 def sweep_abandoned(folder: Path, older_than: float = ABANDONED_AFTER) -> int:

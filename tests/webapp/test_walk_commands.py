@@ -49,7 +49,7 @@ def test_random_and_between(recordings, tmp_path) -> None:
     edge = document["edges"][-1]
     ends = ["--start", str(edge["source"]), "--target", str(edge["target"])]
     for by in ("fewest", "used"):
-        assert main([*common, str(tmp_path / "c.bvh"), *ends, "--by", by, "--plain"]) == 0
+        assert main([*common, str(tmp_path / "new" / "folder" / "c.bvh"), *ends, "--by", by, "--plain"]) == 0
 
 
 def test_what_is_wrong_is_said_in_one_line(recordings, tmp_path, capsys) -> None:
@@ -67,6 +67,7 @@ def test_what_is_wrong_is_said_in_one_line(recordings, tmp_path, capsys) -> None
         (["--random", "--seconds", "0"], "--seconds"),
         (["--random", "--out", str(tmp_path / "walk.fbx")], "names a BVH file"),
         (["--motifs", "1", "--from", str(source / "labels.csv")], "not a file that"),
+        (["--motifs", "1", "--parts", str(source)], "is a folder; --parts names the file to write"),
     ]
     for options, words in cases:
         assert main(["walk", str(source), "--from", str(graph), "--out", out, "--quiet", *options]) == 2

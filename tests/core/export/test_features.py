@@ -59,8 +59,9 @@ def test_npz_reads_back_without_pickles(tmp_path, table):
 def test_parquet_has_a_row_a_frame(tmp_path, table):
     import pyarrow.parquet as pq
 
-    write_features(tmp_path / "features.parquet", table)
-    found = pq.read_table(tmp_path / "features.parquet")
+    path = tmp_path / "new" / "features.parquet"
+    write_features(path, table)
+    found = pq.read_table(path)
     assert found.num_rows == 180
     assert found["clip"].to_pylist()[::60] == ["a_01", "b_01", "b_02"]
     assert found["label"].to_pylist()[60:120:15] == [None, "step", "stop", None]

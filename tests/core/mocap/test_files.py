@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+
 import pytest
 
 from core.mocap.files import atomic_file, replacing, sweep_abandoned
@@ -29,6 +31,28 @@ def test_a_folder_takes_the_place_of_another(tmp_path):
         folder.mkdir()
         raise RuntimeError
     assert names(path) == ["b"] and names(tmp_path) == ["clips"]
+
+
+def test_a_pipe_and_a_link_stay_what_they_are(tmp_path):
+    pipe, link = tmp_path / "pipe", tmp_path / "link"
+    os.mkfifo(pipe)
+    reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+    with atomic_file(pipe) as file:
+        file.write(b"through")
+    assert os.read(reader, 20) == b"through" and pipe.is_fifo()
+    os.close(reader)
+    link.symlink_to(tmp_path / "aim")
+    with atomic_file(link) as file:
+        file.write(b"behind")
+    assert link.is_symlink() and (tmp_path / "aim").read_bytes() == b"behind"
+
+
+def test_an_error_names_the_file_that_was_asked_for(tmp_path):
+    (tmp_path / "taken").mkdir()
+    with pytest.raises(OSError, match="Is a directory") as told, atomic_file(tmp_path / "taken") as file:
+        file.write(b"x")
+    assert told.value.filename == str(tmp_path / "taken")
+    assert names(tmp_path) == ["taken"]
 
 
 def test_what_a_killed_writer_left_is_swept(tmp_path):
