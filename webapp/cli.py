@@ -37,8 +37,10 @@ class Parser(argparse.ArgumentParser):
 def main(line: Sequence[str] | None = None) -> int:
     """Runs the command that the words of ``line`` (default: those of the process) ask for; the exit code."""
     line = list(sys.argv[1:] if line is None else line)
-    asked = _parser(line).parse_args(line)
+    name = "motionscape"
     try:
+        asked = _parser(line).parse_args(line)
+        name += f" {asked.command}"
         return COMMANDS[asked.command].run(asked)
     except BrokenPipeError:  # the reader of our output (head, less) has seen enough
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
@@ -47,7 +49,7 @@ def main(line: Sequence[str] | None = None) -> int:
         if os.environ.get(DEBUG):
             raise
         words, code = _in_words(error)
-        print(f"motionscape {asked.command}: {words}", file=sys.stderr)
+        print(f"{name}: {words}", file=sys.stderr)
         return code
 
 

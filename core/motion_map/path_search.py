@@ -15,6 +15,7 @@ from core.motion_map.motion_map import MotionMap
 CAP = 3.0  # nodes: a point of the path that nobody passes costs no more, as motion may jump over folds of the map
 FARTHEST = 1.5  # nodes, on the mean: what is farther is no hit
 _MOST_POINTS = 200
+_FARTHEST_POINT = 1e6  # nodes
 
 
 class PathHit(NamedTuple):
@@ -43,6 +44,8 @@ def even_steps(points: Sequence[Sequence[float]], step: float = 1.0) -> np.ndarr
     line = np.asarray(points, np.float64)
     if line.ndim != 2 or line.shape[1] != 2 or len(line) < 2 or not np.isfinite(line).all():
         raise ValueError("a path needs at least two points with two finite numbers each")
+    if np.abs(line).max() > _FARTHEST_POINT:
+        raise ValueError("a path lies on the map, or near it")
     along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
     n = int(np.clip(round(along[-1] / step), 1, _MOST_POINTS - 1)) + 1
     at = np.linspace(0, along[-1], n)

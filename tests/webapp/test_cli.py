@@ -277,6 +277,16 @@ def test_an_interrupt_ends_cleanly(demo, tmp_path):
     assert (process.returncode, said) == (130, "motionscape demo: stopped\n")
 
 
+def test_an_interrupt_while_the_arguments_are_read_ends_cleanly(monkeypatch, capsys):
+    def interrupted(_parser):
+        raise KeyboardInterrupt
+
+    monkeypatch.delenv(cli.DEBUG, raising=False)
+    monkeypatch.setitem(cli.COMMANDS, "motifs", cli.COMMANDS["motifs"]._replace(arguments=interrupted))
+    assert cli.main(["motifs", "somewhere"]) == 130
+    assert capsys.readouterr().err == "motionscape: stopped\n"
+
+
 def test_a_reader_that_leaves_early_is_no_fault(recordings):
     for k in range(300):
         (recordings / f"{k}.bvh").write_text("")

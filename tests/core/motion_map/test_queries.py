@@ -144,6 +144,8 @@ def test_paths_that_are_none():
     for bad in ([[1, 1]], [], [[0, 0], [np.nan, 1]], [[0, 1, 2], [1, 2, 3]]):
         with pytest.raises(ValueError, match="two"):
             even_steps(bad)
+    with pytest.raises(ValueError, match="near"):
+        even_steps([[1e300, 1], [1, 1e300]])
 
 
 def test_new_clips_lie_where_they_would_have_been_and_strange_ones_far_off(demo, motion_map):
