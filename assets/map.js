@@ -60,16 +60,27 @@
     else live = setTimeout(list, 120);
   }
 
+  // ---- the server ----
+  const tell = (title, message) => clientside.set_props("notices", {
+    sendNotifications: [{ action: "show", title, message, color: "orange" }],
+  });
+  /** What the server answers, or {error} in plain words. */
+  async function ask(address) {
+    const answer = await fetch(address).catch(() => null);
+    const body = await answer?.json().catch(() => null);
+    return answer?.ok && body ? body : { error: body?.error || "The server does not answer; try again in a moment." };
+  }
+
   // ---- changes ----
   /** Hits of a path drawn by hand ("x-y,x-y"): the server warps it onto every clip. */
   async function followPath(path) {
     const { map } = state;
     state.path = path;
     overlay.drawPath(path.split(",").map((point) => point.split("-").map(Number)));
-    const answer = await fetch(`/api/map/${map.key}/drawn?${new URLSearchParams({ path })}`).catch(() => null);
-    const hits = answer?.ok ? await answer.json() : [];
+    const found = await ask(`/api/map/${map.key}/drawn?${new URLSearchParams({ path })}`);
     if (state.path !== path || state.map !== map) return;
-    state.hits = hits;
+    if (found.error) tell("This path was not followed", found.error);
+    state.hits = found.error ? [] : found;
     refresh();
   }
   function drawn(points) {
@@ -175,14 +186,10 @@
 
   async function keyFromStage() {
     const item = window.motionscapeStage?.frameOf(0);
-    const tell = (title, message) => clientside.set_props("notices", {
-      sendNotifications: [{ action: "show", title, message, color: "orange" }],
-    });
     if (!item) return tell("Nothing is on the Stage", "Play a clip or a motif first; its current frame then becomes a key.");
     const asked = new URLSearchParams({ dataset: item.dataset || state.known.dataset, clip: item.clip, frame: item.frame });
-    const answer = await fetch(`/api/map/${state.map.key}/node?${asked}`);
-    const found = await answer.json();
-    if (!answer.ok) return tell("That posture cannot be a key", found.error);
+    const found = await ask(`/api/map/${state.map.key}/node?${asked}`);
+    if (found.error) return tell("That posture cannot be a key", found.error);
     const node = state.map.index(...found.node);
     overlay.move(node);
     setKeys([...state.keys, node]);

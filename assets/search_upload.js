@@ -5,7 +5,7 @@
   const { element } = parts;
   const HEADERS = { "X-Motionscape": "upload" };
   const status = () => document.getElementById("search-upload-status");
-  let sending = null;
+  let sending = null, turn = 0; // the request that sends, and how often files were chosen: the last choice counts
 
   const suffixes = () => document.querySelector(".search-choose").dataset.suffixes.split(",").filter((one) => one !== ".csv");
 
@@ -38,24 +38,32 @@
   /** Sends the files of one recording and asks for it to be read. */
   async function send(files) {
     if (!files.length) return;
+    const mine = ++turn;
     if (sending) sending.abort();
     parts.set("search-upload", null);
     const wrong = files.find((file) => !suffixes().some((suffix) => file.name.toLowerCase().endsWith(suffix)));
     if (wrong) return say(`${wrong.name} is not a kind of file we read: choose BVH, or AMC together with its ASF.`, "error-text");
     let token = null;
+    const still = () => { if (mine !== turn) throw new Error("Other files were chosen meanwhile."); };
     try {
-      const answer = await fetch("/api/uploads", { method: "POST", headers: HEADERS });
-      if (!answer.ok) throw new Error("The server cannot take files now.");
+      const answer = await fetch("/api/uploads", { method: "POST", headers: HEADERS }).catch(() => null);
+      if (!answer?.ok) throw new Error("The server cannot take files now; try again in a moment.");
       ({ token } = await answer.json());
-      for (const file of files) await put(token, file, (share) => say(`Sending ${file.name}: ${Math.round(100 * share)} %`));
+      for (const file of files) {
+        still();
+        await put(token, file, (share) => mine === turn && say(`Sending ${file.name}: ${Math.round(100 * share)} %`));
+      }
+      still();
+      sending = null;
       quiet();
       const main = files.find((file) => !/\.asf(\.gz)?$/i.test(file.name)) || files[0];
       parts.set("search-upload", { token, name: main.name });
     } catch (error) {
       if (token) fetch(`/api/uploads/${token}`, { method: "DELETE", headers: HEADERS }).catch(() => {});
+      if (mine !== turn) return;
+      sending = null;
       say(error.message, "error-text");
     }
-    sending = null;
   }
 
   parts.upload = () => {

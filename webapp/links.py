@@ -58,6 +58,11 @@ OF_DATASET = (
 FREE_TEXT = frozenset(
     {"query", "hit", "label", "named", "asks"}
 )  # keys that may hold any text one can print, such as names of clips
+SHAPES = {  # of keys that only make sense in one way
+    "keys": r"\d{1,4}-\d{1,4}(,\d{1,4}-\d{1,4})*",
+    "drawn": r"[\d.]{1,8}-[\d.]{1,8}(,[\d.]{1,8}-[\d.]{1,8})+",
+    **dict.fromkeys(("region", "routine", "pick", "up", "alt"), r"\d{1,6}"),
+}
 MAX_QUERY = 4000
 _SELECTION_KEYS = ("motifs", "motif", "motion", "edge", "transition", "action", "segment", "clip", "start", "end", "as")
 _MAX_NUMBER = 10**7
@@ -203,7 +208,7 @@ def _view(page: str, values: Mapping[str, str], problems: list[str]) -> dict[str
 def _view_value(key: str, text: str) -> bool:
     if key in FREE_TEXT:
         return len(text) <= 1000 and text.isprintable()
-    return bool(re.fullmatch(r"[-0-9A-Za-z.,:_~ ]{1,300}", text))
+    return bool(re.fullmatch(r"[-0-9A-Za-z.,:_~ ]{1,300}", text) and re.fullmatch(SHAPES.get(key, ".*"), text))
 
 
 def _stage_value(text: str) -> bool:

@@ -70,6 +70,10 @@ def test_a_drawn_path_finds_the_motions_that_go_like_it(mapped, show):
     again.wait_for_function("() => motionscapeMap.state.hits.length > 0")
     assert hits_of(again) == found
     expect(again.locator("polyline.map-drawn")).to_have_count(1)
+    again.watch.expected.append("ERR_FAILED")
+    again.route("**/drawn?*", lambda route: route.abort())
+    again.reload()
+    expect(again.locator(".mantine-Notification-root")).to_contain_text("The server does not answer", timeout=PATIENCE)
 
 
 def test_equal_postures_are_told_apart_by_pace(mapped, show):

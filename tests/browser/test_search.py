@@ -181,8 +181,18 @@ def test_a_file_of_ones_own_is_looked_for(show, indexed, tmp_path: Path) -> None
     expect(page.locator(".search-sending")).to_contain_text("not a kind of file we read")
     upload("bad.bvh")
     expect(page.locator("#search-upload-status")).to_contain_text("expected HIERARCHY", timeout=PATIENCE)
-    upload("mine.bvh")
+    page.watch.expected.append("ERR_FAILED")
+    asked = []
+    page.route("**/api/uploads", lambda route: asked.append(route))
+    for name in ("bad.bvh", "mine.bvh"):  # the second while the first is on its way: the last one counts
+        upload(name)
+    page.wait_for_timeout(300)
+    asked[1].continue_()
     page.wait_for_url(re.compile("query=mine:0-150:"), timeout=PATIENCE)
+    asked[0].abort()
+    page.wait_for_timeout(300)
+    expect(page.locator(".search-sending")).to_have_count(0)
+    page.unroute("**/api/uploads")
     wait_for_hits(page, link(page)["query"])
     expect(page.locator(".search-gives")).to_have_text("uploaded")
     expect(page.locator("#search-upload-status")).to_be_empty()
@@ -190,6 +200,9 @@ def test_a_file_of_ones_own_is_looked_for(show, indexed, tmp_path: Path) -> None
     page.reload()
     wait_for_hits(page, link(page)["query"])
     expect(page.get_by_label("Clip that is looked for")).to_have_value("mine")
+    page.route("**/api/uploads", lambda route: route.abort())
+    upload("mine.bvh")
+    expect(page.locator(".search-sending")).to_have_text("The server cannot take files now; try again in a moment.")
 
 
 def test_filters_options_and_exports(show, indexed) -> None:

@@ -56,6 +56,9 @@ def test_what_cannot_be_understood_is_left_out_and_said():
     view, problems = parse("/motifs", "?dataset=demo&motif=three&kappa=200&colour=red", PARAMETERS)
     assert view == View("motifs", "demo", {"kappa": "200"})
     assert any("motif" in problem for problem in problems) and any("colour" in problem for problem in problems)
+    view, problems = parse("/map", "?keys=3-4,a-b&drawn=1.5-2,3&region=x&within=0.5")
+    assert view.view == {"within": "0.5"} and len(problems) == 3
+    assert parse("/map", "?keys=3-4,12-0&region=7")[1] == parse("/map", "?drawn=1.5-2,3-0.4")[1] == ()
 
 
 def test_an_interval_needs_both_ends_in_order():
