@@ -3,7 +3,7 @@
   "use strict";
   const parts = (window.motionscapeMapParts ||= {});
   const clientside = (window.dash_clientside = window.dash_clientside || {});
-  const state = { map: null, known: null, keys: [], reach: 0, pace: null, facts: null, mode: "keys", selection: null, hits: [], path: "" };
+  const state = { map: null, known: null, keys: [], reach: 0, pace: null, facts: null, mode: "keys", selection: null, hits: [], path: "", lit: [] };
   const USUAL = { colour: "height", click: "keys", pace: "any", way: "any" };
   let overlay = null, follower = null, live = 0;
 
@@ -237,6 +237,7 @@
       state.shownOn = null;
       show(view || {});
       fit();
+      overlay.squares("lit", state.lit);
       const items = [];
       for (let k = 0; window.motionscapeStage?.frameOf(k); k++) items.push(window.motionscapeStage.frameOf(k));
       follower.take(map, own(items));
@@ -252,7 +253,8 @@
       return clientside.no_update;
     },
     lit(lit) {
-      if (overlay && state.map) overlay.squares("lit", (lit && lit.nodes) || []);
+      state.lit = (lit && lit.nodes) || []; // it may come before the map
+      if (overlay && state.map) overlay.squares("lit", state.lit);
       return clientside.no_update;
     },
     selection(selection) {

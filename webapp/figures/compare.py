@@ -11,7 +11,7 @@ import numpy as np
 from core.mocap.dataset import Dataset
 from core.motifs.compare import Comparison, Fate
 from core.motifs.graph import Motif, MotifGraph
-from webapp.figures.tables import NUMBER, STRIP, column, strip_address
+from webapp.figures.tables import SECONDS, STRIP, column, strip_address
 
 WORDS = {"kept": "Kept", "split": "Split", "merged": "Merged", "lost": "Gone", "gained": "New"}
 HERE, THERE = "#4a7cd8", "#d2762b"  # colours of figures of this and of the other result
@@ -34,7 +34,7 @@ COLUMNS = [
         cellRenderer="Share",
         cellClass="strip-cell",
     ),
-    column("seconds", "Seconds", 80, "Motion in it, here", **NUMBER),
+    column("seconds", "Seconds", 80, "Motion in it, here", **SECONDS),
 ]
 
 Names = Callable[[int], str]
