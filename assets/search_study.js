@@ -146,8 +146,16 @@
     const told = which === "vote" ? { kind: "vote", query: row.query, left: row.left, right: row.right, choice: value }
       : { kind: "rating", query: row.query, hit: row.hit, value };
     pending.push({ ...told, person: person.name || person.id, id: `${Date.now()} ${Math.random()}` });
-    set("study-answer", { answers: [...pending], at: Date.now() });
+    send();
     step(1);
+  }
+
+  /** Tells the server what it has not confirmed: one message at a time, as two under way may overtake each other. */
+  function send() {
+    if (!pending.length || !$("study-rate") || (sent && Date.now() - sent < PATIENCE)) return;
+    sent = Date.now();
+    set("study-answer", { answers: [...pending], at: sent });
+    setTimeout(send, PATIENCE); // where no answer came: the server was away
   }
 
   function step(by) {
@@ -166,7 +174,9 @@
     return same ? at : Math.max(all.findIndex((row) => !row.value), 0);
   }
 
-  const pending = []; // answers the server has not confirmed: of callbacks that wait Dash runs only the last one
+  const PATIENCE = 20000; // milliseconds
+  const pending = []; // answers the server has not confirmed
+  let sent = 0; // when the message under way was sent, 0 where none is
 
   let person = {};
   function who(stored) {
@@ -179,10 +189,13 @@
 
   clientside.study = {
     kept(confirmed) {
-      for (const id of (confirmed && confirmed.kept) || []) {
+      if (!confirmed || !confirmed.kept) return clientside.no_update;
+      for (const id of confirmed.kept) {
         const at = pending.findIndex((one) => one.id === id);
         if (at >= 0) pending.splice(at, 1);
       }
+      sent = 0;
+      send();
       return clientside.no_update;
     },
     draw(found, seen, stored) {
@@ -218,6 +231,7 @@
     clear() {
       if (!window.confirm("Remove all ratings and votes about this dataset, of all people?")) return;
       given.clear();
+      pending.length = 0;
       for (const row of [...data.pairs, ...data.duels]) row.value = null;
       set("study-wish", { clear: true, at: Date.now() });
     },
