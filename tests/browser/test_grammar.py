@@ -6,11 +6,13 @@ import csv
 import io
 import json
 import re
+from dataclasses import replace
 from urllib.parse import parse_qs, urlsplit
 
 import pytest
 from playwright.sync_api import Page, expect
 
+from core.mocap.dataset import Dataset
 from tests.browser.app import address, demo_workspace, setting, show, wait_for_stage
 from tests.browser.grammar_app import LINK, PATIENCE, grammar_workspace, learned, wait_for_string, workspace
 
@@ -202,3 +204,12 @@ def test_links_that_make_no_sense_say_so(show):
         "no action 99; it has 14", timeout=PATIENCE
     )
     expect(page).to_have_url(re.compile("grammar-n_terminals=14"))
+
+
+def test_a_result_goes_when_its_recordings_change_elsewhere(show, workspace):
+    page = show(LINK)
+    wait_for_string(page)
+    clip = workspace.open("demo").clips[0]
+    workspace.add_clips("demo", Dataset("demo", (replace(clip, name="one more"),)))
+    expect(page.locator("#grammar-status")).to_contain_text("No actions yet", timeout=PATIENCE)
+    expect(page.locator(".action-card")).to_have_count(0)

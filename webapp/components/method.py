@@ -156,11 +156,12 @@ def _look(app: Dash, workspace: Workspace, of: MethodPage) -> None:
         Input("dataset", "data"),
         Input(f"{of.page}-settings", "data"),
         Input("jobs-finished", "data"),
+        Input("revision", "data"),
         State(f"{of.page}-result-key", "data"),
     )
-    def find_result(dataset, view, _finished, current):
+    def find_result(dataset, view, _finished, _revision, current):
         key = settings.key_of(workspace, of.page, dataset, view)
-        return no_update if key == current and ctx.triggered_id == "jobs-finished" else key
+        return no_update if key == current and ctx.triggered_id in ("jobs-finished", "revision") else key
 
     @app.callback(
         Output(f"{of.page}-status", "children"),

@@ -64,11 +64,12 @@ def _show(app: Dash, workspace: Workspace) -> None:
         Input("dataset", "data"),
         Input("parameters", "data"),
         Input("jobs-finished", "data"),
+        Input("revision", "data"),
         State("graph-key", "data"),
     )
-    def find_graph(dataset, parameters, _finished, current):
+    def find_graph(dataset, parameters, _finished, _revision, current):
         key = results.motif_graph_key(workspace, dataset, parameters) if dataset else None
-        return no_update if key == current and ctx.triggered_id == "jobs-finished" else key
+        return no_update if key == current and ctx.triggered_id in ("jobs-finished", "revision") else key
 
     @app.callback(
         Output("motif-status", "children"),
