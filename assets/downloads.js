@@ -50,8 +50,17 @@
   /** A drawing that the server makes; as a picture at twice its size. */
   async function drawing(target, kind, name) {
     const address = window.motionscapeDrawings[target]();
-    const answer = address && (await fetch(address));
-    if (!answer || !answer.ok) return;
+    if (address) await picture(address, kind, name);
+  }
+
+  async function picture(address, kind, name) {
+    const answer = await fetch(address).catch(() => null);
+    if (!answer || !answer.ok) {
+      window.dash_clientside.set_props("notices", { sendNotifications: [{
+        action: "show", title: "The picture was not saved", message: "The server did not make it; reload the page and try again.", color: "orange",
+      }] });
+      return;
+    }
     const text = await answer.text();
     if (kind === "svg") return save(text, name + ".svg", "image/svg+xml");
     const image = new Image();
@@ -65,6 +74,7 @@
     URL.revokeObjectURL(image.src);
     canvas.toBlob((blob) => blob && save(blob, name + ".png", "image/png"));
   }
+  window.motionscapeSavePicture = picture; // also of trees (grammar_tree.js)
 
   const clientside = (window.dash_clientside = window.dash_clientside || {});
   clientside.downloads = {

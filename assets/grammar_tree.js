@@ -91,22 +91,9 @@
   };
 
   // The same drawing as a picture: painted by the browser at twice its size.
-  document.addEventListener("click", async (event) => {
+  document.addEventListener("click", (event) => {
     const button = event.target.closest?.(".tree-png");
     const link = button && parts.find(button.dataset.link);
-    if (!link?.href) return;
-    const answer = await fetch(link.href);
-    if (!answer.ok) return;
-    const picture = new Image();
-    picture.src = URL.createObjectURL(await answer.blob());
-    await picture.decode();
-    const canvas = document.createElement("canvas");
-    [canvas.width, canvas.height] = [2 * picture.width, 2 * picture.height];
-    canvas.getContext("2d").drawImage(picture, 0, 0, canvas.width, canvas.height);
-    URL.revokeObjectURL(picture.src);
-    const save = document.createElement("a");
-    save.href = canvas.toDataURL("image/png");
-    save.download = (parts.data.dataset || "motionscape") + " tree.png";
-    save.click();
+    if (link?.href) window.motionscapeSavePicture(link.href, "png", `${parts.data.dataset || "motionscape"} tree`);
   });
 })();

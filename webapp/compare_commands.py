@@ -6,8 +6,6 @@ import time
 from argparse import Namespace
 from collections.abc import Iterator
 
-import numpy as np
-
 from core.motifs.compare import Comparison, compare
 from core.motifs.graph import from_json
 from core.motifs.stability import Stability
@@ -53,10 +51,12 @@ def _stability_summary(found: Stability) -> Iterator[str]:
     yield f"{'repeat':<14}{'stability':>10}{'kept':>8}{'same frames':>13}{'adj. Rand':>11}"
     n = len(found.motifs)
     for repeat in found.repeats:
-        mean = repeat.overlaps.mean() if n else np.nan
+        mean = f"{repeat.overlaps.mean():.2f}" if n else "-"
         kept = f"{repeat.kept.sum()}/{n}"
-        yield f"{repeat.name:<14}{mean:>10.2f}{kept:>8}{repeat.agreement:>13.2f}{repeat.adjusted_rand:>11.2f}"
-    if n:
+        yield f"{repeat.name:<14}{mean:>10}{kept:>8}{repeat.agreement:>13.2f}{repeat.adjusted_rand:>11.2f}"
+    if not n:
+        yield "no motifs, so there is nothing whose stability could be measured"
+    else:
         for kind, values in found.by_kind().items():
             yield f"mean over {kind}: {values.mean():.2f}"
         yield f"{n} motifs, mean stability {found.overall.mean():.2f}"

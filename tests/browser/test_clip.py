@@ -144,6 +144,7 @@ def test_bands_gait_and_the_next_clip(show):
         " return (a._offset + a.l2p(row) - p.full._size.t) / p.height; }",
         row,
     )
+    assert page.evaluate("document.getElementById('clip-box').clientHeight > motionscapeClip.plot().height")
     page.mouse.click(*place(page, (start + end) / 120, box))
     page.wait_for_url(re.compile(f"start={start}&end={end}"))
     expect(page.locator("#clip-gait")).to_contain_text("Walking")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import plotly.graph_objects as go
@@ -49,3 +50,8 @@ def empty() -> go.Figure:
     bare = {"visible": False}
     clear = {"template": "none", "paper_bgcolor": "rgba(0,0,0,0)", "plot_bgcolor": "rgba(0,0,0,0)"}
     return go.Figure(layout={"xaxis": bare, "yaxis": bare, **clear})
+
+
+def tall(figure: go.Figure | Mapping[str, Any]) -> dict[str, str]:
+    """The style that holds a chart's place at the chart's own height: resized while it draws, Plotly forgets it."""
+    return {"height": f"{figure['layout']['height']}px"}

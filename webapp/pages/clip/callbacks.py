@@ -14,6 +14,7 @@ from core.motifs.graph import MotifGraph
 from core.workspace import Workspace, WorkspaceError
 from webapp import clips, results
 from webapp.figures import clip as figures
+from webapp.figures.charts import tall
 from webapp.figures.clip_path import path_chart, selected_part
 from webapp.figures.gait import gait_table
 from webapp.figures.timeline import motif_colour, motif_name
@@ -164,6 +165,7 @@ def _controls(app: Dash, workspace: Workspace) -> None:
 def _draw(app: Dash, workspace: Workspace) -> None:
     @app.callback(
         Output("clip-graph", "figure"),
+        Output("clip-graph", "style"),
         Output("clip-legend", "children"),
         Input("clip-shown", "data"),
         Input("view", "data"),
@@ -175,14 +177,15 @@ def _draw(app: Dash, workspace: Workspace) -> None:
     def draw(shown, view, scheme, _key, parameters, selection):
         curves = curves_of(workspace, shown)
         if curves is None:
-            return no_update, no_update
+            return no_update, no_update, no_update
         chosen, scheme = clips.choice(view, curves), scheme or "light"
         if chosen.chart == "path":
-            return path_chart(curves, selection or {}, scheme), None
+            document = path_chart(curves, selection or {}, scheme)
+            return document, tall(document), None
         panels = figures.panels_of(clips.chosen_curves(curves, chosen), chosen, scheme)
         bands = [*figures.foot_bands(curves, scheme), *_spans(workspace, shown, parameters)]
         document = figures.time_chart(curves, panels, bands, chosen, scheme)
-        return document, layout.legend(panels)
+        return document, tall(document), layout.legend(panels)
 
     @app.callback(
         Output("clip-graph", "figure", allow_duplicate=True),

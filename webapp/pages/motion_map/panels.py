@@ -18,7 +18,7 @@ from core.motion_map.motion_map import MotionMap
 from webapp.components.actions import sends
 from webapp.components.downloads import chart_menu
 from webapp.figures import motion_map as figures
-from webapp.figures.charts import CONFIG, themed
+from webapp.figures.charts import CONFIG, tall, themed
 from webapp.figures.tables import NUMBER, SECONDS, column, decimals
 from webapp.pages.motion_map.layout import BAD_FIT
 
@@ -44,7 +44,7 @@ def multiples(motion_map: MotionMap, dataset: Dataset, scheme: str | None) -> li
         id="map-multiples-graph",
         figure=figure,
         config={**CONFIG, "staticPlot": True},
-        style={"height": f"{figure.layout.height}px"},
+        style=tall(figure),
     )
     return [head, html.Div(graph, className="card")]
 

@@ -21,7 +21,7 @@ from webapp.components.errors import empty_state
 from webapp.components.icons import icon
 from webapp.components.method import MethodPage, run_button, settings_fold, status_place
 from webapp.figures import ranking as figures
-from webapp.figures.charts import CONFIG
+from webapp.figures.charts import CONFIG, tall
 from webapp.pages.search.names import ENGINES
 from webapp.refusals import said
 
@@ -215,7 +215,7 @@ def result(dataset: Dataset, found: Evaluation, view: Mapping[str, str] | None, 
 
 def _chart(name: str, title: str, figure, controls: list[Component]) -> Component:
     bar = [html.H2(title), *controls, html.Div(className="spacer"), chart_menu(name, name.removeprefix("ranking-"))]
-    graph = dcc.Graph(id=name, figure=figure, config=CONFIG)
+    graph = dcc.Graph(id=name, figure=figure, config=CONFIG, style=tall(figure))
     return html.Div([html.Div(bar, className="section-head"), graph], className="card study-figures section")
 
 

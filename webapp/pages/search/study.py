@@ -21,7 +21,7 @@ from webapp.components.downloads import chart_menu
 from webapp.components.errors import empty_state, notice
 from webapp.components.icons import icon
 from webapp.figures import agreement as figures
-from webapp.figures.charts import CONFIG
+from webapp.figures.charts import CONFIG, tall
 from webapp.figures.tables import clock, strip_address
 from webapp.pages.search.names import ENGINES
 from webapp.queries import write_hit
@@ -241,7 +241,8 @@ def results(workspace: Workspace, name: str, scheme: str | None) -> list[Compone
     shown: list[Component] = [head]
     if ratings:
         found = agreement(ratings)
-        chart = dcc.Graph(id="study-chart", figure=figures.rank_chart(found, ENGINES, scheme), config=CONFIG)
+        ranks = figures.rank_chart(found, ENGINES, scheme)
+        chart = dcc.Graph(id="study-chart", figure=ranks, config=CONFIG, style=tall(ranks))
         bar = [html.H2("Rank against rank"), html.Div(className="spacer"), chart_menu("study-chart", "ranks")]
         shown += [
             html.Div(figures.means_table(found, ENGINES), className="card study-figures"),
