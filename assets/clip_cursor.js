@@ -131,8 +131,8 @@
     if (address === at.from) return;
     at.from = address;
     at.values = null;
-    const answer = await fetch(address);
-    if (!answer.ok || at.from !== address) return;
+    const answer = await fetch(address).catch(() => null);
+    if (!answer?.ok || at.from !== address) return;
     const bytes = await answer.arrayBuffer();
     if (at.from !== address) return;
     at.values = new Float32Array(bytes);

@@ -224,6 +224,8 @@
 
   const clientside = (window.dash_clientside = window.dash_clientside || {});
   clientside.upload = {
+    // What is typed meanwhile stays.
+    name: (suggested, typed) => suggested && (typed || suggested),
     // The dialog was closed: what was not imported is thrown away. After an import the files belong to the job.
     closed(opened, imported) {
       if (opened) return clientside.no_update;

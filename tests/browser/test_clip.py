@@ -164,6 +164,7 @@ def test_bands_gait_and_the_next_clip(show):
 
 def test_edits_are_announced_and_undone(show, workspace):
     page = show("/clip?clip=ana_01&dataset=demo")
+    page.watch.expected.append("404")  # what was still asked for of a clip when it was undone
     drawn(page, "ana_01")
     before = workspace.info("demo").fingerprint
     page.click("#clip-edit-menu")

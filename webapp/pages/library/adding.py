@@ -182,20 +182,27 @@ def _open(app: Dash, workspace: Workspace) -> None:
 def _choose(app: Dash, workspace: Workspace) -> None:
     @app.callback(
         Output("upload-target", "value", allow_duplicate=True),
-        Output("upload-name", "value"),
+        Output("upload-suggested", "data"),
         Input("upload", "data"),
-        State("upload-name", "value"),
         State("upload-target", "value"),
         State("dataset", "data"),
         prevent_initial_call=True,
     )
-    def name_upload(upload, name, target, chosen):
+    def name_upload(upload, target, chosen):
         upload = upload or {}
         if not upload.get("total"):
             return no_update, ""
         only_labels = upload.get("done") and upload.get("labels") and not upload.get("recordings")
         target = f"{INTO}{chosen}" if only_labels and target == NEW and chosen else no_update
-        return target, name or workspace.free_name(str(upload.get("name") or ""))
+        return target, workspace.free_name(str(upload.get("name") or ""))
+
+    app.clientside_callback(
+        ClientsideFunction("upload", "name"),
+        Output("upload-name", "value"),
+        Input("upload-suggested", "data"),
+        State("upload-name", "value"),
+        prevent_initial_call=True,
+    )
 
     @app.callback(
         Output("upload-import", "disabled"),

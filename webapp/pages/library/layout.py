@@ -41,6 +41,7 @@ def page(limits: Limits) -> Component:
             dcc.Store(id="clips-action"),  # {"action": "remove" | "clear"}
             dcc.Store(id="upload-into"),  # {"dataset": name}: open the dialog for it
             dcc.Store(id="upload", data={}),  # written by assets/upload.js
+            dcc.Store(id="upload-suggested"),  # a name for what is sent; "" where nothing is
             dcc.Store(id="uploaded"),  # the token whose import was asked for
         ],
     )
