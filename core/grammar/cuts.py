@@ -12,9 +12,7 @@ from collections.abc import Sequence
 import numba
 import numpy as np
 
-_BLOCK = (
-    1024  # poses whose distances to the medoids' frames are looked at together: those to one medoid stay in the cache
-)
+_BLOCK = 1024  # poses looked at together: their distances to the frames of one medoid stay in the cache
 
 
 def pose_distances(x: np.ndarray, y: np.ndarray) -> np.ndarray:
@@ -75,10 +73,8 @@ def _costs(table, lengths, shortest, costs, nearest):
     """
     n, first = table.shape[1], 0
     totals = np.empty(costs.shape[1], np.float32)
-    rows, shifts = (
-        np.empty(table.shape[0] + table.shape[1], np.int64),
-        np.empty(table.shape[0] + table.shape[1], np.int64),
-    )
+    most = max(shortest + len(costs) - 1, lengths.max())
+    rows, shifts = np.empty(most, np.int64), np.empty(most, np.int64)
     for k in range(len(lengths)):
         own = lengths[k]
         for c in range(len(costs)):

@@ -10,15 +10,14 @@ import numpy as np
 from core.grammar.trees import Node, tree_json
 from core.mocap.clip import Segment
 from core.synthesis.derivations import Derivation
-from core.synthesis.packing import head_of, pack_motion, quality_of, unpack_made
+from core.synthesis.packing import head_of, pack_made, quality_of, unpack_made
 
 FORMAT = "motionscape/derivation/1"
 
 
 def pack_derivation(made: Derivation) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
     """The document, and the arrays ``root (n, 3)`` metres, ``rotations (n, n_joints, 4)`` and ``contacts (n, 2)``."""
-    said, arrays = pack_motion(made)
-    return derivation_json(made) | said, arrays
+    return pack_made(made, derivation_json(made))
 
 
 def derivation_json(made: Derivation) -> dict[str, Any]:

@@ -9,7 +9,7 @@ import numpy as np
 
 from core.mocap.clip import Segment
 from core.synthesis.links import Link
-from core.synthesis.packing import head_of, pack_motion, quality_of, unpack_made
+from core.synthesis.packing import head_of, pack_made, quality_of, unpack_made
 from core.synthesis.postures import Moment
 from core.synthesis.walks import Part, Walk
 
@@ -18,8 +18,7 @@ FORMAT = "motionscape/walk/1"
 
 def pack_walk(walk: Walk) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
     """The document, and the arrays ``root (n, 3)`` metres, ``rotations (n, n_joints, 4)`` and ``contacts (n, 2)``."""
-    said, arrays = pack_motion(walk)
-    return walk_json(walk) | said, arrays
+    return pack_made(walk, walk_json(walk))
 
 
 def walk_json(walk: Walk) -> dict[str, Any]:

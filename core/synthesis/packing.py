@@ -39,19 +39,20 @@ def quality_of(made: Made) -> dict[str, Any]:
     }
 
 
-def pack_motion(made: Made) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
-    """What the document says of the motion, and the arrays ``root (n, 3)`` metres, ``rotations (n, n_joints, 4)`` and
-    ``contacts (n, 2)``."""
+def pack_made(made: Made, document: dict[str, Any]) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
+    """The document with what it says of the motion, and the arrays ``root (n, 3)`` metres,
+    ``rotations (n, n_joints, 4)`` and ``contacts (n, 2)``."""
     clip = made.clip
-    said = {"name": clip.name, "fps": clip.fps, "skeleton": clip.skeleton.to_json()}
-    return said, {"root": clip.root_positions, "rotations": clip.rotations, "contacts": made.contacts}
+    said = {"name": clip.name, "skeleton": clip.skeleton.to_json()}
+    return document | said, {"root": clip.root_positions, "rotations": clip.rotations, "contacts": made.contacts}
 
 
 def unpack_made(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray], kind: str) -> dict[str, Any]:
     """The fields of :class:`Made`; arrays ``(n, ...)`` as there. Raises ValueError for a document of another format,
     KeyError or TypeError for a broken one."""
     if document.get("format") != kind:
-        raise ValueError(f"expected format {kind}, found {document.get('format')}")
+        name = kind.split("/")[1]
+        raise ValueError(f"not a {name}: expected format {kind}, found {document.get('format')}")
     skeleton = Skeleton.from_json(document["skeleton"])
     return {
         "clip": Clip(document["name"], skeleton, document["fps"], arrays["root"], arrays["rotations"]),

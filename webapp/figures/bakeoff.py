@@ -11,7 +11,7 @@ from plotly.subplots import make_subplots
 
 from webapp import theme
 from webapp.figures.charts import SERIES, themed
-from webapp.figures.tables import NUMBER, Row, column, decimals
+from webapp.figures.tables import NUMBER, WRAPPED, Row, column, decimals
 
 if TYPE_CHECKING:
     from core.synthesis.bakeoff import Contender
@@ -53,7 +53,6 @@ MEASURES = (
     Measure("skate_source", "Skate of recordings", "cm/s", 2, "The same in the recordings used."),
 )  # fmt: skip
 _BY_FIELD = {measure.field: measure for measure in MEASURES}
-_HEAD = {"wrapHeaderText": True}
 _PLOTS = (  # one small chart each: the figure, and a second one drawn as a mark on its bars
     ("accepted", "shuffled", "Unseen accepted (%)<br>◆ shuffled"),
     ("bits", None, "Bits a routine"),
@@ -74,7 +73,7 @@ def shown_value(contender: Contender, field: str) -> float | None:
 def columns() -> list[dict[str, Any]]:
     """The way, its rules, and every figure."""
     numbers = [
-        column(m.field, f"{m.name} ({m.unit})" if m.unit else m.name, 112, m.help, **_HEAD, **decimals(m.digits))
+        column(m.field, f"{m.name} ({m.unit})" if m.unit else m.name, 112, m.help, **WRAPPED, **decimals(m.digits))
         for m in MEASURES
     ]
     rules = column("rules", "Rules", 84, "Rules, transitions, or arrows of the graph", **NUMBER)

@@ -10,18 +10,16 @@ import numpy as np
 from core.motifs.parameters import MotifParameters
 from core.motifs.sweep_table import SweepTable
 from webapp.figures.measures import MEASURES
-from webapp.figures.tables import NUMBER, Row, column, decimals
-
-_HEAD = {"wrapHeaderText": True}
+from webapp.figures.tables import NUMBER, WRAPPED, Row, column, decimals
 
 
 def columns(table: SweepTable) -> list[dict[str, Any]]:
     """Result (a link), the axes, the seed, and every figure that any point has."""
     link = {"field": "open", "headerName": "Result", "width": 84, "cellRenderer": "PointLink", "sortable": False}
-    axes = [column(name, name.replace("_", " "), 98, **_HEAD, **NUMBER) for name in table.axes]
-    seed = [column("seed", "Seed", 74, "Number that starts the random choices", **_HEAD, **NUMBER)]
+    axes = [column(name, name.replace("_", " "), 98, **WRAPPED, **NUMBER) for name in table.axes]
+    seed = [column("seed", "Seed", 74, "Number that starts the random choices", **WRAPPED, **NUMBER)]
     figures = [
-        column(measure, words.title, 116, words.help, **_HEAD, **decimals(words.digits))
+        column(measure, words.title, 116, words.help, **WRAPPED, **decimals(words.digits))
         for measure, words in MEASURES.items()
         if table.has(measure)
     ]

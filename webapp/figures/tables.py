@@ -40,6 +40,7 @@ def decimals(digits: int) -> dict[str, Any]:
 
 
 SECONDS = decimals(1)
+WRAPPED = {"wrapHeaderText": True}
 
 
 def column(field: str, name: str, width: int, tip: str = "", **more: Any) -> dict[str, Any]:

@@ -170,5 +170,5 @@ def test_a_walk_is_kept_whole() -> None:
     assert (back.path, back.links, back.parts, back.seams) == (walk.path, walk.links, walk.parts, walk.seams)
     assert (back.skate, back.speeds, back.warnings) == (walk.skate, walk.speeds, walk.warnings)
     assert back.clip.skeleton == walk.clip.skeleton and np.array_equal(back.clip.rotations, walk.clip.rotations)
-    with pytest.raises(ValueError, match="expected format motionscape/walk/1"):
+    with pytest.raises(ValueError, match="not a walk"):
         unpack_walk({"format": "something else"}, {})
