@@ -11,6 +11,7 @@ from collections.abc import Iterator
 
 import numpy as np
 from numba import njit
+from sklearn.decomposition import PCA
 from threadpoolctl import threadpool_limits
 
 from core.progress import Report, silent
@@ -74,16 +75,15 @@ def plane(samples: np.ndarray, grid: tuple[int, int]) -> np.ndarray:
 def principal_axes(samples: np.ndarray, n: int) -> tuple[np.ndarray, np.ndarray]:
     """Mean ``(d,)`` and the ``n`` largest principal directions ``(d, n)``, float32, of samples ``(k, d)``.
 
-    Signs are fixed (the sum of a direction is not negative); directions that samples of few numbers lack are 0.
+    Signs are fixed (the sum of a direction is not negative); directions that the samples lack are 0.
     """
-    seen = samples[:: max(1, len(samples) // 5000)].astype(np.float64)
-    mean = seen.mean(axis=0)
-    moments = (seen - mean).T @ (seen - mean)
-    directions = np.linalg.eigh(moments)[1][:, ::-1][:, :n]
-    directions = directions * np.where(directions.sum(axis=0) < 0, -1, 1)
-    missing = n - directions.shape[1]
-    axes = np.concatenate([directions, np.zeros((len(directions), missing))], axis=1)
-    return mean.astype(np.float32), axes.astype(np.float32)
+    part = samples[:: max(1, len(samples) // 5000)].astype(np.float64)
+    axes = np.zeros((n, part.shape[1]))
+    found = min(n, *part.shape)
+    if np.ptp(part, axis=0).any():
+        axes[:found] = PCA(found, svd_solver="covariance_eigh").fit(part).components_
+    axes *= np.where(axes.sum(axis=1, keepdims=True) < 0, -1, 1)
+    return part.mean(axis=0).astype(np.float32), axes.T.astype(np.float32)
 
 
 def _moved(samples: np.ndarray, best: np.ndarray, weights: np.ndarray, sigma: float) -> np.ndarray:

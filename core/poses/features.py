@@ -132,7 +132,8 @@ def pose_features(
 def principal_directions(raw: np.ndarray, variance: float) -> tuple[np.ndarray, np.ndarray, float]:
     """Mean ``(f,)``, fewest principal directions ``(f, k)`` that keep ``variance`` of the variance, and what they keep.
 
-    raw: ``(n, f)``. Signs are fixed (largest entry positive); constant data gives one direction.
+    raw: ``(n, f)``. Signs are fixed (largest entry positive); constant data gives one direction. The
+    covariance is summed block by block: scikit-learn's PCA would need a copy of all values in double precision.
     """
     mean = raw.mean(0, dtype=np.float64)
     covariance = np.zeros((raw.shape[1],) * 2)
