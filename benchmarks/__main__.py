@@ -33,6 +33,7 @@ def sections(text: str) -> dict[str, str]:
 
 def main(names: list[str]) -> int:
     """Run the named benchmarks; exit code 2 for an unknown name."""
+    names = [name.replace("-", "_") for name in names]
     unknown = set(names) - set(available())
     if unknown:
         print(f"no benchmark called {', '.join(sorted(unknown))}; there are {', '.join(available())}", file=sys.stderr)

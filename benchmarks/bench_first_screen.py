@@ -1,0 +1,228 @@
+"""Loading of every page in headless Chromium: requests, bytes sent, and the time until the first useful screen.
+
+usage: python -m benchmarks.bench_first_screen [--before CHECKOUT] [--runs N]
+
+The app runs as ``motionscape serve`` runs it, in a process of its own, on a workspace with the demo and its results.
+With ``--before`` (or MOTIONSCAPE_BEFORE), another checkout with its own ``.venv`` is measured in turn with this one.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import re
+import shutil
+import statistics
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from playwright.sync_api import Browser, BrowserContext, sync_playwright
+
+from core import analyses
+from core.demo import make_demo
+from core.workspace import Workspace
+from tests.browser.start import start_chromium
+
+COMMAND = "python -m benchmarks first-screen"
+REPOSITORY = Path(__file__).resolve().parents[1]
+VIEW = {"width": 1280, "height": 800}
+RUNS = 5
+QUIET = 500  # milliseconds without a request under way after which a page counts as loaded
+PATIENCE = 60_000  # milliseconds
+
+USEFUL = {  # page -> what must be visible, and what that is in words
+    "library": ("#clips-table .ag-row .ag-cell-value", "a row of the table of clips"),
+    "motifs": ("cytoscape", "the boxes of the motif graph"),
+    "sweeps": ("#page .empty-state, #page .js-plotly-plot .main-svg", "the form, and what it will show"),
+    "map": ("#map-graph .hm image", "the map's heights (a chart)"),
+    "search": ("#search-body svg.search-figure", "the form with the body"),
+    "grammar": ("#grammar-string .string-clip", "the recordings cut into actions"),
+    "clip": ("#clip-graph .scatterlayer .trace path", "the curves (a chart)"),
+}
+
+# The time is that of the frame which shows it: the second animation frame after it was found in the page.
+WATCH = """(selector) => {
+    const there = () => {
+        if (selector === 'cytoscape') return document.getElementById('motif-graph')?._cyreg?.cy?.nodes().length > 0;
+        return [...document.querySelectorAll(selector)].some((one) => one.getBoundingClientRect().height > 0);
+    };
+    const look = () => {
+        if (!there()) return requestAnimationFrame(look);
+        requestAnimationFrame(() => requestAnimationFrame(() => { window.usefulAfter = performance.now(); }));
+    };
+    requestAnimationFrame(look);
+}"""
+
+
+@dataclass(frozen=True)
+class Load:
+    """One opening of a page: requests that went over the wire, bytes received (compressed, with headers), and
+    milliseconds from the start of the navigation to the first useful screen."""
+
+    requests: int
+    received: int
+    milliseconds: float
+
+
+class Wire:
+    """Counts what a tab sends and receives, from Chromium's own network events."""
+
+    def __init__(self, context: BrowserContext, page):
+        self.under_way: set[str] = set()
+        self.requests, self.received = 0, 0
+        session = context.new_cdp_session(page)
+        session.send("Network.enable")
+        session.on("Network.requestWillBeSent", self._sent)
+        session.on("Network.requestServedFromCache", self._from_cache)
+        session.on("Network.responseReceived", self._response)
+        session.on("Network.loadingFinished", self._finished)
+        session.on("Network.loadingFailed", lambda event: self.under_way.discard(event["requestId"]))
+
+    def _sent(self, event: dict) -> None:
+        if event["request"]["url"].startswith("http") and "redirectResponse" not in event:
+            self.under_way.add(event["requestId"])
+            self.requests += 1
+
+    def _from_cache(self, event: dict) -> None:
+        if event["requestId"] in self.under_way:
+            self.under_way.discard(event["requestId"])
+            self.requests -= 1
+
+    def _response(self, event: dict) -> None:
+        if event["response"].get("fromDiskCache"):
+            self._from_cache(event)
+
+    def _finished(self, event: dict) -> None:
+        if event["requestId"] in self.under_way:
+            self.under_way.discard(event["requestId"])
+            self.received += int(event["encodedDataLength"])
+
+
+def open_page(context: BrowserContext, address: str, selector: str) -> Load:
+    """Opens a page in a new tab of the context and closes it when it has loaded."""
+    page = context.new_page()
+    page.add_init_script(f"({WATCH})({selector!r})")
+    wire = Wire(context, page)
+    page.goto(address, wait_until="commit")
+    milliseconds = page.wait_for_function("window.usefulAfter", timeout=PATIENCE).json_value()
+    quiet = 0
+    for _ in range(80):  # 8 s at most: the bar of jobs asks for news every four seconds
+        page.wait_for_timeout(100)
+        quiet = 0 if wire.under_way else quiet + 100
+        if quiet >= QUIET:
+            break
+    load = Load(wire.requests, wire.received, milliseconds)
+    page.close()
+    return load
+
+
+def measure(browser: Browser, address: str, page: str) -> tuple[Load, Load]:
+    """A page opened in a fresh context (nothing cached), and once more in the same context."""
+    context = browser.new_context(viewport=VIEW)
+    selector = USEFUL[page][0]
+    cold = open_page(context, f"{address}/{page}", selector)
+    warm = open_page(context, f"{address}/{page}", selector)
+    context.close()
+    return cold, warm
+
+
+@contextmanager
+def served(checkout: Path, workspace: Path) -> Iterator[str]:
+    """``motionscape serve`` of a checkout on a copy of the workspace; gives its address."""
+    copy = shutil.copytree(workspace, Path(tempfile.mkdtemp()) / "workspace")
+    python = sys.executable if checkout == REPOSITORY else str(checkout / ".venv" / "bin" / "python")
+    command = [python, "-m", "webapp.cli", "serve", str(copy), "--port", "0", "--no-browser"]
+    process = subprocess.Popen(command, cwd=checkout, stdout=subprocess.PIPE, text=True)
+    try:
+        yield next(found[0] for line in process.stdout if (found := re.search(r"http://[^/\s]+", line)))
+    finally:
+        process.terminate()
+        process.wait(30)
+        shutil.rmtree(copy.parent)
+
+
+def prepare(folder: Path) -> Path:
+    """A workspace with six minutes of the demo, its motif graph, map and grammar."""
+    workspace = Workspace(folder)
+    workspace.add_dataset("demo", make_demo(minutes=6.0))
+    for method in ("motifs", "map", "grammar"):
+        analyses.run(workspace, analyses.Request("demo", method))
+    workspace.close()
+    return folder
+
+
+def compare(browser: Browser, addresses: dict[str, str], runs: int) -> dict[tuple[str, str], list[tuple[Load, Load]]]:
+    """Loads by (page, checkout's name). The checkouts take turns, so that both see the same machine."""
+    loads: dict[tuple[str, str], list[tuple[Load, Load]]] = {}
+    for address in addresses.values():  # what the server computes at the first request
+        measure(browser, address, "library")
+    for page in USEFUL:
+        for _ in range(runs):
+            for name, address in addresses.items():
+                loads.setdefault((page, name), []).append(measure(browser, address, page))
+    return loads
+
+
+def row(page: str, name: str, loads: list[tuple[Load, Load]]) -> str:
+    """A line of the table."""
+    cells = []
+    for cache in zip(*loads, strict=True):
+        times = [load.milliseconds / 1000 for load in cache]
+        size = statistics.median(load.received for load in cache) / 1e6
+        requests = statistics.median(load.requests for load in cache)
+        cells += [f"{requests:.0f}", f"{size:.2f}", f"{min(times):.2f}", f"{statistics.median(times):.2f}"]
+    return f"| {page} | {name} | {' | '.join(cells)} |"
+
+
+def report(loads: dict[tuple[str, str], list[tuple[Load, Load]]], version: str, runs: int) -> str:
+    """The Markdown section."""
+    return "\n".join(
+        [
+            "## First screen",
+            "",
+            f"Every page opened on its own in headless Chromium {version}, {VIEW['width']} x {VIEW['height']}, from "
+            "`motionscape serve` on localhost with the six minutes of the demo and its motif graph, map and grammar. "
+            f"Cold: fresh context, nothing cached; warm: the same page again in a new tab. {runs} runs each; requests "
+            "and MB (received over the wire, with headers) are medians, seconds run from the start of the navigation "
+            "to the first useful screen. Machine load at the end: "
+            f"{os.getloadavg()[0]:.1f} on {os.cpu_count()} cores.",
+            "",
+            "| page | code | requests | MB | s, least | s, median | warm: requests | MB | s, least | s, median |",
+            "|---|---|---|---|---|---|---|---|---|---|",
+            *(row(page, name, found) for (page, name), found in loads.items()),
+            "",
+            "First useful screen: " + "; ".join(f"{page}: {words}" for page, (_, words) in USEFUL.items()) + ".",
+            "",
+            f"`{COMMAND}`, with MOTIONSCAPE_BEFORE naming the checkout to compare with",
+        ]
+    )
+
+
+def main(before: str | None = os.environ.get("MOTIONSCAPE_BEFORE"), runs: int = RUNS) -> str:
+    """Measure, print and return the Markdown section."""
+    checkouts = ({"before": Path(before).resolve()} if before else {}) | {"now": REPOSITORY}
+    with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
+        workspace = prepare(Path(folder) / "workspace")
+        browser = start_chromium(playwright)
+        with ExitStack() as servers:
+            addresses = {
+                name: servers.enter_context(served(checkout, workspace)) for name, checkout in checkouts.items()
+            }
+            loads = compare(browser, addresses, runs)
+        section = report(loads, browser.version, runs)
+        browser.close()
+    print(section)
+    return section
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--before", default=os.environ.get("MOTIONSCAPE_BEFORE"))
+    parser.add_argument("--runs", type=int, default=RUNS)
+    options = parser.parse_args()
+    main(options.before, options.runs)
