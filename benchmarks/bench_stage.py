@@ -26,7 +26,7 @@ COUNTS = (1, 4, 12, 24)
 SECONDS = 5.0  # measured after one second of warming up
 VIEW = {"width": 1280, "height": 800}
 NAMES = tuple(f"walk {k}" for k in range(max(COUNTS)))
-ASSETS = Path(__file__).resolve().parents[1] / "assets"
+ASSETS = Path(__file__).resolve().parents[1] / "assets" / "bundle"
 
 COUNT_FRAMES = """async (seconds) => {
     const wait = (ms) => new Promise((done) => setTimeout(done, ms));
@@ -85,7 +85,7 @@ PLOTLY = """async ([seconds, clips]) => {
 def make_app() -> Dash:
     """A page with the Stage at /, one with an empty Plotly chart at /plotly, and the motion route."""
     dataset = walkers(NAMES, seconds=30.0, fps=60.0)
-    app = Dash(__name__, assets_folder=str(ASSETS), assets_ignore="^(?!stage).*")
+    app = Dash(__name__, assets_folder=str(ASSETS))
     app.layout = html.Div(stage.stage(), style={"height": "780px"})
     stage.register(app)
     app.server.register_blueprint(motion_blueprint({"walkers": dataset}.__getitem__))
@@ -108,10 +108,10 @@ def open_view(browser: Browser, address: str) -> Page:
 def stage_rate(browser: Browser, address: str, n: int, layout: str) -> float:
     """Frames per second of the Stage with ``n`` figures."""
     page = open_view(browser, address)
-    page.wait_for_function("window.motionscapeStage?.status === 'empty'")
+    page.wait_for_function("window.motionscape.stage?.status === 'empty'")
     items = [{"clip": name, "start": 0, "end": 1800, "label": name} for name in NAMES[:n]]
-    page.evaluate("asked => motionscapeStage.show(asked)", {"dataset": "walkers", "items": items, "layout": layout})
-    page.wait_for_function("motionscapeStage.status === 'ready' && motionscapeStage.playing")
+    page.evaluate("asked => motionscape.stage.show(asked)", {"dataset": "walkers", "items": items, "layout": layout})
+    page.wait_for_function("motionscape.stage.status === 'ready' && motionscape.stage.playing")
     rate = page.evaluate(COUNT_FRAMES, SECONDS)
     page.close()
     return rate

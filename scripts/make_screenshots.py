@@ -37,27 +37,27 @@ def motifs(page: Page) -> None:
     """A motif of several long motions playing."""
     page.locator(".ag-row").first.wait_for()
     page.locator(".ag-row[row-index='3']").first.click()
-    page.wait_for_function("window.motionscapeStage.figures > 1")
+    page.wait_for_function("window.motionscape.stage.figures > 1")
 
 
 def motion_map(page: Page) -> None:
     """A key posture chosen and its first hit played."""
-    page.wait_for_function("window.motionscapeMap?.state?.hits?.length > 0")
+    page.wait_for_function("window.motionscape.map.state?.hits?.length > 0")
     page.locator("#map-play-all").click()
-    page.wait_for_function("window.motionscapeStage.figures > 0")
+    page.wait_for_function("window.motionscape.stage.figures > 0")
 
 
 def search(page: Page) -> None:
     """Hits of a stretch, and the first beside the query."""
     page.locator(".search-hit.explained").first.wait_for()
     page.locator(".search-open").nth(1).click()
-    page.wait_for_function("window.motionscapeStage.figures > 1")
+    page.wait_for_function("window.motionscape.stage.figures > 1")
 
 
 def grammar(page: Page) -> None:
     """An action with all its occurrences."""
     page.locator("#action-cards button, #action-cards [data-value]").nth(5).click()
-    page.wait_for_function("window.motionscapeStage.figures > 1")
+    page.wait_for_function("window.motionscape.stage.figures > 1")
 
 
 def pictures(workspace: Workspace) -> dict[str, tuple[str, Callable[[Page], None]]]:

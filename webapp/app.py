@@ -85,9 +85,9 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> dash.
 
 
 def _assets() -> Path:
-    """In a wheel the assets lie in the package, in a checkout beside it."""
+    """The bundled front end: in a wheel it lies in the package, in a checkout beside it."""
     packaged = Path(__file__).parent / "assets"
-    return packaged if packaged.is_dir() else Path(__file__).parents[1] / "assets"
+    return packaged if packaged.is_dir() else Path(__file__).parents[1] / "assets" / "bundle"
 
 
 def _register_page(app: dash.Dash, pages: dict[str, Component]) -> None:

@@ -98,7 +98,7 @@ def click_in_graph(page: Page, element: str) -> None:
 def wait_for_stage(page: Page, title: str) -> None:
     """Until the Stage shows figures under a title that contains ``title``."""
     page.wait_for_function(
-        "title => motionscapeStage.status === 'ready'"
+        "title => motionscape.stage.status === 'ready'"
         " && document.querySelector('.ms-stage-title').textContent.includes(title)",
         arg=title,
         timeout=30_000,

@@ -55,8 +55,8 @@ def wait_for_routine(page: Page) -> None:
     """Until the new routine of the address is there, and its motion on the Stage."""
     page.wait_for_function(
         "() => document.querySelector('.compose-step') && !document.querySelector('#compose-string.busy')"
-        " && motionscapeStage.status === 'ready'"
-        " && String(motionscapeStage.frameOf(0)?.dataset).startsWith('~derive~')",
+        " && motionscape.stage.status === 'ready'"
+        " && String(motionscape.stage.frameOf(0)?.dataset).startsWith('~derive~')",
         timeout=PATIENCE,
     )
 

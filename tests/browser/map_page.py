@@ -29,13 +29,13 @@ def wait_for_map(page: Page) -> None:
     """Until the heatmap is drawn, what lies over it fits, and nothing moves any more."""
     page.wait_for_function(
         """() => {
-            const drawn = motionscapeMap.state.map && motionscapeMap.overlay?.scale > 0
+            const drawn = motionscape.map.state.map && motionscape.map.state.overlay?.scale > 0
                 && document.querySelector('#map-graph .js-plotly-plot .hm image')
                 && document.querySelector('#map-said').textContent
                 && !document.querySelector('#map-status').textContent;
             if (!drawn) return false;
-            const { x, y, width } = motionscapeMap.overlay.svg.getBoundingClientRect();
-            const now = [x, y, width, motionscapeMap.overlay.scale].join(' ');
+            const { x, y, width } = motionscape.map.state.overlay.svg.getBoundingClientRect();
+            const now = [x, y, width, motionscape.map.state.overlay.scale].join(' ');
             if (window.stoodAt !== now) [window.stoodAt, window.stoodSince] = [now, performance.now()];
             return performance.now() - window.stoodSince > 250;
         }""",
@@ -48,7 +48,7 @@ def place_of(page: Page, x: float, y: float) -> tuple[float, float]:
     return tuple(
         page.evaluate(
             """([x, y]) => {
-                const { overlay } = motionscapeMap, box = overlay.svg.getBoundingClientRect();
+                const { overlay } = motionscape.map.state, box = overlay.svg.getBoundingClientRect();
                 const of = (name) => Number(overlay.view.getAttribute(name));
                 return [box.x + of('x') + (x + 0.5) * overlay.scale, box.y + of('y') + (y + 0.5) * overlay.scale];
             }""",
@@ -64,7 +64,7 @@ def click_node(page: Page, x: int, y: int) -> None:
 def hits_of(page: Page) -> list[tuple[str, int, int]]:
     return [
         (hit["clip"], hit["start"], hit["end"])
-        for hit in page.evaluate("motionscapeMap.state.hits.map((hit) => motionscapeMap.state.map.segment(hit))")
+        for hit in page.evaluate("motionscape.map.state.hits.map((hit) => motionscape.map.state.map.segment(hit))")
     ]
 
 

@@ -15,7 +15,7 @@ from tests.webapp.generated import walkers
 from webapp.api.motion import motion_blueprint
 from webapp.components import stage
 
-ASSETS = Path(__file__).resolve().parents[2] / "assets"
+ASSETS = Path(__file__).resolve().parents[2] / "assets" / "bundle"
 NAMES = tuple(f"walk {k}/a" for k in range(12))
 DATASETS: dict[str, Dataset] = {
     "walkers": walkers(NAMES, seconds=3.0),
@@ -43,7 +43,7 @@ INK = """() => {  // centre and width of what is much darker or more colourful t
 
 @pytest.fixture(scope="session")
 def stage_app() -> str:
-    app = Dash(__name__, assets_folder=str(ASSETS), assets_ignore="^(?!stage).*")
+    app = Dash(__name__, assets_folder=str(ASSETS))
     app.layout = html.Div(stage.stage(), style={"height": "90vh"})
     stage.register(app)
     app.server.register_blueprint(motion_blueprint(lambda name: DATASETS[name]))
@@ -55,7 +55,7 @@ def stage_app() -> str:
 def page(open_page: Callable[..., Page], stage_app: str) -> Page:
     page = open_page(stage_app)
     page.wait_for_selector("#stage-canvas")
-    page.wait_for_function("window.dash_clientside?.set_props && motionscapeStage.status !== 'absent'")
+    page.wait_for_function("window.dash_clientside?.set_props && motionscape.stage.status !== 'absent'")
     return page
 
 
@@ -76,15 +76,15 @@ def play(page: Page, asked: dict, *, pause: bool = False) -> None:
     """Show as the app does: through the store."""
     page.evaluate("asked => dash_clientside.set_props('stage-request', { data: asked })", asked)
     page.wait_for_function(
-        "n => motionscapeStage.status === 'ready' && motionscapeStage.figures === n", arg=len(asked["items"])
+        "n => motionscape.stage.status === 'ready' && motionscape.stage.figures === n", arg=len(asked["items"])
     )
     if pause:
-        page.evaluate("motionscapeStage.pause(); motionscapeStage.seek(0)")
+        page.evaluate("motionscape.stage.pause(); motionscape.stage.seek(0)")
         settle(page)
 
 
 def get(page: Page, what: str):
-    return page.evaluate(f"motionscapeStage.{what}")
+    return page.evaluate(f"motionscape.stage.{what}")
 
 
 def settle(page: Page, frames: int = 3) -> None:

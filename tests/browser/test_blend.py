@@ -28,7 +28,7 @@ pytestmark = pytest.mark.browser
 def on_stage(page: Page, pattern: str) -> None:
     """Until the first figure's data set fits."""
     page.wait_for_function(
-        "p => motionscapeStage.status === 'ready' && new RegExp(p).test(motionscapeStage.frameOf(0)?.dataset ?? '')",
+        "p => motionscape.stage.status === 'ready' && new RegExp(p).test(motionscape.stage.frameOf(0)?.dataset ?? '')",
         arg=pattern,
         timeout=30_000,
     )
@@ -80,13 +80,13 @@ def test_motions_are_mixed_live(show):
     page.wait_for_url(re.compile("weights=0:"))
     drawn = page.url
     act(page, "sources")
-    page.wait_for_function("motionscapeStage.figures >= 3 && motionscapeStage.sync === 'warp'")
+    page.wait_for_function("motionscape.stage.figures >= 3 && motionscape.stage.sync === 'warp'")
     act(page, "sources")
-    page.wait_for_function("motionscapeStage.figures === 1")
+    page.wait_for_function("motionscape.stage.figures === 1")
 
     act(page, "middles")
     wait_for_stage(page, "middle frames")
-    assert page.evaluate("[motionscapeStage.layout, motionscapeStage.figures]") == ["pose", 3]
+    assert page.evaluate("[motionscape.stage.layout, motionscape.stage.figures]") == ["pose", 3]
     with page.expect_download() as download:
         page.click("#blend-bvh")
     clip = read_bvh(Path(download.value.path()).rename(Path(download.value.path()).with_suffix(".bvh")))
@@ -123,9 +123,9 @@ def test_motions_are_mixed_live(show):
     # two bodies with two motions each
     choose(page, "{ motif: 1 }")
     wait_for_stage(page, "Motif 1: mixture of 2")
-    first = page.evaluate("motionscapeStage.frameOf(0).dataset")
+    first = page.evaluate("motionscape.stage.frameOf(0).dataset")
     page.locator("select.blend-choice").first.select_option("1")
-    page.wait_for_function("f => motionscapeStage.frameOf(0).dataset !== f", arg=first)
+    page.wait_for_function("f => motionscape.stage.frameOf(0).dataset !== f", arg=first)
     on_stage(page, r"~1~\d:0.5,\d:0.5$")
     page.wait_for_url(re.compile("weights="))
 
@@ -162,7 +162,7 @@ def test_size_against_error(show):
     page.mouse.click(point["x"] + point["width"] / 2, point["y"] + point["height"] / 2)
     wait_for_stage(page, "Own motions, 2 motions")
     on_stage(page, "~rebuilt~.*~0~own~2~0$")
-    assert page.evaluate("motionscapeStage.figures") == 2
+    assert page.evaluate("motionscape.stage.figures") == 2
     page.wait_for_url(re.compile("step=own:2:0"))
     page.locator("#compression-step").click()
     page.get_by_role("option", name=re.compile("^4 components: ")).first.click()

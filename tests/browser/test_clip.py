@@ -16,7 +16,7 @@ pytestmark = pytest.mark.browser
 def drawn(page: Page, clip: str) -> None:
     """Until the chart of a clip is there, with values at the cursor."""
     page.wait_for_function(
-        "clip => window.motionscapeClip?.plot()?.meta.clip === clip && motionscapeStage.status === 'ready'"
+        "clip => window.motionscape?.clip.plot()?.meta.clip === clip && motionscape.stage.status === 'ready'"
         " && document.querySelector('#clip-legend .clip-value')?.textContent",
         arg=clip,
         timeout=PATIENCE,
@@ -29,7 +29,7 @@ def place(page: Page, seconds: float, row: float = 0.2) -> tuple[float, float]:
         page.evaluate(
             """([seconds, row]) => {
                 document.getElementById('clip-box').scrollIntoView({ block: 'center' });
-                const box = document.getElementById('clip-box').getBoundingClientRect(), plot = motionscapeClip.plot();
+                const box = document.getElementById('clip-box').getBoundingClientRect(), plot = motionscape.clip.plot();
                 return [box.x + plot.x(seconds), box.y + plot.top + row * plot.height];
             }""",
             [seconds, row],
@@ -38,7 +38,7 @@ def place(page: Page, seconds: float, row: float = 0.2) -> tuple[float, float]:
 
 
 def frame(page: Page) -> int:
-    return page.evaluate("motionscapeStage.frame")
+    return page.evaluate("motionscape.stage.frame")
 
 
 def drag(page: Page, start: float, end: float) -> None:
@@ -64,27 +64,27 @@ def test_chart_and_stage_move_together(show):
         }"""
     )
     assert places >= 15  # a busy machine; an idle one has 90
-    page.evaluate("motionscapeStage.pause()")
+    page.evaluate("motionscape.stage.pause()")
     page.mouse.click(*place(page, 5.0))
-    page.wait_for_function("Math.abs(motionscapeStage.frame - 300) <= 4")
-    page.wait_for_function("motionscapeClip.at.frame === motionscapeStage.frame")
+    page.wait_for_function("Math.abs(motionscape.stage.frame - 300) <= 4")
+    page.wait_for_function("motionscape.clip.at.frame === motionscape.stage.frame")
     at = page.evaluate("new DOMMatrix(document.querySelector('.clip-cursor').style.transform).m41")
-    assert at == pytest.approx(page.evaluate("motionscapeClip.plot().x(motionscapeStage.frame / 60)"), abs=1)
+    assert at == pytest.approx(page.evaluate("motionscape.clip.plot().x(motionscape.stage.frame / 60)"), abs=1)
     # the value under the pointer is the curve's
     page.mouse.move(*place(page, 3.0))
-    page.wait_for_function("motionscapeClip.at.hover !== null")
+    page.wait_for_function("motionscape.clip.at.hover !== null")
     page.wait_for_timeout(120)
     said = page.locator(".clip-value").first.inner_text()
-    line = page.evaluate("(() => { const t = motionscapeClip.plot().graph.data[0]; return [t.x, t.y]; })()")
+    line = page.evaluate("(() => { const t = motionscape.clip.plot().graph.data[0]; return [t.x, t.y]; })()")
     nearest = min(range(len(line[0])), key=lambda k: abs(line[0][k] - 3.0))
     assert float(said.replace("\u2212", "-").rstrip("°")) == pytest.approx(line[1][nearest], abs=4)
     # keys
     page.locator("#clip-box").focus()
     before = frame(page)
     page.keyboard.press("ArrowRight")
-    page.wait_for_function("f => motionscapeStage.frame === f", arg=before + 1)
+    page.wait_for_function("f => motionscape.stage.frame === f", arg=before + 1)
     page.keyboard.press("Shift+ArrowLeft")
-    page.wait_for_function("f => motionscapeStage.frame === f", arg=before - 9)
+    page.wait_for_function("f => motionscape.stage.frame === f", arg=before - 9)
     page.keyboard.press("[")
     page.wait_for_url(re.compile(f"start={before - 9}&end="))
     page.keyboard.press("Escape")
@@ -96,11 +96,11 @@ def test_a_range_plays_can_be_zoomed_linked_and_downloaded(show, tmp_path):
     drawn(page, "ana_01")
     drag(page, 4.0, 6.0)
     page.wait_for_url(re.compile("start=2[34][0-9]&end=3[56][0-9]"))
-    page.wait_for_function("motionscapeStage.duration > 1.7 && motionscapeStage.duration < 2.3")
+    page.wait_for_function("motionscape.stage.duration > 1.7 && motionscape.stage.duration < 2.3")
     expect(page.locator("#clip-range")).to_contain_text("Selected")
     page.get_by_role("button", name="Zoom in on it").click()
     page.wait_for_url(re.compile("span=3.*_6"))
-    low, high = page.evaluate("motionscapeClip.plot().range")
+    low, high = page.evaluate("motionscape.clip.plot().range")
     assert 3.5 < low < 4 and 6 < high < 6.5
     page.get_by_role("button", name="Table").click()
     expect(page.locator("#clip-table-what")).to_contain_text("frames 2")
@@ -115,11 +115,11 @@ def test_a_range_plays_can_be_zoomed_linked_and_downloaded(show, tmp_path):
         expect(page.locator("#clip-legend")).to_contain_text(text)
     page.locator("#clip-chart").get_by_text("Path", exact=True).click()
     page.wait_for_function(
-        "motionscapeClip.plot()?.meta.kind === 'path' && !document.querySelector('.clip-dot').hidden"
+        "motionscape.clip.plot()?.meta.kind === 'path' && !document.querySelector('.clip-dot').hidden"
     )
-    assert page.evaluate("motionscapeClip.plot().graph.data[1].x.length") > 100  # the selected part of the way
+    assert page.evaluate("motionscape.clip.plot().graph.data[1].x.length") > 100  # the selected part of the way
     page.goto(page.url)
-    page.wait_for_function("window.motionscapeClip?.plot()?.meta.kind === 'path'", timeout=PATIENCE)
+    page.wait_for_function("window.motionscape?.clip.plot()?.meta.kind === 'path'", timeout=PATIENCE)
     expect(page.locator("#clip-range")).to_contain_text("Selected")
     page.locator("#clip-chart").get_by_text("Angles", exact=True).click()
     page.locator("#clip-kind").get_by_text("File channels").click()
@@ -130,21 +130,21 @@ def test_a_range_plays_can_be_zoomed_linked_and_downloaded(show, tmp_path):
 def test_bands_gait_and_the_next_clip(show):
     page = show("/clip")
     drawn(page, "ana_01")
-    bars = "motionscapeClip.plot()?.graph.data.filter((trace) => trace.type === 'bar').length"
+    bars = "motionscape.clip.plot()?.graph.data.filter((trace) => trace.type === 'bar').length"
     page.wait_for_function(f"{bars} >= 2", timeout=PATIENCE)  # labels, and motifs once their graph is known
     start, end, row = page.evaluate(
         """() => {
-            const labels = motionscapeClip.plot().graph.data.find((trace) => trace.type === 'bar');
+            const labels = motionscape.clip.plot().graph.data.find((trace) => trace.type === 'bar');
             const [start, end] = labels.meta.picks[1];
             return [start, end, labels.meta.row];
         }"""
     )
     box = page.evaluate(
-        "row => { const p = motionscapeClip.plot(), a = p.full['yaxis3'];"
+        "row => { const p = motionscape.clip.plot(), a = p.full['yaxis3'];"
         " return (a._offset + a.l2p(row) - p.full._size.t) / p.height; }",
         row,
     )
-    assert page.evaluate("document.getElementById('clip-box').clientHeight > motionscapeClip.plot().height")
+    assert page.evaluate("document.getElementById('clip-box').clientHeight > motionscape.clip.plot().height")
     page.mouse.click(*place(page, (start + end) / 120, box))
     page.wait_for_url(re.compile(f"start={start}&end={end}"))
     expect(page.locator("#clip-gait")).to_contain_text("Walking")
@@ -153,10 +153,10 @@ def test_bands_gait_and_the_next_clip(show):
     page.locator("#clip-gait details.gait-details summary").click()
     page.locator(".gait-event").nth(1).click()
     wanted = int(page.locator(".gait-event").nth(1).locator(".muted").inner_text().split()[1])
-    page.wait_for_function("f => Math.abs(motionscapeClip.at.frame - f) < 90", arg=wanted)
+    page.wait_for_function("f => Math.abs(motionscape.clip.at.frame - f) < 90", arg=wanted)
     page.click("#clip-next")
-    page.wait_for_function("motionscapeClip.at.shown.clip !== 'ana_01'")
-    page.wait_for_function("motionscapeStage.status === 'ready' && motionscapeClip.at.frame !== null")
+    page.wait_for_function("motionscape.clip.at.shown.clip !== 'ana_01'")
+    page.wait_for_function("motionscape.stage.status === 'ready' && motionscape.clip.at.frame !== null")
     expect(page.locator("#clip-previous")).to_be_enabled()
     page.goto(page.url.replace("clip=ben_01", "clip=nobody").split("&start")[0])
     expect(page.locator("#page h1")).to_be_visible(timeout=PATIENCE)

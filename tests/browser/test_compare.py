@@ -72,7 +72,7 @@ def _rows_play_beside_their_partners(page, comparison) -> None:
     row.scroll_into_view_if_needed()
     row.locator(".ag-cell").first.click()
     wait_for_stage(page, f"Motif {kept.motif} and motif {kept.partners[0]}")
-    assert page.evaluate("motionscapeStage.layout") == "side" and page.evaluate("motionscapeStage.figures") >= 4
+    assert page.evaluate("motionscape.stage.layout") == "side" and page.evaluate("motionscape.stage.figures") >= 4
     page.wait_for_function(
         "id => document.getElementById('motif-graph')._cyreg.cy.getElementById(id).hasClass('chosen')",
         arg=f"m{kept.motif}",
@@ -126,7 +126,7 @@ def test_a_step_away_is_computed_and_the_link_shows_it_again(workspace, show):
     page.reload()
     expect(page.locator("#compare-sentence")).to_have_text(said, timeout=30_000)
     expect(page.locator("#compare-other")).to_have_value("analysis fps 15, seed 1")
-    page.wait_for_function("motionscapeStage.layout === 'side'")
+    page.wait_for_function("motionscape.stage.layout === 'side'")
 
 
 def test_stability_is_measured_shown_and_hidden(workspace, show, tmp_path):

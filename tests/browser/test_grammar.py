@@ -68,12 +68,12 @@ def test_every_piece_plays_and_the_cursor_moves_along(show, workspace):
     expect(page.locator("#action-count")).to_contain_text(f"{count} times")
     expect(page.locator(".occurrence")).to_have_count(min(count, 60))
     assert page.locator(".string-block.same").count() == count
-    assert page.evaluate("motionscapeStage.figures") == min(count, 24)
+    assert page.evaluate("motionscape.stage.figures") == min(count, 24)
 
     page.locator(".occurrence").nth(1).click()
     wait_for_stage(page, f"Action {action}, 2 of {count}")
     segment = found.terminals.segments[action][1]
-    shown = page.evaluate("motionscapeStage.frameOf(0)")
+    shown = page.evaluate("motionscape.stage.frameOf(0)")
     assert (shown["clip"], shown["start"], shown["end"]) == tuple(segment)
     expect(page.locator('.string-block[aria-pressed="true"]')).to_have_count(1)
     assert view_of(page)["action"] == str(action) and view_of(page)["segment"] == "1"

@@ -43,7 +43,7 @@ def test_four_ways_are_compared_and_play_side_by_side(show, workspace):
     }
     page.get_by_role("button", name="All side by side").click()
     wait_for_stage(page, f"{len(found.clips)} ways side by side")
-    assert page.evaluate("motionscapeStage.figures") == len(found.clips)
+    assert page.evaluate("motionscape.stage.figures") == len(found.clips)
     page.locator("[data-store=bakeoff-play]", has_text="These rules").click()
     wait_for_stage(page, "These rules")
     document = page.request.get(f"{base(page)}/api/bakeoff/{key}.json").json()
@@ -53,4 +53,4 @@ def test_four_ways_are_compared_and_play_side_by_side(show, workspace):
     assert len(list(csv.reader(saved.value.path().open(encoding="utf-8")))) == 1 + len(found.contenders)
     page.reload()
     expect(page.locator("#bakeoff-table .ag-row").first).to_be_visible(timeout=PATIENCE)
-    assert page.evaluate("motionscapeStage.figures") == 0
+    assert page.evaluate("motionscape.stage.figures") == 0

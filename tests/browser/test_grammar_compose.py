@@ -113,7 +113,7 @@ def _one_of_four_others_is_chosen(page: Page, found, before: list[int]) -> list[
     count = cards.count()
     assert 1 <= count <= 4
     wait_for_stage(page, f"{count} other way")
-    assert page.evaluate("motionscapeStage.figures") == count and page.evaluate("motionscapeStage.layout") == "side"
+    assert page.evaluate("motionscape.stage.figures") == count and page.evaluate("motionscape.stage.layout") == "side"
     page.get_by_role("button", name="Use A").click()
     expect(page.locator("#compose-others")).to_be_hidden()
     settled(page)

@@ -161,7 +161,7 @@ def test_clips_are_removed_and_opened_by_mouse_and_by_keyboard(show, workspace):
     boxes = page.locator("#clips-table .ag-row .choice-cell input")
     boxes.first.click()
     expect(page.locator("#clips-chosen")).to_contain_text("1 clip chosen")
-    assert page.evaluate("motionscapeStage.status") == "empty"  # a box chooses, it does not play
+    assert page.evaluate("motionscape.stage.status") == "empty"  # a box chooses, it does not play
     page.keyboard.press("ArrowDown")
     page.keyboard.press("Space")
     expect(page.locator("#clips-chosen")).to_contain_text("2 clips chosen")

@@ -22,15 +22,15 @@ def test_a_link_opens_the_same_view_in_another_browser(show, address):
         page.keyboard.press(key)
     page.wait_for_function(
         """() => {  // the address is written now and then
-            const { time, camera: c } = motionscapeStage.state(), link = new URLSearchParams(location.search);
+            const { time, camera: c } = motionscape.stage.state(), link = new URLSearchParams(location.search);
             return link.get("time") === String(time)
                 && link.get("camera") === [c.yaw, c.pitch, c.distance, ...c.pan, c.follow ? 1 : 0].join(",");
         }"""
     )
-    seen = page.evaluate("motionscapeStage.state()")
+    seen = page.evaluate("motionscape.stage.state()")
     other = show(page.url.removeprefix(address))
     wait_for_stage(other, "Motif 1")
-    restored = other.evaluate("motionscapeStage.state()")
+    restored = other.evaluate("motionscape.stage.state()")
     assert restored["camera"] == seen["camera"] and restored["time"] == seen["time"] and not restored["playing"]
     expect(other.locator("#motif-selection h2")).to_have_text("Motif 1")
 
@@ -63,7 +63,7 @@ def test_the_stage_outlives_a_change_of_page_and_back_works(show):
     wait_for_stage(page, "Motif 0")
     page.click("#nav-library")
     expect(page.locator("h1")).to_have_text("Library")
-    assert page.evaluate("motionscapeStage.status") == "ready" and "motif=0" in page.url
+    assert page.evaluate("motionscape.stage.status") == "ready" and "motif=0" in page.url
     page.go_back()
     expect(page.locator("h1")).to_have_text("Motifs")
     wait_for_graph(page)

@@ -90,22 +90,22 @@ def test_a_hit_plays_and_its_dot_moves_along_its_path(mapped, show):
     wait_for_stage(page, clip)
     expect(page.locator(".map-way")).to_have_count(1)
     page.evaluate(
-        "([clip, frame]) => { motionscapeStage.pause(); motionscapeStage.seek({ clip, frame }); }", [clip, start]
+        "([clip, frame]) => { motionscape.stage.pause(); motionscape.stage.seek({ clip, frame }); }", [clip, start]
     )
-    page.wait_for_function("() => motionscapeMap.follower.dots?.length === 1")
+    page.wait_for_function("() => motionscape.map.state.follower.dots?.length === 1")
     step = mapped.clip_fps[mapped.clips.index(clip)] / mapped.fps
     nodes = mapped.nodes_of(clip)
     for frame in (start, (start + end) // 2):
-        page.evaluate("([clip, frame]) => motionscapeStage.seek({ clip, frame })", [clip, frame])
+        page.evaluate("([clip, frame]) => motionscape.stage.seek({ clip, frame })", [clip, frame])
         wanted = nodes[round(frame / step)].tolist()
         page.wait_for_function(
-            "([x, y]) => motionscapeMap.follower.dots.some((dot) => Math.hypot(dot.x - x, dot.y - y) < 1.6)",
+            "([x, y]) => motionscape.map.state.follower.dots.some((dot) => Math.hypot(dot.x - x, dot.y - y) < 1.6)",
             arg=wanted,
         )
     page.locator("#map-play-all").click()
     wait_for_stage(page, "hits")
     n = min(len(hits_of(page)), 12)
-    page.wait_for_function("n => motionscapeMap.follower.dots?.length === n", arg=n)
+    page.wait_for_function("n => motionscape.map.state.follower.dots?.length === n", arg=n)
     expect(page.locator(".map-way")).to_have_count(n)
 
 
@@ -113,13 +113,13 @@ def test_the_frame_on_the_stage_becomes_a_key(mapped, show):
     clip = mapped.clips[0]
     page = open_map(show, f"&clip={clip}")
     wait_for_stage(page, clip)
-    page.evaluate("clip => { motionscapeStage.pause(); motionscapeStage.seek({ clip, frame: 60 }); }", clip)
-    frame = page.evaluate("motionscapeStage.frameOf(0).frame")
+    page.evaluate("clip => { motionscape.stage.pause(); motionscape.stage.seek({ clip, frame: 60 }); }", clip)
+    frame = page.evaluate("motionscape.stage.frameOf(0).frame")
     page.locator("[data-map-do=stage]").click()
     expect(page.locator(".map-key-card")).to_have_count(1)
     step = mapped.clip_fps[0] / mapped.fps
     x, y = mapped.nodes_of(clip)[round(frame / step)]
-    at = page.evaluate("motionscapeMap.state.map.place(motionscapeMap.state.keys[0])")
+    at = page.evaluate("motionscape.map.state.map.place(motionscape.map.state.keys[0])")
     assert max(abs(at[0] - x), abs(at[1] - y)) <= 2
 
 

@@ -34,21 +34,21 @@ def test_a_posture_is_shaped_by_dragging_and_bones_keep_their_lengths(mapped, sh
     hand = mapped.roles.index("left_wrist")
     handle = page.locator(f"#map-editor [data-view=front] .map-joint[data-joint='{hand}']")
     box = handle.bounding_box()
-    before = page.evaluate("Array.from(motionscapeMapParts.edited().posture)")
+    before = page.evaluate("Array.from(motionscape.map.edited().posture)")
     page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
     page.mouse.down()
     page.mouse.move(box["x"] + 15, box["y"] - 90, steps=6)
     page.mouse.up()
-    after = page.evaluate("Array.from(motionscapeMapParts.edited().posture)")
+    after = page.evaluate("Array.from(motionscape.map.edited().posture)")
     np.testing.assert_allclose(bone_lengths(after, mapped.parents), mapped.lengths, atol=1e-4)
     assert after[3 * hand + 1] > before[3 * hand + 1] + 0.1, "the hand is higher"
     moved = np.abs(np.array(after) - before).reshape(-1, 3).max(axis=1) > 1e-6
     assert {mapped.roles[k] for k in np.flatnonzero(moved)} <= {"left_elbow", "left_wrist"}
     handle.focus()
     page.keyboard.press("ArrowDown")
-    assert page.evaluate("motionscapeMapParts.edited().posture")[3 * hand + 1] < after[3 * hand + 1]
-    node = page.evaluate("motionscapeMapParts.edited().node")
-    wanted, _ = mapped.nearest(np.array(page.evaluate("Array.from(motionscapeMapParts.edited().posture)")))
+    assert page.evaluate("motionscape.map.edited().posture")[3 * hand + 1] < after[3 * hand + 1]
+    node = page.evaluate("motionscape.map.edited().node")
+    wanted, _ = mapped.nearest(np.array(page.evaluate("Array.from(motionscape.map.edited().posture)")))
     assert divmod(node, mapped.grid[1]) == wanted
     page.locator("[data-editor=use]").click()
     page.wait_for_function("text => location.search.includes(text)", arg=f"keys={a}-{b},{wanted[0]}-{wanted[1]}")
@@ -62,12 +62,12 @@ def test_a_drawn_path_finds_the_motions_that_go_like_it(mapped, show):
     for x, y in nodes[1:]:
         page.mouse.move(*place_of(page, float(x), float(y)), steps=2)
     page.mouse.up()
-    page.wait_for_function("() => motionscapeMap.state.hits.length > 0 && location.search.includes('drawn=')")
+    page.wait_for_function("() => motionscape.map.state.hits.length > 0 && location.search.includes('drawn=')")
     assert mapped.clips[0] in {clip for clip, _, _ in hits_of(page)[:5]}
     expect(page.locator(".map-hit").first).to_be_visible()
     found = hits_of(page)
     again = open_map(show, "&" + page.url.split("?")[1].split("&", 1)[1])
-    again.wait_for_function("() => motionscapeMap.state.hits.length > 0")
+    again.wait_for_function("() => motionscape.map.state.hits.length > 0")
     assert hits_of(again) == found
     expect(again.locator("polyline.map-drawn")).to_have_count(1)
     again.watch.expected.append("ERR_FAILED")
@@ -91,7 +91,7 @@ def test_equal_postures_are_told_apart_by_pace(mapped, show):
     page.get_by_role("option", name="Backward").click()
     page.wait_for_function("() => location.search.includes('way=backward')")
     page.wait_for_function(
-        "n => motionscapeMap.state.hits.length === n", arg=len(mapped.search([key], 0.0, Pace(0, 0.25, "backward")))
+        "n => motionscape.map.state.hits.length === n", arg=len(mapped.search([key], 0.0, Pace(0, 0.25, "backward")))
     )
 
 
@@ -127,7 +127,7 @@ def test_other_clips_are_laid_on_a_map_without_learning(mapped, show, workspace)
     page = show("/map?dataset=more")
     page.get_by_role("button", name="Lay on another map").click()
     page.get_by_role("menuitem", name="demo").click()
-    page.wait_for_function("() => motionscapeMap.state.map?.clips.length > 0", timeout=PATIENCE)
+    page.wait_for_function("() => motionscape.map.state.map?.clips.length > 0", timeout=PATIENCE)
     key = settings.key_of(workspace, "map", "demo", SMALL)
     assert f"map-model={key}" in page.url
     expect(page.locator("#map-more")).to_contain_text("has not learned them")

@@ -32,8 +32,8 @@ def test_a_click_on_a_box_plays_its_motions_together(show):
     expect(page.locator("#motif-selection h2")).to_have_text("Motif 0")
     motions = page.locator(".motion-row").count()
     assert motions >= 2
-    assert page.evaluate("motionscapeStage.figures") == min(motions, 24)
-    assert page.evaluate("motionscapeStage.sync") == "warp"
+    assert page.evaluate("motionscape.stage.figures") == min(motions, 24)
+    assert page.evaluate("motionscape.stage.sync") == "warp"
     wait_until_moved(page, canvas_sum(page))
     assert "motif=0" in page.url
 
@@ -42,10 +42,10 @@ def test_speed_changes_and_one_motion_plays_alone(show):
     page = show("/motifs?motif=0")
     wait_for_stage(page, "Motif 0")
     page.click("#stage [data-action=faster]")
-    page.wait_for_function("motionscapeStage.speed > 1")
+    page.wait_for_function("motionscape.stage.speed > 1")
     page.locator(".motion-row").nth(1).click()
     wait_for_stage(page, "motion 2 of")
-    assert page.evaluate("motionscapeStage.figures") == 1
+    assert page.evaluate("motionscape.stage.figures") == 1
     expect(page.locator(".motion-row").nth(1)).to_have_attribute("aria-pressed", "true")
 
 

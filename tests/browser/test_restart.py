@@ -34,7 +34,7 @@ def server(path: Path, port: int):
         deadline = time.monotonic() + 60
         while True:
             try:
-                urlopen(f"http://127.0.0.1:{port}/assets/app.css", timeout=20).close()
+                urlopen(f"http://127.0.0.1:{port}/assets/motionscape.css", timeout=20).close()
                 break
             except OSError:
                 assert process.poll() is None and time.monotonic() < deadline, "the server does not start"

@@ -39,7 +39,7 @@ def stretch(workspace: Workspace) -> str:
 def wait_for_hits(page: Page, query: str) -> None:
     """Until the hits shown are those of this query."""
     page.wait_for_function(
-        "query => motionscapeSearch.now.found?.hits && motionscapeSearch.now.found.asked.query === query",
+        "query => motionscape.search.now.found?.hits && motionscape.search.now.found.asked.query === query",
         arg=query,
         timeout=PATIENCE,
     )
@@ -75,10 +75,10 @@ def test_from_nothing_to_a_hit_and_its_link(show, workspace) -> None:
     assert "Most alike: " in page.locator(".search-why").first.get_attribute("aria-label")
     page.locator(".search-open").nth(1).click()
     wait_for_stage(page, "Query and")
-    assert link(page)["hit"] == second and page.evaluate("motionscapeStage.figures") == 2
+    assert link(page)["hit"] == second and page.evaluate("motionscape.stage.figures") == 2
     expect(page.locator(".search-hit.chosen .search-why-names span")).to_have_count(10)
     expect(page.locator(".ms-warp")).to_be_visible()
-    page.evaluate("motionscapeStage.pause(); motionscapeStage.seek(motionscapeStage.duration / 2)")
+    page.evaluate("motionscape.stage.pause(); motionscape.stage.seek(motionscape.stage.duration / 2)")
     expect(page.locator(".search-hit.chosen .search-why-cursor")).to_be_visible()
 
     page.reload()
@@ -92,7 +92,7 @@ def test_from_nothing_to_a_hit_and_its_link(show, workspace) -> None:
     page.wait_for_url(re.compile(re.escape(f"hit={first}")))
 
     page.locator(".search-hit [data-similar]").first.click()
-    page.wait_for_function("query => motionscapeSearch.now.view.query === query", arg=first, timeout=PATIENCE)
+    page.wait_for_function("query => motionscape.search.now.view.query === query", arg=first, timeout=PATIENCE)
     wait_for_hits(page, first)
     page.locator("[data-search='back']").click()
     wait_for_hits(page, query)
@@ -104,9 +104,9 @@ def _a_range_is_dragged(page: Page, name: str) -> None:
     page.mouse.down()
     page.mouse.move(box["x"] + 0.4 * box["width"], box["y"] + 20, steps=4)
     page.mouse.up()
-    page.wait_for_function("() => motionscapeSearch.now.view.query && !/:0-/.test(motionscapeSearch.now.view.query)")
+    page.wait_for_function("() => motionscape.search.now.view.query && !/:0-/.test(motionscape.search.now.view.query)")
     clip, start, end = re.fullmatch(r"(.+):(\d+)-(\d+)", link(page)["query"]).groups()
-    frames = page.evaluate("motionscapeSearch.now.clips.clips[0][1]")
+    frames = page.evaluate("motionscape.search.now.clips.clips[0][1]")
     assert clip == name and abs(int(start) - 0.3 * frames) < 12 and abs(int(end) - 0.4 * frames) < 12
     wait_for_hits(page, link(page)["query"])
     page.get_by_role("slider", name="End of the query").focus()
@@ -126,7 +126,7 @@ def test_parts_are_weighed_by_clicks_keys_and_presets(show, indexed) -> None:
     page.wait_for_url(re.compile("parts=head:10,left_arm:10"))
     page.keyboard.press("ArrowDown")
     page.wait_for_url(re.compile("parts=head:9,left_arm:10"))
-    page.wait_for_function("motionscapeSearch.now.found.asked.parts === 'head:9,left_arm:10'", timeout=PATIENCE)
+    page.wait_for_function("motionscape.search.now.found.asked.parts === 'head:9,left_arm:10'", timeout=PATIENCE)
     page.locator("#search-preset").select_option("arms and legs (35 / 45 / 20)")
     page.wait_for_url(re.compile("left_arm:17.5,"))
     shares = {
@@ -137,7 +137,7 @@ def test_parts_are_weighed_by_clicks_keys_and_presets(show, indexed) -> None:
     page.reload()
     expect(page.locator("#search-preset")).to_have_value("arms and legs (35 / 45 / 20)", timeout=PATIENCE)
     page.locator("#search-preset").select_option("whole body")
-    page.wait_for_function("() => !motionscapeSearch.now.view.parts")
+    page.wait_for_function("() => !motionscape.search.now.view.parts")
 
 
 def test_a_query_is_put_together_from_pieces(show, indexed) -> None:
@@ -156,11 +156,11 @@ def test_a_query_is_put_together_from_pieces(show, indexed) -> None:
     page.locator(".search-part[data-part='left_arm']").click(modifiers=["Shift"])
     page.wait_for_url(re.compile(re.escape("query=head_torso%2Bright_arm_hand:") + ".*" + re.escape("lower_body")))
     wait_for_hits(page, link(page)["query"])
-    page.wait_for_function("() => motionscapeStage.status === 'ready' && motionscapeStage.figures === 2")
+    page.wait_for_function("() => motionscape.stage.status === 'ready' && motionscape.stage.figures === 2")
     expect(page.locator(".search-gives").nth(0)).to_have_text("Head and torso, right arm and hand")
     page.locator(".search-open").first.click()
     wait_for_stage(page, "Query and")
-    page.wait_for_function("() => motionscapeStage.figures === 3")
+    page.wait_for_function("() => motionscape.stage.figures === 3")
     page.locator("[data-piece='remove']").nth(1).click()
     expect(page.locator(".search-source")).to_have_count(1)
 
@@ -208,9 +208,10 @@ def test_a_file_of_ones_own_is_looked_for(show, indexed, tmp_path: Path) -> None
 def test_filters_options_and_exports(show, indexed) -> None:
     query = stretch(indexed)
     page = open_search(show, query)
-    action = page.evaluate("motionscapeSearch.now.found.hits.find((hit) => hit.label).label")
+    action = page.evaluate("motionscape.search.now.found.hits.find((hit) => hit.label).label")
     page.locator("#search-label").select_option(action)
-    page.wait_for_function("action => motionscapeSearch.now.found.asked.label === action", arg=action, timeout=PATIENCE)
+    shown = "action => motionscape.search.now.found.asked.label === action"
+    page.wait_for_function(shown, arg=action, timeout=PATIENCE)
     facts = page.locator(".search-facts").all_text_contents()
     assert facts and all(action in text for text in facts)
     page.locator("#search-label").select_option("")
@@ -218,10 +219,10 @@ def test_filters_options_and_exports(show, indexed) -> None:
     expect(page.locator(".search-nothing")).to_contain_text("Nothing passes these filters", timeout=PATIENCE)
     page.locator("#search-named").fill("")
     page.locator("#search-level").select_option("clip")
-    page.wait_for_function("motionscapeSearch.now.found.level === 'clip' && !motionscapeSearch.now.view.named")
+    page.wait_for_function("motionscape.search.now.found.level === 'clip' && !motionscape.search.now.view.named")
     page.locator("#search-route").fill("40")
     page.wait_for_url(re.compile("route=40"))
-    page.wait_for_function("motionscapeSearch.now.found.asked.route === '40'", timeout=PATIENCE)
+    page.wait_for_function("motionscape.search.now.found.asked.route === '40'", timeout=PATIENCE)
     page.get_by_role("button", name="Download").click()
     place = page.get_by_role("menuitem", name="Hits (CSV)").get_attribute("href")
     parts = urlsplit(page.url)
@@ -246,7 +247,7 @@ def test_more_like_this_from_other_pages_and_the_stage(show, indexed) -> None:
     wait_for_hits(page, link(page)["query"])
     before = link(page)["query"]
     page.locator("#search-motif").select_option(index=2)
-    page.wait_for_function("before => motionscapeSearch.now.view.query !== before", arg=before)
+    page.wait_for_function("before => motionscape.search.now.view.query !== before", arg=before)
     wait_for_hits(page, link(page)["query"])
 
     page.locator("#nav-library").click()

@@ -19,7 +19,7 @@ def test_empty_stage_gives_a_hint(page):
 def test_figures_move_and_pause_holds_them(page):
     play(page, request())
     before = page.evaluate(PIXELS)
-    page.wait_for_function("t => motionscapeStage.time > t + .2", arg=get(page, "time"))
+    page.wait_for_function("t => motionscape.stage.time > t + .2", arg=get(page, "time"))
     assert page.evaluate(PIXELS) != before
     page.get_by_role("button", name="Pause").click()
     settle(page)
@@ -27,22 +27,22 @@ def test_figures_move_and_pause_holds_them(page):
     page.wait_for_timeout(300)
     assert (page.evaluate(PIXELS), get(page, "time")) == (held, time)
     page.get_by_role("button", name="Play", exact=True).click()
-    page.wait_for_function("t => motionscapeStage.time !== t", arg=time)
+    page.wait_for_function("t => motionscape.stage.time !== t", arg=time)
 
 
 def test_speed_changes_the_rate(page):
     play(page, request())
     rate = """async () => {
-        const s = motionscapeStage, before = s.time, start = performance.now();
+        const s = motionscape.stage, before = s.time, start = performance.now();
         await new Promise((done) => setTimeout(done, 600));
         return ((s.time - before + s.duration) % s.duration) / ((performance.now() - start) / 1000);
     }"""
-    page.evaluate("motionscapeStage.seek(0)")
+    page.evaluate("motionscape.stage.seek(0)")
     assert page.evaluate(rate) == pytest.approx(1.0, rel=0.25)
     for _ in range(3):
         page.get_by_role("button", name="Slower").click()
     assert get(page, "speed") == 0.25
-    page.evaluate("motionscapeStage.seek(0)")
+    page.evaluate("motionscape.stage.seek(0)")
     assert page.evaluate(rate) == pytest.approx(0.25, rel=0.3)
     page.locator(".ms-speed").click()
     assert get(page, "speed") == 1
@@ -128,7 +128,7 @@ def test_pointer_orbits_pans_and_zooms(page):
     page.keyboard.up("Shift")
     assert shifted["yaw"] == turned["yaw"] and shifted["pan"] != home["pan"]
     page.mouse.wheel(0, 300)
-    page.wait_for_function("d => motionscapeStage.camera.distance > d", arg=home["distance"])
+    page.wait_for_function("d => motionscape.stage.camera.distance > d", arg=home["distance"])
     settle(page)
     assert page.evaluate(PIXELS) != before
     page.mouse.dblclick(x, y)
@@ -163,7 +163,7 @@ def test_motions_of_a_motif_play_in_step(page):
     play(page, warped(), pause=True)
     assert get(page, "sync") == "warp"
     assert get(page, "duration") == pytest.approx(99 / 60)
-    frames = "t => motionscapeStage.framesAt(t)"
+    frames = "t => motionscape.stage.framesAt(t)"
     middle = page.evaluate(frames, 49.5 / 60)
     assert middle == pytest.approx([49.5, 99 * 0.5**1.5 * 1.2, 99 * 0.5**2 * 1.4], abs=0.1)
     page.get_by_role("button", name="In step").click()
@@ -187,24 +187,24 @@ def test_warp_strip_seeks(page):
 
 def test_loop_modes(page):
     play(page, request(), pause=True)
-    page.evaluate("motionscapeStage.restore({ loop: 'once', speed: 4, time: 2.8, playing: true })")
-    page.wait_for_function("!motionscapeStage.playing")
+    page.evaluate("motionscape.stage.restore({ loop: 'once', speed: 4, time: 2.8, playing: true })")
+    page.wait_for_function("!motionscape.stage.playing")
     assert get(page, "time") == get(page, "duration")
-    page.evaluate("motionscapeStage.restore({ loop: 'loop', time: 2.9, playing: true })")
-    page.wait_for_function("motionscapeStage.time < 2")
-    page.evaluate("motionscapeStage.restore({ loop: 'bounce', time: 2.9, playing: true })")
-    page.wait_for_function("motionscapeStage.time < 2")
+    page.evaluate("motionscape.stage.restore({ loop: 'loop', time: 2.9, playing: true })")
+    page.wait_for_function("motionscape.stage.time < 2")
+    page.evaluate("motionscape.stage.restore({ loop: 'bounce', time: 2.9, playing: true })")
+    page.wait_for_function("motionscape.stage.time < 2")
     assert get(page, "playing")
 
 
 def test_reduced_motion_does_not_autoplay(open_page, stage_app):
     page = open_page(stage_app, reduced_motion="reduce")
-    page.wait_for_function("window.motionscapeStage?.status === 'empty'")
-    page.evaluate("asked => motionscapeStage.show(asked)", request())
-    page.wait_for_function("motionscapeStage.status === 'ready'")
+    page.wait_for_function("window.motionscape?.stage.status === 'empty'")
+    page.evaluate("asked => motionscape.stage.show(asked)", request())
+    page.wait_for_function("motionscape.stage.status === 'ready'")
     assert not get(page, "playing")
     page.get_by_role("button", name="Play", exact=True).click()
-    page.wait_for_function("motionscapeStage.time > 0")
+    page.wait_for_function("motionscape.stage.time > 0")
 
 
 def test_theme_change_repaints(page):
@@ -235,7 +235,7 @@ def test_controls_fit_every_width(page, width):
 
 def test_sharp_on_dense_screens(open_page, stage_app):
     page = open_page(stage_app, device_scale_factor=2)
-    page.wait_for_function("window.motionscapeStage?.status === 'empty'")
+    page.wait_for_function("window.motionscape?.stage.status === 'empty'")
     page.wait_for_function("(c => c.width === 2 * c.clientWidth)(document.getElementById('stage-canvas'))")
 
 

@@ -9,7 +9,7 @@ from tests.browser.stage_page import INK, NAMES, PIXELS, get, page, play, reques
 __all__ = ["page", "stage_app"]
 pytestmark = pytest.mark.browser
 
-FRAMES = "() => [0, 1, 2, 3].map(motionscapeStage.frameOf).filter(Boolean).map((item) => item.frame)"
+FRAMES = "() => [0, 1, 2, 3].map(motionscape.stage.frameOf).filter(Boolean).map((item) => item.frame)"
 RED, BLUE = "#d02020", "#2040d0"
 
 
@@ -33,8 +33,8 @@ def test_a_made_motion_beside_its_source_in_one_request(page):
     items = [get(page, f"frameOf({k})") for k in range(3)]
     assert [item["dataset"] for item in items] == ["walkers", "walkers", "~made~1"]
     assert [(item["clip"], item["start"], item["frame"]) for item in items][2] == ("walk", 40, 40)
-    assert page.evaluate("motionscapeStage.frameOf(3)") is None
-    page.evaluate("motionscapeStage.seek(1)")
+    assert page.evaluate("motionscape.stage.frameOf(3)") is None
+    page.evaluate("motionscape.stage.seek(1)")
     assert page.evaluate(FRAMES) == [60, 60, 160], "each counts frames at its own rate"
 
 
@@ -48,7 +48,7 @@ def test_stills_stand_at_their_middles_and_move_by_the_same_share(page):
     held = page.evaluate(PIXELS)
     page.wait_for_timeout(200)
     assert page.evaluate(PIXELS) == held
-    page.evaluate("motionscapeStage.seek(.75 * motionscapeStage.duration)")
+    page.evaluate("motionscape.stage.seek(.75 * motionscape.stage.duration)")
     assert page.evaluate(FRAMES) == pytest.approx([134, 50, 104.75, 134], abs=1)
     settle(page)
     assert "75 % of each" in page.locator(".ms-readout").inner_text()
@@ -59,7 +59,7 @@ def test_stills_stand_at_their_middles_and_move_by_the_same_share(page):
     page.keyboard.press("Shift+ArrowRight")
     assert get(page, "camera.yaw") != camera["yaw"]
     page.keyboard.press("1")
-    page.evaluate("motionscapeStage.seek(0)")
+    page.evaluate("motionscape.stage.seek(0)")
     settle(page)
     together = page.evaluate(INK)
     assert spread["right"] - spread["left"] > 2 * (together["right"] - together["left"])
@@ -71,12 +71,12 @@ def test_stills_stand_at_their_middles_and_move_by_the_same_share(page):
 
 def test_replacing_keeps_time_camera_and_layout(page):
     play(page, request(2, layout="side"))
-    page.evaluate("motionscapeStage.restore({ time: 1, speed: .1, camera: { distance: 9, yaw: .4 }, hidden: [1] })")
+    page.evaluate("motionscape.stage.restore({ time: 1, speed: .1, camera: { distance: 9, yaw: .4 }, hidden: [1] })")
     before = {**get(page, "state()"), "share": get(page, "time") / get(page, "duration")}
     other = request(2, layout="overlay", title="Blend")
     for item in other["items"]:
         item.update(end=91)
-    page.evaluate("asked => motionscapeStage.replace(asked)", other)
+    page.evaluate("asked => motionscape.stage.replace(asked)", other)
     assert get(page, "duration") == pytest.approx(1.5)
     after = get(page, "state()")
     assert after["playing"] and get(page, "time") / get(page, "duration") == pytest.approx(before["share"], abs=0.1)
@@ -87,15 +87,15 @@ def test_replacing_keeps_time_camera_and_layout(page):
     many = [request(1, replace=True) for _ in range(20)]
     for k, asked in enumerate(many):
         asked["items"][0]["end"] = 100 + k
-    page.evaluate("many => Promise.all(many.map((asked) => motionscapeStage.show(asked)))", many)
+    page.evaluate("many => Promise.all(many.map((asked) => motionscape.stage.show(asked)))", many)
     assert get(page, "frameOf(0)")["end"] == 119 and get(page, "figures") == 1
     missing = request()
     missing["items"][0]["clip"] = "swim"
-    page.evaluate("asked => motionscapeStage.replace(asked)", missing)
+    page.evaluate("asked => motionscape.stage.replace(asked)", missing)
     assert get(page, "figures") == 1 and "no clip called “swim”" in page.locator(".ms-stage-note").inner_text()
-    page.evaluate("motionscapeStage.show({ items: [] })")
-    page.evaluate("asked => motionscapeStage.replace(asked)", request(3))
-    page.wait_for_function("motionscapeStage.status === 'ready' && motionscapeStage.figures === 3")
+    page.evaluate("motionscape.stage.show({ items: [] })")
+    page.evaluate("asked => motionscape.stage.replace(asked)", request(3))
+    page.wait_for_function("motionscape.stage.status === 'ready' && motionscape.stage.figures === 3")
     assert page.locator(".ms-stage-note").is_hidden()
 
 
@@ -107,19 +107,19 @@ def test_charts_follow_frames_and_lead_to_them(page):
     )
     play(page, warped())
     page.wait_for_function("told.frame.length > 5 && told.state.filter((detail) => detail.playing).length > 1")
-    page.evaluate("motionscapeStage.pause(); motionscapeStage.seek(.5)")
+    page.evaluate("motionscape.stage.pause(); motionscape.stage.seek(.5)")
     settle(page)
     last = page.evaluate("told.frame.at(-1)")
     assert last["time"] == 0.5 and [item["frame"] for item in last["items"]] == page.evaluate(FRAMES)
     page.wait_for_function("told.state.at(-1).time === .5 && !told.state.at(-1).playing")
     assert page.evaluate("told.state.at(-1).items[1].clip") == NAMES[1]
     for clip, frame, lands in ((NAMES[1], 70, 70), (NAMES[2], 33, 33), (NAMES[0], 500, 99)):
-        assert page.evaluate("to => motionscapeStage.seek(to)", {"clip": clip, "frame": frame})
+        assert page.evaluate("to => motionscape.stage.seek(to)", {"clip": clip, "frame": frame})
         index = NAMES.index(clip)
         assert get(page, f"frameOf({index})")["frame"] == pytest.approx(lands, abs=1)
     time = get(page, "time")
     for nonsense in ({"clip": "swim", "frame": 3}, {"clip": NAMES[0], "frame": "x"}, None, "soon"):
-        assert page.evaluate("to => motionscapeStage.seek(to)", nonsense) is False
+        assert page.evaluate("to => motionscape.stage.seek(to)", nonsense) is False
     assert get(page, "time") == time
 
 
@@ -140,7 +140,7 @@ def test_coloured_spans_band_the_time_and_the_path(page):
         for (let k = 0; k < data.length; k += 4) n += data[k] === r && data[k + 1] === g && data[k + 2] === b;
         return n;
     }"""
-    page.evaluate("motionscapeStage.seek({ clip: 'walk 0/a', frame: 80 })")
+    page.evaluate("motionscape.stage.seek({ clip: 'walk 0/a', frame: 80 })")
     settle(page)
     assert page.evaluate(count, [208, 32, 32]) > 50 and page.evaluate(count, [32, 64, 208]) > 50
     page.mouse.click(blue["x"] + blue["width"] / 2, blue["y"] + 4)

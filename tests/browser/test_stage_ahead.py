@@ -34,17 +34,17 @@ def test_motions_come_before_the_click_and_only_once(show):
     with page.expect_response("**/api/motions?**"):
         page.mouse.move(*place, steps=3)
     assert any("/api/stage/motifs?" in url and "motif=0" in url for url in asked)
-    assert page.evaluate("motionscapeStage.status") == "empty", "looking is not choosing"
+    assert page.evaluate("motionscape.stage.status") == "empty", "looking is not choosing"
     page.mouse.click(*place)
     wait_for_stage(page, "Motif 0")
     page.wait_for_function("location.search.includes('motif=0')")
     page.locator("#motif-selection h2", has_text="Motif 0").wait_for()
     assert len([url for url in asked if "/api/motions" in url]) == 1
-    assert page.evaluate("motionscapeStage.asked") >= 1
+    assert page.evaluate("motionscape.stage.asked") >= 1
     # the app's own answer says the same: it does not start again
-    time = page.evaluate("motionscapeStage.pause(), motionscapeStage.seek(.2), motionscapeStage.time")
+    time = page.evaluate("motionscape.stage.pause(), motionscape.stage.seek(.2), motionscape.stage.time")
     page.wait_for_load_state("networkidle")
-    assert page.evaluate("motionscapeStage.time") == time
+    assert page.evaluate("motionscape.stage.time") == time
 
     page.mouse.move(5, 5)
     for number in (1, 2):

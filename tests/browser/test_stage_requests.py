@@ -18,7 +18,7 @@ def test_a_missing_clip_says_so_and_can_be_tried_again(page):
     asked = request()
     asked["items"][0]["clip"] = "swim"
     page.evaluate("asked => dash_clientside.set_props('stage-request', { data: asked })", asked)
-    page.wait_for_function("motionscapeStage.status === 'error'")
+    page.wait_for_function("motionscape.stage.status === 'error'")
     assert page.get_by_text("There is no clip called “swim” in “walkers”.").is_visible()
     with page.expect_response("**/api/motions?**clip=swim**"):
         page.get_by_role("button", name="Try again").click()
@@ -29,15 +29,15 @@ def test_a_missing_clip_says_so_and_can_be_tried_again(page):
 def test_some_missing_clips_leave_the_others_playing(page):
     asked = request(3)
     asked["items"][1]["clip"] = "swim"
-    page.evaluate("asked => motionscapeStage.show(asked)", asked)
-    page.wait_for_function("motionscapeStage.status === 'ready'")
+    page.evaluate("asked => motionscape.stage.show(asked)", asked)
+    page.wait_for_function("motionscape.stage.status === 'ready'")
     assert get(page, "figures") == 2
     assert "1 of 3 motions could not be loaded" in page.locator(".ms-stage-note").inner_text()
 
 
 def test_last_request_wins(page):
-    page.evaluate("([a, b]) => { motionscapeStage.show(a); motionscapeStage.show(b); }", [request(12), request(2)])
-    page.wait_for_function("motionscapeStage.status === 'ready'")
+    page.evaluate("([a, b]) => { motionscape.stage.show(a); motionscape.stage.show(b); }", [request(12), request(2)])
+    page.wait_for_function("motionscape.stage.status === 'ready'")
     page.wait_for_timeout(300)
     assert get(page, "figures") == 2
 
@@ -60,7 +60,7 @@ def test_a_name_that_stands_for_other_content_shows_the_new_content(page, monkey
     assert page.evaluate(PIXELS) == before
     other = Dataset("walkers", (replace(walk("other", pace=2.5, seconds=3.0), name=NAMES[0]),))
     monkeypatch.setitem(DATASETS, "walkers", other)
-    page.evaluate("motionscapeStage.show({ items: [] })")
+    page.evaluate("motionscape.stage.show({ items: [] })")
     play(page, request(), pause=True)
     assert page.evaluate(PIXELS) != before
 
@@ -78,16 +78,16 @@ def test_state_comes_out_and_goes_back_in(page, open_page, stage_app):
     play(page, request(3), pause=True)
     page.get_by_role("button", name="Side by side").click()
     page.locator(".ms-chip").first.click()
-    page.evaluate("motionscapeStage.seek(1.25)")
+    page.evaluate("motionscape.stage.seek(1.25)")
     page.mouse.wheel(0, 100)
     page.wait_for_function("states.some((state) => state.time === 1.25)")
     state = get(page, "state()")
     other = open_page(stage_app)
-    other.wait_for_function("window.motionscapeStage?.status === 'empty'")
+    other.wait_for_function("window.motionscape?.stage.status === 'empty'")
     other.evaluate(
-        "([state, asked]) => { motionscapeStage.restore(state); motionscapeStage.show(asked); }", [state, request(3)]
+        "([state, asked]) => { motionscape.stage.restore(state); motionscape.stage.show(asked); }", [state, request(3)]
     )
-    other.wait_for_function("motionscapeStage.status === 'ready'")
+    other.wait_for_function("motionscape.stage.status === 'ready'")
     assert get(other, "state()") == state
     assert get(other, "figures") == 2
 
@@ -103,5 +103,5 @@ def test_nonsense_states_are_harmless(page):
         "loop": 3,
         "hidden": "ab",
     }
-    page.evaluate("state => motionscapeStage.restore(state)", nonsense)
+    page.evaluate("state => motionscape.stage.restore(state)", nonsense)
     assert get(page, "state()") == before

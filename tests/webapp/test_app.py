@@ -58,7 +58,7 @@ def test_this_machine_is_known_under_its_own_names(client, host):
     ],
 )
 def test_a_foreign_name_that_leads_here_is_refused(client, host):
-    for path in ("/library", "/_dash-layout", "/api/motion/walkers/a", "/api/uploads", "/assets/app.css"):
+    for path in ("/library", "/_dash-layout", "/api/motion/walkers/a", "/api/uploads", "/assets/motionscape.css"):
         answer = client.get(path, headers={"Host": host})
         assert answer.status_code == 403
         assert b"not known here" in answer.data and b"walkers" not in answer.data

@@ -16,7 +16,7 @@ def chart_menu(graph_id: str, name: str) -> Component:
 
 
 def drawing_menu(drawing: str, name: str) -> Component:
-    """A button that saves a drawing of the server's; in a script, motionscapeDrawings[drawing] says where it lies."""
+    """A button that saves a drawing of the server, at the address that assets/shared/downloads.mjs has for it."""
     return _menu("drawing", drawing, name, "png", "svg")
 
 

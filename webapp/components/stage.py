@@ -1,12 +1,12 @@
 """The Stage as a Dash layout: a canvas and its controls. All of it is driven by ``assets/stage*.js``.
 
 Views hand it segments by writing ``dcc.Store("stage-request")``; what may stand there, and what the Stage offers in the
-browser (``motionscapeStage``, the events ``stage-state`` and ``stage-frame``), is written in docs/architecture.md.
+browser (assets/stage/player.mjs, the events ``stage-state`` and ``stage-frame``), is written in docs/architecture.md.
 """
 
 from __future__ import annotations
 
-from dash import Dash, Input, Output, dcc, html
+from dash import ClientsideFunction, Dash, Input, Output, dcc, html
 
 REQUEST, SHOWN = "stage-request", "stage-shown"
 
@@ -68,7 +68,7 @@ def stage(api: str = "/api") -> html.Div:
 def register(app: Dash) -> None:
     """Let the Stage play what is written into its request store."""
     app.clientside_callback(
-        "function (request) { if (request) window.motionscapeStage.show(request); return null; }",
+        ClientsideFunction("stage", "show"),
         Output(SHOWN, "data"),
         Input(REQUEST, "data"),
     )

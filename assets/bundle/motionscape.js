@@ -1,0 +1,8086 @@
+(() => {
+  // shared/dash.mjs
+  var clientside = window.dash_clientside ||= {};
+  function register(namespace, functions) {
+    clientside[namespace] = functions;
+  }
+  var setStore = (store, data2) => clientside.set_props(store, { data: data2 });
+  var changeView = (values) => setStore("view-change", values);
+  function notify(title, message2, color = "orange") {
+    clientside.set_props("notices", { sendNotifications: [{ action: "show", title, message: message2, color }] });
+  }
+  function openPage(pathname, stores = {}) {
+    history.pushState({}, "", pathname);
+    for (const [store, data2] of Object.entries(stores)) setStore(store, data2);
+    window.dispatchEvent(new CustomEvent("_dashprivate_pushstate"));
+  }
+
+  // shared/grid.mjs
+  var gridFunctions = window.dashAgGridFunctions ||= {};
+  var cellRenderers = window.dashAgGridComponentFunctions ||= {};
+  var reactElement = (...parts) => window.React.createElement(...parts);
+  async function gridApi(id) {
+    const api = await window.dash_ag_grid.getApiAsync(id).catch(() => null);
+    return api && !api.isDestroyed() ? api : null;
+  }
+
+  // shared/save.mjs
+  function save(content, name, type = "text/csv") {
+    const blob = content instanceof Blob ? content : new Blob([content], { type });
+    const link2 = document.createElement("a");
+    link2.href = URL.createObjectURL(blob);
+    link2.download = name;
+    link2.click();
+    setTimeout(() => URL.revokeObjectURL(link2.href), 1e4);
+  }
+  async function pngOf(svg, scale3 = 2, highest = 16e3) {
+    const image = new Image();
+    image.src = URL.createObjectURL(new Blob([svg], { type: "image/svg+xml" }));
+    await image.decode();
+    const by = Math.min(scale3, highest / image.height);
+    const canvas = document.createElement("canvas");
+    canvas.width = Math.round(image.width * by);
+    canvas.height = Math.round(image.height * by);
+    canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
+    URL.revokeObjectURL(image.src);
+    return new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
+  }
+
+  // shared/downloads.mjs
+  var drawings = {};
+  var dataset = () => {
+    const picker = document.getElementById("dataset-picker");
+    return picker && picker.value || "motionscape";
+  };
+  var cell = (value) => {
+    const text = value === null || value === void 0 ? "" : String(value);
+    return /[",\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text;
+  };
+  var plain = (values) => values && values._inputArray || values || [];
+  function table(plot) {
+    const layout = plot._fullLayout;
+    const title = (axis, other) => layout[axis] && layout[axis].title && layout[axis].title.text || other;
+    const rows2 = [["series", title("xaxis", "x"), title("yaxis", "y"), "value"]];
+    for (const trace of plot._fullData) {
+      if (trace.visible === false || trace.hoverinfo === "skip") continue;
+      const x = plain(trace.x), y = plain(trace.y), z = trace.z;
+      const name = trace.name || "";
+      if (z) for (let j = 0; j < z.length; j++) for (let i = 0; i < z[j].length; i++) rows2.push([name, x[i] ?? i, y[j] ?? j, z[j][i]]);
+      else for (let i = 0; i < Math.max(x.length, y.length); i++) rows2.push([name, x[i] ?? i, y[i], ""]);
+    }
+    if (rows2.every((row8, i) => i === 0 || row8[3] === "")) for (const row8 of rows2) row8.pop();
+    return rows2.map((row8) => row8.map(cell).join(",")).join("\n") + "\n";
+  }
+  function chart(target2, kind, name) {
+    const box2 = document.getElementById(target2);
+    const plot = box2 && (box2.classList.contains("js-plotly-plot") ? box2 : box2.querySelector(".js-plotly-plot"));
+    if (!plot) return;
+    if (kind === "csv") save(table(plot), name + ".csv");
+    else window.Plotly.downloadImage(plot, { format: kind, filename: name, scale: kind === "png" ? 2 : 1 });
+  }
+  async function drawing(target2, kind, name) {
+    const address2 = drawings[target2]();
+    if (address2) await savePicture(address2, kind, name);
+  }
+  async function savePicture(address2, kind, name) {
+    const answer2 = await fetch(address2).catch(() => null);
+    if (!answer2 || !answer2.ok) {
+      notify("The picture was not saved", "The server did not make it; reload the page and try again.");
+      return;
+    }
+    const text = await answer2.text();
+    if (kind === "svg") return save(text, name + ".svg", "image/svg+xml");
+    const png = await pngOf(text);
+    if (png) save(png, name + ".png", "image/png");
+  }
+  register("downloads", {
+    fetch(ready2) {
+      if (ready2 && ready2.address) {
+        const link2 = document.createElement("a");
+        link2.href = ready2.address;
+        link2.download = "";
+        link2.click();
+      }
+      return clientside.no_update;
+    }
+  });
+  document.addEventListener("click", async (event) => {
+    const button4 = event.target.closest && event.target.closest("[data-save]");
+    if (!button4) return;
+    const { save: what, target: target2, kind } = button4.dataset;
+    const name = `${dataset()} ${button4.dataset.name}`;
+    if (what === "chart") chart(target2, kind, name);
+    else if (what === "drawing") drawing(target2, kind, name);
+    else {
+      const api = await gridApi(target2);
+      const columns = api && api.getColumns().map((column) => column.getColId()).filter((id) => !["strip", "key"].includes(id));
+      if (api) api.exportDataAsCsv({ fileName: name + ".csv", columnKeys: columns });
+    }
+  });
+
+  // shared/dom.mjs
+  function element(name, className = "", ...children) {
+    const node = document.createElement(name);
+    if (className) node.className = className;
+    node.append(...children.filter((child) => child !== null && child !== void 0 && child !== ""));
+    return node;
+  }
+  function withAttributes(node, attributes) {
+    for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
+    return node;
+  }
+  var SVG = "http://www.w3.org/2000/svg";
+  function svgElement(name, attributes = {}, ...children) {
+    const node = withAttributes(document.createElementNS(SVG, name), attributes);
+    node.append(...children);
+    return node;
+  }
+  function icon(symbol, size = 14) {
+    const node = element("span", `icon icon-${symbol}`);
+    node.style.width = node.style.height = `${size}px`;
+    node.setAttribute("aria-hidden", "true");
+    return node;
+  }
+  var find = (id) => document.getElementById(id);
+  function setLink(id, address2) {
+    const link2 = find(id);
+    if (address2) link2.setAttribute("href", address2);
+    else link2.removeAttribute("href");
+    link2.classList.toggle("disabled", !address2);
+    link2.setAttribute("aria-disabled", String(!address2));
+  }
+  function whenParsed(start3) {
+    if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", start3);
+    else start3();
+  }
+
+  // stage/camera.mjs
+  var FIELD_OF_VIEW = 30 * Math.PI / 180;
+  var NEAR = 0.1;
+  var [NEAREST, FURTHEST] = [2.2, 200];
+  var clamp = (value, low, high) => Math.min(Math.max(value, low), high);
+  var Camera = class {
+    constructor() {
+      this.follow = true;
+      this.centre = [0, 0];
+      this.eye = new Float64Array(3);
+      this.reset({ yaw: 0.62, pitch: 0.2 });
+    }
+    reset({ yaw, pitch }) {
+      this.moved = false;
+      this.yaw = yaw;
+      this.pitch = pitch;
+      this.pan = [0, 0.85, 0];
+      this.distance = 5;
+    }
+    orbit(dx, dy) {
+      this.yaw -= dx;
+      this.pitch = clamp(this.pitch + dy, 0.01, 1.55);
+    }
+    zoom(factor) {
+      this.moved = true;
+      this.distance = clamp(this.distance * factor, 0.6, 200);
+    }
+    /** Shift by pixels of a view that is `height` pixels high, in the plane that faces the camera. */
+    shift(dx, dy, height) {
+      const metres = 2 * this.distance * Math.tan(FIELD_OF_VIEW / 2) / height;
+      for (let k = 0; k < 3; k++) this.pan[k] += metres * (dy * this.up[k] - dx * this.right[k]);
+      this.pan[1] = clamp(this.pan[1], -1, 20);
+      this.moved = true;
+    }
+    /** Glide towards the followed point, or be there at once. */
+    track(x, z, seconds, atOnce) {
+      const share2 = atOnce ? 1 : 1 - Math.exp(-seconds * 6);
+      this.centre[0] += (x - this.centre[0]) * share2;
+      this.centre[1] += (z - this.centre[1]) * share2;
+    }
+    /** Stand as near as shows a cloud of points around the target, with room at the edges. */
+    fit(cloud, aspect) {
+      if (this.moved) return;
+      const vertical = Math.tan(FIELD_OF_VIEW / 2);
+      this.prepare(1, 1);
+      const tooNear = ({ low, high, wide }) => high - low > 1.5 * vertical || wide > 0.86 * vertical * aspect;
+      let [near, far] = [NEAREST, FURTHEST];
+      if (!tooNear(this.span(cloud, near))) far = near;
+      while (far / near > 1.02) {
+        const middle = Math.sqrt(near * far);
+        if (tooNear(this.span(cloud, middle))) near = middle;
+        else far = middle;
+      }
+      const span = this.span(cloud, far);
+      this.distance = far;
+      this.pan = [0, far * (span.high + span.low) / 2 / this.up[1], 0];
+    }
+    /** Tangents of the angles at which a cloud around the origin is seen from this far: lowest, highest, widest. */
+    span(cloud, distance) {
+      const { right: r, up: u, forward: f } = this;
+      let [low, high, wide] = [Infinity, 0, 0];
+      for (let k = 0; k < cloud.length; k += 3) {
+        const depth2 = Math.max(distance + cloud[k] * f[0] + cloud[k + 1] * f[1] + cloud[k + 2] * f[2], NEAR);
+        const side = Math.abs(cloud[k] * r[0] + cloud[k + 2] * r[2]) / depth2;
+        const rise = (cloud[k] * u[0] + cloud[k + 1] * u[1] + cloud[k + 2] * u[2]) / depth2;
+        if (side > wide) wide = side;
+        if (rise > high) high = rise;
+        if (rise < low) low = rise;
+      }
+      return { low, high, wide };
+    }
+    /** Set up for a view of this size in pixels; call before projecting. */
+    prepare(width, height) {
+      const [sy, cy, sp, cp] = [Math.sin(this.yaw), Math.cos(this.yaw), Math.sin(this.pitch), Math.cos(this.pitch)];
+      this.right = [cy, 0, -sy];
+      this.up = [-sy * sp, cp, -cy * sp];
+      this.forward = [-sy * cp, -sp, -cy * cp];
+      this.target = [this.centre[0] + this.pan[0], this.pan[1], this.centre[1] + this.pan[2]];
+      for (let k = 0; k < 3; k++) this.eye[k] = this.target[k] - this.distance * this.forward[k];
+      this.focal = height / 2 / Math.tan(FIELD_OF_VIEW / 2);
+      this.middleX = width / 2;
+      this.middleY = height / 2;
+    }
+    /** Distance along the view of a point; projectable where it exceeds `NEAR`. */
+    depth(x, y, z) {
+      const { forward: f, eye: e } = this;
+      return (x - e[0]) * f[0] + (y - e[1]) * f[1] + (z - e[2]) * f[2];
+    }
+    /** Points (n, 3) to screen x, y, pixels per metre and depth, written into arrays of length n. */
+    project(points, n, x, y, scale3, depth2) {
+      const { right: r, up: u, forward: f, eye: e } = this;
+      for (let j = 0, k = 0; j < n; j++, k += 3) {
+        const a = points[k] - e[0];
+        const b = points[k + 1] - e[1];
+        const c = points[k + 2] - e[2];
+        const d = a * f[0] + b * f[1] + c * f[2];
+        const s = this.focal / Math.max(d, NEAR);
+        x[j] = this.middleX + s * (a * r[0] + c * r[2]);
+        y[j] = this.middleY - s * (a * u[0] + b * u[1] + c * u[2]);
+        scale3[j] = s;
+        depth2[j] = d;
+      }
+    }
+  };
+
+  // stage/colours.mjs
+  var FOG_LEVELS = 8;
+  var VARIABLES = ["sky", "haze", "floor", "rim", "grid", "shadow", "contact", "left", "right", "spine", "text", "muted", "accent"];
+  var HUES = [255, 55, 155, 330, 95, 205, 25, 285, 125, 0, 230, 75];
+  var LIFTS = [0, 0.02, -0.02, 0.03, 0.05, 0.06, -0.05, -0.03, 0.04, -0.06, 0.08, -0.02];
+  var scratch = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
+  function parseColour(colour) {
+    scratch.fillStyle = "#808080";
+    scratch.fillStyle = colour;
+    scratch.clearRect(0, 0, 1, 1);
+    scratch.fillRect(0, 0, 1, 1);
+    return Array.from(scratch.getImageData(0, 0, 1, 1).data.slice(0, 3));
+  }
+  var mix = (a, b, share2) => a.map((value, k) => value + (b[k] - value) * share2);
+  var css = (rgb) => `rgb(${rgb.map((v) => Math.round(Math.min(Math.max(v, 0), 255))).join(",")})`;
+  function oklch(lightness, chroma, degrees) {
+    const [a, b] = [chroma * Math.cos(degrees * Math.PI / 180), chroma * Math.sin(degrees * Math.PI / 180)];
+    const l = (lightness + 0.3963377774 * a + 0.2158037573 * b) ** 3;
+    const m = (lightness - 0.1055613458 * a - 0.0638541728 * b) ** 3;
+    const s = (lightness - 0.0894841775 * a - 1.291485548 * b) ** 3;
+    const linear = [
+      4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
+      -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
+      -0.0041960863 * l - 0.7034186147 * m + 1.707614701 * s
+    ];
+    return linear.map((v) => 255 * (v <= 31308e-7 ? 12.92 * v : 1.055 * v ** (1 / 2.4) - 0.055));
+  }
+  function readTheme(element2) {
+    const style = getComputedStyle(element2);
+    const theme = {};
+    for (const name of VARIABLES) theme[name] = parseColour(style.getPropertyValue(`--ms-stage-${name}`).trim());
+    theme.dark = theme.sky[0] + theme.sky[1] + theme.sky[2] < 384;
+    theme.font = style.fontFamily;
+    return theme;
+  }
+  function figureColours(theme, k, n, own2) {
+    if (own2) {
+      const base = parseColour(own2);
+      return [mix(base, [255, 255, 255], 0.25), mix(base, [0, 0, 0], 0.25), base];
+    }
+    if (n === 1) return [theme.left, theme.right, theme.spine];
+    const [hue, round2] = [HUES[k % HUES.length], Math.floor(k / HUES.length)];
+    const lightness = (theme.dark ? 0.7 : 0.6) + LIFTS[k % LIFTS.length] - 0.09 * (round2 % 3);
+    return [0.085, -0.085, 0].map((lift) => oklch(lightness + lift, theme.dark ? 0.125 : 0.135, hue + 15 * round2));
+  }
+  function shades(theme, colours, fade) {
+    const levels = (change) => colours.map((rgb) => Array.from({ length: FOG_LEVELS }, (_, level) => css(mix(change(rgb), theme.haze, fade + (1 - fade) * 0.4 * (level / (FOG_LEVELS - 1))))));
+    const balls = [];
+    return {
+      ball: (level) => balls[level] ??= ball(theme, colours[2], fade + (1 - fade) * 0.4 * (level / (FOG_LEVELS - 1))),
+      fill: levels((rgb) => rgb),
+      edge: levels((rgb) => mix(rgb, theme.dark ? [8, 10, 14] : [20, 24, 32], theme.dark ? 0.62 : 0.42)),
+      sheen: levels((rgb) => mix(rgb, [255, 255, 255], theme.dark ? 0.1 : 0.13)),
+      light: levels((rgb) => mix(rgb, [255, 255, 255], theme.dark ? 0.26 : 0.36))
+    };
+  }
+  function ball(theme, rgb, fog) {
+    const canvas = document.createElement("canvas");
+    canvas.width = canvas.height = 96;
+    const context = canvas.getContext("2d");
+    const gradient = context.createRadialGradient(34, 30, 4, 44, 42, 56);
+    const fogged = (colour) => css(mix(colour, theme.haze, fog));
+    gradient.addColorStop(0, fogged(mix(rgb, [255, 255, 255], 0.42)));
+    gradient.addColorStop(0.5, fogged(rgb));
+    gradient.addColorStop(1, fogged(mix(rgb, [0, 0, 0], 0.22)));
+    context.fillStyle = gradient;
+    context.beginPath();
+    context.arc(48, 48, 48, 0, 2 * Math.PI);
+    context.fill();
+    return canvas;
+  }
+
+  // stage/icons.mjs
+  var line = (d) => `<path d="${d}" fill="none" stroke="currentColor" stroke-width="1.6" stroke-linecap="round" stroke-linejoin="round"/>`;
+  var solid = (d) => `<path d="${d}" fill="currentColor"/>`;
+  var dot = (x, y, r, alpha = 1) => `<circle cx="${x}" cy="${y}" r="${r}" fill="currentColor" opacity="${alpha}"/>`;
+  var body = (x, alpha = 1) => `<g opacity="${alpha}">${dot(x, 4.6, 1.8)}${line(`M${x} 7.4V12M${x} 12L${x - 2} 16.6M${x} 12L${x + 2} 16.6M${x - 2.6} 9.2H${x + 2.6}`)}</g>`;
+  var ICONS = {
+    play: solid("M6.5 4.2v11.6c0 .6.7 1 1.2.6l8.4-5.8c.4-.3.4-.9 0-1.2L7.7 3.6c-.5-.4-1.2 0-1.2.6z"),
+    pause: solid("M5.6 4h2.6c.4 0 .6.2.6.6v10.8c0 .4-.2.6-.6.6H5.6c-.4 0-.6-.2-.6-.6V4.6c0-.4.2-.6.6-.6zM11.8 4h2.6c.4 0 .6.2.6.6v10.8c0 .4-.2.6-.6.6h-2.6c-.4 0-.6-.2-.6-.6V4.6c0-.4.2-.6.6-.6z"),
+    back: line("M6 5v10M14 5.5L8.5 10l5.5 4.5z"),
+    forward: line("M14 5v10M6 5.5l5.5 4.5L6 14.5z"),
+    slower: line("M5.5 10h9"),
+    faster: line("M5.5 10h9M10 5.5v9"),
+    loop: line("M4 9.5V9a3 3 0 013-3h8.5M13 3.5L15.5 6 13 8.5M16 10.5v.5a3 3 0 01-3 3H4.5M7 16.5L4.5 14 7 11.5"),
+    bounce: line("M3.5 10h13M6.5 7l-3 3 3 3M13.5 7l3 3-3 3"),
+    once: line("M3.5 10H14M11 7l3 3-3 3M16.5 5.5v9"),
+    ghosts: body(13.5) + body(9.4, 0.55) + body(5.6, 0.28),
+    trails: line("M3 15c3.5 0 2.8-7 6.4-7 2.8 0 2.4 4.4 5 4.4") + dot(15.8, 12.2, 1.9),
+    follow: dot(10, 10, 2.2) + line("M3.5 7V5A1.5 1.5 0 015 3.5h2M13 3.5h2A1.5 1.5 0 0116.5 5v2M16.5 13v2a1.5 1.5 0 01-1.5 1.5h-2M7 16.5H5A1.5 1.5 0 013.5 15v-2"),
+    overlay: body(11.4) + body(8.4, 0.5),
+    side: body(5.6) + body(14.4),
+    pose: line("M2.5 9h15M2.5 17.5h15") + [3.2, 11.7].map((y) => [5, 10, 15].map((x) => dot(x, y, 1.2) + line(`M${x} ${y + 2.2}v2.2`)).join("")).join(""),
+    warp: line("M3.5 5.5h13M3.5 14.5h13M6 5.5L5 14.5M10 5.5l1.5 9M14 5.5l1 9"),
+    reset: line("M4 9.2L10 4l6 5.2M5.6 8.2v7.3h3.2v-4h2.4v4h3.2V8.2"),
+    help: line("M7.4 7.6a2.6 2.6 0 115 1c-.5 1.2-2.3 1.4-2.3 3.2") + dot(10.1, 15, 1)
+  };
+  var iconMarkup = (name) => `<svg viewBox="0 0 20 20" width="20" height="20" aria-hidden="true" focusable="false">${ICONS[name] || ""}</svg>`;
+
+  // stage/names.mjs
+  var WORTH_LEAVING_OUT = 8;
+  function shorten(text, most) {
+    const kept = Math.floor((most - 1) / 2);
+    return text.length > most ? `${text.slice(0, most - 1 - kept).trimEnd()}…${text.slice(-kept).trimStart()}` : text;
+  }
+  function sharedBeginning(names2) {
+    let n = 0;
+    while (n < names2[0].length && names2.every((name) => name[n] === names2[0][n])) n++;
+    return names2[0].slice(0, n).replace(/[^\s_\-/.:]*$/, "");
+  }
+  function nameFigures(figures) {
+    if (!figures.length) return;
+    const labels2 = figures.map((figure2) => figure2.label);
+    const alike = new Set(labels2).size === 1 && labels2.length > 1;
+    const shared = alike ? labels2[0] : labels2.length > 1 ? sharedBeginning(labels2) : "";
+    const from = alike || shared.length >= WORTH_LEAVING_OUT ? shared.length : 0;
+    for (const figure2 of figures) {
+      const { label, header, ownFps } = figure2;
+      const rest = alike ? "" : label.length > from ? label.slice(from) : label;
+      const again = labels2.filter((other) => other === label).length > 1;
+      const second = `${(header.start / ownFps).toFixed(1)} s`;
+      figure2.name = again ? `${rest} ${second}`.trim() : rest;
+      figure2.brief = again ? second : rest.split(/[\s_\-/.:]+/).filter(Boolean).pop() ?? rest;
+    }
+  }
+
+  // stage/controls.mjs
+  var LOOP_WORDS = { loop: "Repeat", bounce: "Back and forth", once: "Play once" };
+  var TRAIL_WORDS = { off: "Trails off", root: "Trail of the body", limbs: "Trails of hands and feet" };
+  function makeActions(stage2) {
+    const { clock: clock2, camera, traces } = stage2;
+    const say2 = (text) => stage2.say(text);
+    return {
+      play: () => clock2.playing ? stage2.pause() : stage2.play(),
+      back: () => stage2.step(-1),
+      forward: () => stage2.step(1),
+      start: () => stage2.seek(0),
+      end: () => stage2.seek(clock2.duration),
+      slower: () => (clock2.changeSpeed(-1), say2(`Speed ${clock2.speed}×`)),
+      faster: () => (clock2.changeSpeed(1), say2(`Speed ${clock2.speed}×`)),
+      speed: () => (clock2.speed = 1, say2("Speed 1×")),
+      loop: () => (clock2.nextLoop(), say2(LOOP_WORDS[clock2.loop])),
+      ghosts: () => (traces.ghosts = !traces.ghosts, say2(traces.ghosts ? "Ghosts on" : "Ghosts off")),
+      trails: () => (traces.nextTrails(), say2(TRAIL_WORDS[traces.trails])),
+      follow: () => (camera.follow = !camera.follow, say2(camera.follow ? "Camera follows" : "Camera stands still")),
+      overlay: () => stage2.setLayout("overlay"),
+      side: () => stage2.setLayout("side"),
+      pose: () => stage2.setLayout("pose"),
+      warp: () => stage2.setSync(stage2.sync === "warp" ? "start" : "warp"),
+      reset: () => stage2.resetCamera(),
+      help: () => stage2.toggleHelp(),
+      retry: () => stage2.requests.show(stage2.request)
+    };
+  }
+  var KEYS = {
+    " ": "play",
+    k: "play",
+    Home: "start",
+    End: "end",
+    "+": "faster",
+    "=": "faster",
+    "-": "slower",
+    _: "slower",
+    0: "speed",
+    l: "loop",
+    g: "ghosts",
+    t: "trails",
+    f: "follow",
+    r: "reset",
+    1: "overlay",
+    2: "side",
+    3: "pose",
+    s: "warp",
+    "?": "help",
+    ArrowLeft: "back",
+    ArrowRight: "forward"
+  };
+  var ORBIT = { ArrowLeft: [-0.12, 0], ArrowRight: [0.12, 0], ArrowUp: [0, 0.08], ArrowDown: [0, -0.08] };
+  function onKey(stage2, actions4, event) {
+    if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
+    const button4 = event.target.closest("button");
+    if (button4 && (event.key === " " || event.key === "Enter")) return;
+    if (event.key === "Escape" && stage2.toggleHelp(false)) return;
+    const orbit = event.shiftKey && ORBIT[event.key];
+    const action = KEYS[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    if (orbit) stage2.camera.orbit(...orbit);
+    else if (event.key === "ArrowUp") stage2.camera.zoom(0.9);
+    else if (event.key === "ArrowDown") stage2.camera.zoom(1 / 0.9);
+    else if (event.key === "PageUp") stage2.step(-10);
+    else if (event.key === "PageDown") stage2.step(10);
+    else if (action) actions4[action]();
+    else return;
+    event.preventDefault();
+    stage2.touch(true);
+  }
+  function watchPointer(stage2, canvas) {
+    const pointers = /* @__PURE__ */ new Map();
+    const spread = () => {
+      const [a, b] = [...pointers.values()];
+      return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
+    };
+    canvas.addEventListener("pointerdown", (event) => {
+      pointers.set(event.pointerId, event);
+      canvas.setPointerCapture(event.pointerId);
+      canvas.classList.add("ms-grabbing");
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      const before2 = pointers.get(event.pointerId);
+      if (!before2) return stage2.pointAt(event.offsetX, event.offsetY);
+      const pinch = pointers.size === 2 ? spread() : 0;
+      const [dx, dy] = [event.clientX - before2.clientX, event.clientY - before2.clientY];
+      pointers.set(event.pointerId, event);
+      const pan = pinch || event.shiftKey || event.buttons & 6;
+      if (pan) stage2.camera.shift(dx / Math.max(pointers.size, 1), dy / Math.max(pointers.size, 1), canvas.clientHeight);
+      else stage2.camera.orbit(75e-4 * dx, 75e-4 * dy);
+      if (pinch) stage2.camera.zoom(pinch / Math.max(spread(), 1));
+      stage2.touch(true);
+    });
+    const release2 = (event) => {
+      pointers.delete(event.pointerId);
+      if (!pointers.size) canvas.classList.remove("ms-grabbing");
+    };
+    canvas.addEventListener("pointerup", release2);
+    canvas.addEventListener("pointercancel", release2);
+    canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+    canvas.addEventListener("dblclick", () => stage2.resetCamera());
+    canvas.addEventListener("wheel", (event) => {
+      event.preventDefault();
+      stage2.camera.zoom(Math.exp(Math.min(Math.max(event.deltaY, -120), 120) * 16e-4));
+      stage2.touch(true);
+    }, { passive: false });
+  }
+  function watchSeeking(stage2, bar) {
+    let resume = false;
+    const seek = (event) => {
+      const box2 = bar.getBoundingClientRect();
+      stage2.seek(stage2.clock.duration * Math.min(Math.max((event.clientX - box2.left) / box2.width, 0), 1));
+    };
+    bar.addEventListener("pointerdown", (event) => {
+      bar.setPointerCapture(event.pointerId);
+      resume = stage2.clock.playing;
+      stage2.clock.playing = false;
+      seek(event);
+    });
+    bar.addEventListener("pointermove", (event) => bar.hasPointerCapture(event.pointerId) && seek(event));
+    const release2 = () => {
+      if (resume) stage2.play();
+      resume = false;
+      stage2.touch(true);
+    };
+    bar.addEventListener("pointerup", release2);
+    bar.addEventListener("pointercancel", release2);
+  }
+  var CHIP_LETTERS = 20;
+  function legend(side) {
+    const entry = document.createElement("span");
+    entry.className = `ms-legend ms-legend-${side}`;
+    entry.textContent = side;
+    return entry;
+  }
+  var Controls = class {
+    constructor(stage2, root) {
+      this.stage = stage2;
+      this.root = root;
+      this.actions = makeActions(stage2);
+      this.find = (selector) => root.querySelector(selector);
+      this.scrub = this.find(".ms-scrub");
+      for (const button4 of root.querySelectorAll("[data-icon]")) button4.innerHTML = iconMarkup(button4.dataset.icon);
+      root.addEventListener("click", (event) => this.press(event));
+      root.addEventListener("keydown", (event) => onKey(stage2, this.actions, event));
+      watchPointer(stage2, this.find("#stage-canvas"));
+      watchSeeking(stage2, this.scrub);
+      watchSeeking(stage2, this.find(".ms-bands"));
+      watchSeeking(stage2, this.find(".ms-warp-rows"));
+      this.find(".ms-warp-rows").addEventListener("pointermove", (event) => {
+        event.currentTarget.title = stage2.warpStrip.describe(event);
+      });
+    }
+    press(event) {
+      const button4 = event.target.closest("[data-action]");
+      if (!button4 || button4.disabled) return;
+      this.actions[button4.dataset.action]?.();
+      this.stage.touch(true);
+    }
+    /** Chips that name the figures and hide or show them; pointing at one makes it stand out. */
+    listFigures() {
+      const { figures } = this.stage;
+      const list2 = this.find(".ms-figures");
+      const names2 = JSON.stringify(figures.map((figure2) => [figure2.label, figure2.visible, figure2.item.colour, figure2.header.start]));
+      if (names2 === this.listed) return;
+      this.listed = names2;
+      list2.replaceChildren(...figures.length > 1 ? figures.map((figure2, k) => this.chip(figure2, k)) : []);
+      if (figures.length === 1 && !figures[0].item.colour) list2.append(legend("left"), legend("right"));
+    }
+    chip(figure2, k) {
+      const chip2 = document.createElement("button");
+      chip2.type = "button";
+      chip2.className = "ms-chip";
+      chip2.title = `${figure2.label}, frames ${figure2.header.start} to ${figure2.header.end}: click to hide or show`;
+      chip2.setAttribute("aria-pressed", String(figure2.visible));
+      const colour = document.createElement("span");
+      colour.className = "ms-chip-colour";
+      const name = document.createElement("span");
+      name.className = "ms-chip-name";
+      name.textContent = shorten(figure2.name, CHIP_LETTERS);
+      chip2.append(colour, name);
+      chip2.addEventListener("click", () => {
+        const { visible: visible2 } = this.stage.figures[k];
+        this.stage.setVisible(k, !visible2);
+        chip2.setAttribute("aria-pressed", String(!visible2));
+      });
+      chip2.addEventListener("pointerenter", () => this.stage.highlight(k));
+      chip2.addEventListener("pointerleave", () => this.stage.highlight(-1));
+      return chip2;
+    }
+    colourChips() {
+      this.root.querySelectorAll(".ms-chip-colour").forEach((swatch, k) => {
+        const figure2 = this.stage.figures[k];
+        if (figure2) swatch.style.background = css(figure2.colours[2]);
+      });
+    }
+    /** Bring all buttons in line with the state; cheap enough after every action, not for every frame. */
+    update() {
+      const { stage: stage2 } = this;
+      const { clock: clock2, traces, camera } = stage2;
+      const show6 = (action, icon2, label, pressed) => {
+        const button4 = this.find(`.ms-tool[data-action="${action}"]`);
+        if (icon2 && button4.dataset.icon !== icon2) button4.innerHTML = iconMarkup(button4.dataset.icon = icon2);
+        if (label) {
+          button4.setAttribute("aria-label", label);
+          button4.dataset.tip = `${label}${button4.dataset.key ? `  ·  ${button4.dataset.key}` : ""}`;
+        }
+        if (pressed !== void 0) button4.setAttribute("aria-pressed", String(pressed));
+      };
+      show6("play", clock2.playing ? "pause" : "play", clock2.playing ? "Pause" : "Play");
+      show6("loop", clock2.loop, LOOP_WORDS[clock2.loop]);
+      show6("ghosts", null, null, traces.ghosts);
+      show6("trails", null, TRAIL_WORDS[traces.trails], traces.trails !== "off");
+      show6("follow", null, null, camera.follow);
+      show6("overlay", null, null, stage2.layout === "overlay");
+      show6("side", null, null, stage2.layout === "side");
+      show6("pose", null, null, stage2.layout === "pose");
+      show6("warp", null, null, stage2.timeline.warped);
+      this.find('[data-action="speed"]').textContent = `${clock2.speed}×`;
+      const many = stage2.figures.length > 1;
+      this.find(".ms-arrangement").hidden = !many;
+      this.find('.ms-tool[data-action="warp"]').disabled = !stage2.figures.some((figure2) => figure2.warp);
+      this.find(".ms-controls").inert = stage2.status !== "ready";
+    }
+    /** For every frame: the scrub bar and the clock face. */
+    tick(text) {
+      const { clock: clock2 } = this.stage;
+      const share2 = clock2.duration > 0 ? clock2.time / clock2.duration : 0;
+      this.scrub.style.setProperty("--share", share2.toFixed(4));
+      this.stage.warpStrip.place(share2);
+      this.stage.bands.place(share2);
+      if (text === this.shown) return;
+      this.shown = text;
+      this.find(".ms-readout").textContent = text;
+      if (clock2.playing) return;
+      this.scrub.setAttribute("aria-valuemax", clock2.duration.toFixed(2));
+      this.scrub.setAttribute("aria-valuenow", clock2.time.toFixed(2));
+      this.scrub.setAttribute("aria-valuetext", text);
+    }
+  };
+
+  // stage/layout.mjs
+  var LANE = { least: 1, most: 2.4, gap: 0.3 };
+  var ROW = { least: 1.5, most: 3.2 };
+  var SHELF = { least: 0.75, most: 2.2, gap: 0.22, above: 0.5 };
+  var TURN = 0.5;
+  function placeFigures(figures, layout, aspect, duration) {
+    const still = layout === "pose";
+    for (const figure2 of figures) {
+      figure2.place = [0, 0];
+      figure2.level = 0;
+      figure2.room = Infinity;
+      figure2.walksInPlace = still;
+      figure2.path = null;
+      figure2.stand(still ? figure2.frameAt(duration / 2) : 0);
+    }
+    const shown7 = figures.filter((figure2) => figure2.visible);
+    if (layout === "overlay" || shown7.length < 2) return [];
+    for (const figure2 of shown7) figure2.turn(TURN);
+    if (still) return placeOnShelves(shown7, aspect, duration);
+    placeInLanes(shown7, aspect);
+    return [];
+  }
+  function placeInLanes(shown7, aspect) {
+    const boxes = shown7.map((figure2) => figure2.extent());
+    const span = (low, high) => Math.max(...boxes.map((b) => b[high] - b[low]));
+    const width = Math.min(Math.max(span(0, 1) + LANE.gap, LANE.least), LANE.most);
+    const depth2 = Math.min(Math.max(span(2, 3) + LANE.gap, ROW.least), ROW.most);
+    const wanted2 = Math.round(Math.sqrt(shown7.length * aspect * (0.6 * depth2 + 0.8) / width));
+    inRows(shown7, Math.max(wanted2, 2), (figure2, k, row8, rows2, column) => {
+      const box2 = boxes[k];
+      figure2.room = width;
+      figure2.walksInPlace = box2[1] - box2[0] > LANE.most || box2[3] - box2[2] > ROW.most;
+      const middle = figure2.walksInPlace ? [0, 0] : [(box2[0] + box2[1]) / 2, (box2[2] + box2[3]) / 2];
+      const stagger = rows2 > 1 ? (row8 % 2 ? 0.25 : -0.25) * width : 0;
+      figure2.place = [column * width + stagger - middle[0], ((rows2 - 1) / 2 - row8) * depth2 - middle[1]];
+    });
+  }
+  function placeOnShelves(shown7, aspect, duration) {
+    const boxes = shown7.map((figure2) => figure2.extent(duration / 2, duration / 2, 1));
+    const width = Math.min(Math.max(...boxes.map((b) => b[1] - b[0] + SHELF.gap), SHELF.least), SHELF.most);
+    const height = Math.max(...boxes.map((b) => b[4])) + SHELF.above;
+    const size = (columns2) => Math.min(aspect / (columns2 * width), 1 / (Math.ceil(shown7.length / columns2) * height));
+    const columns = shown7.map((_, k) => k + 1).reduce((best, k) => size(k) > size(best) ? k : best);
+    const shelves = [];
+    inRows(shown7, columns, (figure2, k, row8, rows2, column) => {
+      figure2.room = width;
+      figure2.level = (rows2 - 1 - row8) * height;
+      figure2.place = [column * width - (boxes[k][0] + boxes[k][1]) / 2, 0];
+      const half = Math.abs(column * width) + width / 2;
+      shelves[row8] = { level: figure2.level, half: Math.max(shelves[row8]?.half ?? 0, half) };
+    });
+    return shelves;
+  }
+  function inRows(shown7, wanted2, put7) {
+    const rows2 = Math.ceil(shown7.length / wanted2);
+    const columns = Math.ceil(shown7.length / rows2);
+    shown7.forEach((figure2, k) => {
+      const row8 = Math.floor(k / columns);
+      const inRow = row8 < rows2 - 1 ? columns : shown7.length - columns * (rows2 - 1);
+      put7(figure2, k, row8, rows2, k % columns - (inRow - 1) / 2);
+    });
+  }
+  function groundCentre(figures, out) {
+    let [x, z, n] = [0, 0, 0];
+    for (const figure2 of figures) {
+      if (!figure2.visible) continue;
+      const root = 3 * figure2.header.root;
+      x += figure2.points[root];
+      z += figure2.points[root + 2];
+      n++;
+    }
+    out[0] = n ? x / n : 0;
+    out[1] = n ? z / n : 0;
+    return out;
+  }
+  function measureStage(figures, duration, samples = 24) {
+    const shown7 = figures.filter((figure2) => figure2.visible);
+    const cloud = new Float32Array(samples * shown7.reduce((sum2, figure2) => sum2 + figure2.points.length, 0));
+    const centre = [0, 0];
+    let radius = 0.7;
+    let n = 0;
+    for (let s = 0; s < samples; s++) {
+      for (const figure2 of shown7) figure2.pose(duration * s / (samples - 1));
+      groundCentre(shown7, centre);
+      for (const { points } of shown7) {
+        for (let k = 0; k < points.length; k += 3) {
+          cloud[n++] = points[k] - centre[0];
+          cloud[n++] = points[k + 1];
+          cloud[n++] = points[k + 2] - centre[1];
+          radius = Math.max(radius, Math.hypot(cloud[n - 3], cloud[n - 1]));
+        }
+      }
+    }
+    return { cloud, radius };
+  }
+  function homeView(figures, layout) {
+    if (layout === "overlay" || figures.length < 2) return { yaw: 0.62, pitch: 0.2 };
+    return layout === "pose" ? { yaw: 0.02, pitch: 0.07 } : { yaw: 0.06, pitch: 0.34 };
+  }
+
+  // stage/spans.mjs
+  var PATH_STEPS = 30;
+  var MOST_POINTS = 1200;
+  var MOST_ROWS = 8;
+  function readSpans(colours, { start: start3, end }) {
+    if (!Array.isArray(colours)) return [];
+    return colours.filter((span) => Number.isFinite(span?.start) && Number.isFinite(span?.end)).map((span) => {
+      const rgb = parseColour(String(span.colour ?? ""));
+      return { start: Math.max(span.start, start3), end: Math.min(span.end, end), rgb, colour: css(rgb), label: String(span.label ?? "") };
+    }).filter((span) => span.end > span.start).sort((a, b) => a.start - b.start);
+  }
+  var SpanBands = class {
+    constructor(holder) {
+      this.holder = holder;
+      this.rows = holder.querySelector(".ms-band-rows");
+      this.cursor = holder.querySelector(".ms-band-cursor");
+    }
+    /** One row a visible figure that has spans, along the Stage's time. */
+    show(figures, duration) {
+      const shown7 = figures.filter((figure2) => figure2.visible && figure2.spans.length).slice(0, MOST_ROWS);
+      this.holder.hidden = !shown7.length || !(duration > 0);
+      this.rows.classList.toggle("ms-band-thin", shown7.length > 3);
+      this.rows.replaceChildren(...this.holder.hidden ? [] : shown7.map((figure2) => row(figure2, duration)));
+    }
+    place(share2) {
+      if (!this.holder.hidden) this.cursor.style.left = `${(100 * share2).toFixed(3)}%`;
+    }
+  };
+  function row(figure2, duration) {
+    const made = document.createElement("div");
+    made.className = "ms-band";
+    for (const span of figure2.spans) {
+      const block2 = document.createElement("span");
+      const [from, to] = [figure2.timeAt(span.start), Math.min(figure2.timeAt(span.end), duration)];
+      block2.style.left = `${100 * from / duration}%`;
+      block2.style.width = `${100 * Math.max(to - from, 0) / duration}%`;
+      block2.style.background = span.colour;
+      block2.style.color = 0.3 * span.rgb[0] + 0.59 * span.rgb[1] + 0.11 * span.rgb[2] > 140 ? "#10151d" : "#ffffff";
+      block2.textContent = span.label;
+      block2.title = `${span.label || "no name"}, frames ${Math.round(span.start)} to ${Math.round(span.end)} of ${figure2.label}`;
+      made.append(block2);
+    }
+    return made;
+  }
+  function makePath(figure2, duration, plain3) {
+    const n = Math.min(Math.max(Math.ceil(duration * PATH_STEPS), 2), MOST_POINTS);
+    const points = new Float32Array(3 * n);
+    const runs = [];
+    const root = 3 * figure2.header.root;
+    for (let s = 0; s < n; s++) {
+      const time = duration * s / (n - 1);
+      figure2.pose(time, figure2.spare);
+      points[3 * s] = figure2.spare[root];
+      points[3 * s + 2] = figure2.spare[root + 2];
+      const colour = figure2.spanAt(figure2.recordedFrame(time))?.colour ?? plain3;
+      if (runs.at(-1)?.colour === colour) runs.at(-1).to = s;
+      else runs.push({ from: Math.max(s - 1, 0), to: s, colour });
+    }
+    return { points, runs, n };
+  }
+  var PathPainter = class {
+    constructor() {
+      [this.x, this.y, this.scale, this.depth] = [0, 1, 2, 3].map(() => new Float32Array(MOST_POINTS));
+    }
+    paint(context, camera, figures, duration) {
+      context.lineCap = context.lineJoin = "round";
+      for (const figure2 of figures) {
+        if (!figure2.visible || !figure2.spans.length || figure2.walksInPlace) continue;
+        const { points, runs, n } = figure2.path ??= makePath(figure2, duration, figure2.shades.fill[2][4]);
+        camera.project(points, n, this.x, this.y, this.scale, this.depth);
+        for (const { from, to, colour } of runs) {
+          context.strokeStyle = colour;
+          context.lineWidth = Math.min(Math.max(0.035 * this.scale[from], 2), 7);
+          context.beginPath();
+          for (let s = from; s <= to; s++) if (this.depth[s] > NEAR) context.lineTo(this.x[s], this.y[s]);
+          context.stroke();
+        }
+      }
+    }
+  };
+
+  // stage/figure.mjs
+  var RADII = {
+    pelvis: 0.062,
+    spine: 0.062,
+    chest: 0.058,
+    neck: 0.034,
+    head: 0.03,
+    clavicle: 0.04,
+    shoulder: 0.041,
+    elbow: 0.031,
+    wrist: 0.022,
+    hand: 0.013,
+    hip: 0.055,
+    knee: 0.041,
+    ankle: 0.027,
+    toe: 0.023,
+    foot: 0.017
+  };
+  var SIDES = { left: 0, right: 1, centre: 2 };
+  var TRUNK = /* @__PURE__ */ new Set(["pelvis", "spine", "chest", "neck", "head", "clavicle", ""]);
+  var Figure = class {
+    constructor(item, motion, index) {
+      const { header, positions } = motion;
+      Object.assign(this, { item, header, positions, index });
+      this.label = item.label || header.clip;
+      this.frames = header.frames;
+      this.fps = header.fps;
+      this.ownFps = header.fps * header.step;
+      this.n = header.joints.length;
+      this.visible = true;
+      this.warp = usableWarp(item.warp);
+      this.warpFps = 0;
+      this.stretch = 0;
+      this.offset = 0;
+      this.spans = readSpans(item.colours, header);
+      this.yaw = [1, 0];
+      this.origin = [0, 0, 0];
+      this.place = [0, 0];
+      this.level = 0;
+      this.walksInPlace = false;
+      this.points = new Float32Array(3 * this.n);
+      this.spare = new Float32Array(3 * this.n);
+      [this.x, this.y, this.scale, this.depth] = [0, 1, 2, 3].map(() => new Float32Array(this.n));
+      this.size = header.height > 0 ? header.height / 1.75 : 1;
+      this.sides = Uint8Array.from(header.sides, (side) => SIDES[side] ?? 2);
+      this.radii = Float32Array.from(header.roles, (role) => (RADII[role.split("_").pop()] ?? 0.02) * this.size);
+      this.limbs = makeLimbs(header, this.sides);
+      this.stand();
+    }
+    get duration() {
+      return this.warpFps ? (this.warp.length - 1) / this.warpFps : this.ownDuration;
+    }
+    get ownDuration() {
+      return (this.frames - 1) / this.fps;
+    }
+    /** Follow the medoid's frames at this rate; 0: run at the motion's own pace, or spread over `stretch` seconds. */
+    follow(medoidFps, stretch = 0) {
+      this.warpFps = medoidFps;
+      this.stretch = stretch;
+      this.offset = 0;
+    }
+    /** Frame (a fraction, among the frames received) at a time in seconds of the stage. */
+    frameAt(time) {
+      return Math.min(Math.max(this.ledTo(time) + this.offset, 0), this.frames - 1);
+    }
+    ledTo(time) {
+      if (!this.warpFps) return this.stretch ? time / this.stretch * (this.frames - 1) : time * this.fps;
+      const at3 = Math.min(time * this.warpFps, this.warp.length - 1);
+      const k = Math.min(Math.floor(at3), this.warp.length - 2);
+      const own2 = k < 0 ? this.warp[0] : this.warp[k] + (this.warp[k + 1] - this.warp[k]) * (at3 - k);
+      return own2 / this.header.step;
+    }
+    /** Time in seconds of the stage at which a frame of the recording is reached; the end where it never is. */
+    timeAt(recorded) {
+      const frame = Math.min((recorded - this.header.start) / this.header.step, this.frames - 1);
+      let [low, high] = [0, this.stretch || this.duration];
+      for (let k = 0; k < 40; k++) {
+        const middle = (low + high) / 2;
+        if (this.frameAt(middle) < frame) low = middle;
+        else high = middle;
+      }
+      return high;
+    }
+    /** The coloured span that holds a frame of the recording. */
+    spanAt(recorded) {
+      return this.spans.find((span) => span.start <= recorded && recorded < span.end);
+    }
+    /** Number of a frame in the recording itself. */
+    recordedFrame(time) {
+      return Math.round(this.header.start + this.frameAt(time) * this.header.step);
+    }
+    /** Joints at a time, in the stage's frame, written into `out` (3 n) or the figure's own points. */
+    pose(time, out = this.points) {
+      const at3 = this.frameAt(time);
+      const first = Math.floor(at3);
+      const next2 = Math.min(first + 1, this.frames - 1);
+      const t = at3 - first;
+      const [a, b, n, from] = [3 * this.n * first, 3 * this.n * next2, 3 * this.n, this.positions];
+      const [cos, sin] = this.yaw;
+      const root = 3 * this.header.root;
+      const still = this.walksInPlace;
+      const ox = still ? from[a + root] + (from[b + root] - from[a + root]) * t : this.origin[0];
+      const oz = still ? from[a + root + 2] + (from[b + root + 2] - from[a + root + 2]) * t : this.origin[2];
+      for (let k = 0; k < n; k += 3) {
+        const x = from[a + k] + (from[b + k] - from[a + k]) * t - ox;
+        const z = from[a + k + 2] + (from[b + k + 2] - from[a + k + 2]) * t - oz;
+        out[k] = cos * x + sin * z + this.place[0];
+        out[k + 1] = from[a + k + 1] + (from[b + k + 1] - from[a + k + 1]) * t - this.origin[1] + this.level;
+        out[k + 2] = cos * z - sin * x + this.place[1];
+      }
+      return out;
+    }
+    /** Put a frame's root (the first's) at the origin, facing +Z, feet on the floor. */
+    stand(frame = 0) {
+      const first = Math.min(Math.max(Math.floor(frame), 0), this.frames - 1);
+      const root = 3 * (first * this.n + this.header.root);
+      this.origin = [this.positions[root], this.header.floor || 0, this.positions[root + 2]];
+      const [x, z] = this.facing(first);
+      const length = Math.hypot(x, z);
+      this.heading = length > 1e-3 ? Math.atan2(-x, z) : 0;
+      this.turn(0);
+    }
+    /** Turn to the left of +Z by so many radians. */
+    turn(angle) {
+      this.yaw = [Math.cos(this.heading + angle), Math.sin(this.heading + angle)];
+    }
+    /** Where the trunk faces over a fifth of a second from a frame on, on the ground. */
+    facing(first) {
+      const role = (name) => this.header.roles.indexOf(name);
+      const pairs2 = [["left_hip", "right_hip"], ["left_shoulder", "right_shoulder"]];
+      let [x, z] = [0, 0];
+      const end = Math.min(this.frames, first + 1 + Math.round(this.fps / 5));
+      for (const [left, right] of pairs2.map((pair) => pair.map(role))) {
+        if (left < 0 || right < 0) continue;
+        for (let f = first; f < end; f++) {
+          const [l, r] = [3 * (f * this.n + left), 3 * (f * this.n + right)];
+          x -= this.positions[l + 2] - this.positions[r + 2];
+          z += this.positions[l] - this.positions[r];
+        }
+      }
+      return [x, z];
+    }
+    /** Space the motion takes between two times when it starts at the origin: [min x, max x, min z, max z, max y]. */
+    extent(from = 0, to = this.duration, samples = 32) {
+      const box2 = [0, 0, 0, 0, 0];
+      const points = this.spare;
+      for (let s = 0; s < samples; s++) {
+        this.pose(from + (to - from) * s / Math.max(samples - 1, 1), points);
+        for (let k = 0; k < points.length; k += 3) {
+          const [x, z] = [points[k] - this.place[0], points[k + 2] - this.place[1]];
+          box2[0] = Math.min(box2[0], x);
+          box2[1] = Math.max(box2[1], x);
+          box2[2] = Math.min(box2[2], z);
+          box2[3] = Math.max(box2[3], z);
+          box2[4] = Math.max(box2[4], points[k + 1]);
+        }
+      }
+      return box2;
+    }
+  };
+  function usableWarp(warp) {
+    if (!warp || warp.length < 2) return null;
+    const frames = Float32Array.from(warp);
+    return frames.every(Number.isFinite) ? frames : null;
+  }
+  function makeLimbs(header, sides) {
+    const { parents, roles, head: head3, nose } = header;
+    const part2 = (j) => roles[j].split("_").pop();
+    const known3 = roles.some((role) => role === "left_knee");
+    const limbs = [];
+    const limbOf2 = new Array(parents.length).fill(-1);
+    const start3 = (side) => limbs.push({ side, bones: [] }) - 1;
+    parents.forEach((parent, j) => {
+      if (parent < 0 || j === head3 || j === nose) return;
+      const inTrunk = known3 && TRUNK.has(part2(j)) && TRUNK.has(part2(parent));
+      const toHip = known3 && (part2(j) === "hip" || part2(j) === "shoulder");
+      if (!known3) limbOf2[j] = start3(sides[j]);
+      else if (inTrunk || toHip) limbOf2[j] = limbs.findIndex((limb) => limb.trunk);
+      else limbOf2[j] = limbOf2[parent] >= 0 && !limbs[limbOf2[parent]].trunk ? limbOf2[parent] : start3(sides[j]);
+      if (limbOf2[j] < 0) {
+        limbOf2[j] = start3(2);
+        limbs[limbOf2[j]].trunk = true;
+      }
+      limbs[limbOf2[j]].bones.push(parent, j);
+    });
+    for (const limb of limbs) limb.joints = [...new Set(limb.bones)];
+    const flanks = ["left_shoulder", "left_hip", "right_shoulder", "right_hip"].map((role) => roles.indexOf(role));
+    const trunk = limbs.find((limb) => limb.trunk);
+    if (trunk && Math.min(...flanks) >= 0) trunk.flanks = flanks;
+    return limbs;
+  }
+
+  // stage/motion.mjs
+  var CACHE_BYTES = 96 * 1024 * 1024;
+  var LONGEST_ADDRESS = 6e3;
+  function segmentOf(request5, item) {
+    const dataset2 = String(item.dataset ?? request5.dataset ?? "");
+    const version = String(((item.dataset ?? null) === null ? item.version ?? request5.version : item.version) ?? "");
+    const segment = { dataset: dataset2, version, clip: String(item.clip), start: item.start ?? "", end: item.end ?? "" };
+    return { ...segment, key: JSON.stringify(Object.values(segment)), forGood: version !== "" || dataset2.startsWith("~") };
+  }
+  function addresses(api, segments) {
+    const query = new URLSearchParams();
+    const column = (name, values) => new Set(values).size === 1 && name !== "clip" ? query.set(name, values[0]) : values.forEach((value) => query.append(name, value));
+    for (const [name, key] of [["dataset", "dataset"], ["v", "version"], ["clip", "clip"], ["start", "start"], ["end", "end"]]) {
+      column(name, segments.map((segment) => segment[key]));
+    }
+    const address2 = `${api}/motions?${query}`;
+    if (address2.length <= LONGEST_ADDRESS || segments.length === 1) return [[address2, segments]];
+    const half = segments.length >> 1;
+    return [...addresses(api, segments.slice(0, half)), ...addresses(api, segments.slice(half))];
+  }
+  function readHeader(buffer) {
+    const length = new DataView(buffer).getUint32(0, true);
+    return [JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length))), 4 + length];
+  }
+  function decode(buffer) {
+    const [header, at3] = readHeader(buffer);
+    return { header, positions: new Float32Array(buffer, at3, header.frames * header.joints.length * 3), bytes: buffer.byteLength };
+  }
+  function decodeParts(buffer) {
+    const [{ parts: told }, begin2] = readHeader(buffer);
+    let at3 = begin2;
+    return told.map(({ error, bytes: bytes2 }) => {
+      if (error) return new Error(error);
+      at3 += bytes2;
+      return decode(buffer.slice(at3 - bytes2, at3));
+    });
+  }
+  async function ask(url) {
+    let response;
+    try {
+      response = await fetch(url);
+    } catch {
+      throw new Error("The server cannot be reached. Is Motionscape still running?");
+    }
+    if (response.ok) return decodeParts(await response.arrayBuffer());
+    const answer2 = await response.json().catch(() => ({}));
+    throw new Error(answer2.error || `The server answered with an error (${response.status}).`);
+  }
+  var MotionCache = class {
+    constructor(limit = CACHE_BYTES) {
+      this.limit = limit;
+      this.bytes = 0;
+      this.motions = /* @__PURE__ */ new Map();
+      this.coming = /* @__PURE__ */ new Map();
+    }
+    /**
+     * The motions of a request's items, in their order: each a motion or an Error in plain words. Never rejects. A data
+     * set's name may come to stand for other content, so the server is asked again unless the segment is for good.
+     */
+    load(api, request5, items) {
+      const segments = items.map((item) => segmentOf(request5, item));
+      const wanted2 = /* @__PURE__ */ new Map();
+      for (const segment of segments) {
+        const { key, forGood } = segment;
+        if (forGood && (this.motions.has(key) || this.coming.has(key))) continue;
+        wanted2.set(key, segment);
+      }
+      if (wanted2.size) this.fetch(addresses(api, [...wanted2.values()]));
+      return Promise.all(segments.map(({ key }) => this.coming.get(key) ?? this.keep(key, this.motions.get(key))));
+    }
+    fetch(batches) {
+      for (const [address2, segments] of batches) {
+        const answer2 = ask(address2).catch((error) => segments.map(() => error));
+        segments.forEach(({ key }, k) => {
+          const motion = answer2.then((motions) => {
+            if (this.coming.get(key) === motion) this.coming.delete(key);
+            return motions[k] instanceof Error ? motions[k] : this.keep(key, motions[k]);
+          });
+          this.coming.set(key, motion);
+        });
+      }
+    }
+    keep(key, motion) {
+      this.bytes += motion.bytes - (this.motions.get(key)?.bytes ?? 0);
+      this.motions.delete(key);
+      this.motions.set(key, motion);
+      for (const [oldest, { bytes: bytes2 }] of this.motions) {
+        if (this.bytes <= this.limit || oldest === key) break;
+        this.motions.delete(oldest);
+        this.bytes -= bytes2;
+      }
+      return motion;
+    }
+  };
+
+  // stage/requests.mjs
+  var MOST_FIGURES = 48;
+  var Requests = class {
+    constructor(stage2) {
+      this.stage = stage2;
+      this.cache = new MotionCache();
+      this.turn = 0;
+    }
+    /** Fetch what a request needs, so that showing it later costs nothing. */
+    prefetch(request5) {
+      const items = (request5?.items ?? []).slice(0, MOST_FIGURES);
+      return this.cache.load(this.api, request5, items);
+    }
+    get api() {
+      return this.stage.root.dataset.api || "/api";
+    }
+    /** Show a request from its start. */
+    async show(request5) {
+      const { stage: stage2 } = this;
+      const turn5 = ++this.turn;
+      this.next = null;
+      stage2.request = request5;
+      if (!request5?.items?.length) {
+        stage2.setFigures([]);
+        return stage2.setStatus("empty");
+      }
+      const n = Math.min(request5.items.length, MOST_FIGURES);
+      stage2.setStatus("loading", n > 1 ? `Loading ${n} motions …` : "Loading …");
+      const { figures, failed: failed2 } = await this.figures(request5);
+      if (turn5 !== this.turn || stage2.closed) return void 0;
+      if (!figures.length) {
+        stage2.setFigures([]);
+        return stage2.setStatus("error", failed2[0].message);
+      }
+      stage2.begin(figures, request5);
+      return this.notice(request5, n, failed2);
+    }
+    /**
+     * Put other motions in place of those that are shown; time (as a share), camera, layout and what plays stay. While
+     * one is being loaded only the newest waits, so that a slider may call this for every step.
+     */
+    replace(request5) {
+      const { stage: stage2 } = this;
+      if (stage2.status !== "ready" || !request5?.items?.length) return this.show(request5);
+      this.next = request5;
+      return this.replacing ??= this.replaceAll().finally(() => this.replacing = null);
+    }
+    async replaceAll() {
+      const { stage: stage2, turn: turn5 } = this;
+      while (this.next && turn5 === this.turn && !stage2.closed) {
+        const request5 = this.next;
+        this.next = null;
+        const { figures, failed: failed2 } = await this.figures(request5);
+        if (turn5 !== this.turn || stage2.closed) return;
+        stage2.request = request5;
+        if (figures.length) stage2.exchange(figures);
+        this.notice(request5, Math.min(request5.items.length, MOST_FIGURES), failed2);
+      }
+    }
+    async figures(request5) {
+      const items = request5.items.slice(0, MOST_FIGURES);
+      const motions = await this.cache.load(this.api, request5, items);
+      return {
+        figures: items.flatMap((item, k) => motions[k] instanceof Error ? [] : [new Figure(
+          { ...item, dataset: item.dataset ?? request5.dataset },
+          motions[k],
+          k
+        )]),
+        failed: motions.filter((motion) => motion instanceof Error)
+      };
+    }
+    /** Tell what is missing, without hiding what is there. */
+    notice(request5, n, failed2) {
+      const missing = failed2.length ? `${failed2.length} of ${n} motions could not be loaded: ${failed2[0].message}` : "";
+      const cut = request5.items.length > n ? `Showing ${n} of ${request5.items.length} motions.` : "";
+      const note = this.stage.root.querySelector(".ms-stage-note");
+      note.querySelector("span").textContent = [missing, cut].filter(Boolean).join(" ");
+      note.hidden = !missing && !cut;
+      note.querySelector("button").hidden = !missing;
+    }
+  };
+
+  // stage/body.mjs
+  var corners = (n) => Array.from({ length: n }, (_, k) => -Math.PI / 2 + Math.PI * (k + 0.5) / n);
+  var [COARSE, FINE] = [3, 7].map((n) => ({ n, sin: corners(n).map(Math.sin), cos: corners(n).map(Math.cos) }));
+  var FINE_FROM = 7;
+  var CIRCLE = Array.from({ length: 24 }, (_, k) => [Math.cos(k * Math.PI / 12), Math.sin(k * Math.PI / 12)]);
+  function capsule(context, x1, y1, r1, x2, y2, r2) {
+    let dx = x2 - x1;
+    let dy = y2 - y1;
+    const length = Math.sqrt(dx * dx + dy * dy);
+    if (length < 0.5) {
+      disc(context, x1, y1, Math.max(r1, r2));
+      return;
+    }
+    dx /= length;
+    dy /= length;
+    const { n, sin, cos } = r1 + r2 > 2 * FINE_FROM ? FINE : COARSE;
+    context.beginPath();
+    for (let k = 0; k < n; k++) {
+      const along2 = r2 * cos[k];
+      const across = r2 * sin[k];
+      context.lineTo(x2 + along2 * dx - across * dy, y2 + along2 * dy + across * dx);
+    }
+    for (let k = n - 1; k >= 0; k--) {
+      const along2 = -r1 * cos[k];
+      const across = r1 * sin[k];
+      context.lineTo(x1 + along2 * dx - across * dy, y1 + along2 * dy + across * dx);
+    }
+    context.fill();
+  }
+  function disc(context, x, y, r) {
+    context.beginPath();
+    for (let k = 0; k < CIRCLE.length; k++) context.lineTo(x + r * CIRCLE[k][0], y + r * CIRCLE[k][1]);
+    context.fill();
+  }
+  var HEAD = -1;
+  var NOSE = -2;
+  var BodyPainter = class {
+    constructor() {
+      this.items = [];
+      this.owners = [];
+    }
+    /** Call when the set of visible figures changes. Many bodies in one place are drawn slender, or none is seen. */
+    collect(figures, overlaid) {
+      this.items = [];
+      this.owners = figures.filter((figure2) => figure2.visible);
+      for (const figure2 of this.owners) {
+        figure2.limbs.forEach((_, limb) => this.items.push({ figure: figure2, limb, depth: 0 }));
+        if (figure2.header.head >= 0) this.items.push({ figure: figure2, limb: HEAD, depth: 0 });
+        if (figure2.header.nose >= 0) this.items.push({ figure: figure2, limb: NOSE, depth: 0 });
+      }
+      const crowd = overlaid ? this.owners.length : 1;
+      this.girth = crowd > 8 ? 0.5 : crowd > 4 ? 0.62 : crowd > 1 ? 0.78 : 1;
+      this.headSize = 0.3 + 0.7 * this.girth;
+      this.detailed = this.owners.length <= 8;
+      this.outlined = this.owners.length <= 16;
+    }
+    sort() {
+      const items = this.items;
+      for (const item of items) item.depth = depthOf(item);
+      for (let i = 1; i < items.length; i++) {
+        const item = items[i];
+        let j = i - 1;
+        for (; j >= 0 && items[j].depth < item.depth; j--) items[j + 1] = items[j];
+        items[j + 1] = item;
+      }
+    }
+    paint(context, camera, reach) {
+      this.sort();
+      const levels = FOG_LEVELS;
+      for (const { figure: figure2, limb, depth: depth2 } of this.items) {
+        if (depth2 < NEAR) continue;
+        const far = (depth2 - camera.distance + reach) / (2 * reach);
+        const level = Math.min(Math.max(Math.round(far * (levels - 1)), 0), levels - 1);
+        if (limb === HEAD) this.paintHead(context, figure2, level);
+        else if (limb === NOSE) this.paintNose(context, figure2, level);
+        else this.paintLimb(context, figure2, figure2.limbs[limb], level);
+      }
+    }
+    paintLimb(context, figure2, limb, level) {
+      const { shades: shades2 } = figure2;
+      if (this.outlined) {
+        context.fillStyle = shades2.edge[limb.side][level];
+        this.bones(context, figure2, limb.bones, 1);
+        if (limb.flanks) this.bones(context, figure2, limb.flanks, 1);
+      }
+      context.fillStyle = shades2.fill[limb.side][level];
+      if (limb.flanks) this.plate(context, figure2, limb.flanks);
+      this.bones(context, figure2, limb.bones, 0);
+      if (!this.detailed) return;
+      if (limb.flanks) {
+        context.fillStyle = shades2.sheen[limb.side][level];
+        this.sheen(context, figure2, limb.flanks);
+        return;
+      }
+      context.fillStyle = shades2.light[limb.side][level];
+      this.highlights(context, figure2, limb.bones);
+    }
+    /** Each bone as a capsule; `line`: pixels of outline around it. */
+    bones(context, figure2, bones, line2) {
+      const { x, y, scale: scale3, radii } = figure2;
+      for (let k = 0; k < bones.length; k += 2) {
+        const a = bones[k];
+        const b = bones[k + 1];
+        const around = line2 && line2 + 3e-3 * scale3[a];
+        const ra = radii[a] * this.girth * scale3[a] + around;
+        capsule(context, x[a], y[a], ra, x[b], y[b], radii[b] * this.girth * scale3[b] + around);
+      }
+    }
+    /** The chest and belly between two flanks, shoulder to hip. */
+    plate(context, figure2, flanks) {
+      const { x, y } = figure2;
+      this.bones(context, figure2, flanks, 0);
+      context.beginPath();
+      context.moveTo(x[flanks[0]], y[flanks[0]]);
+      context.lineTo(x[flanks[1]], y[flanks[1]]);
+      context.lineTo(x[flanks[3]], y[flanks[3]]);
+      context.lineTo(x[flanks[2]], y[flanks[2]]);
+      context.fill();
+    }
+    /** A band down the side of the trunk that faces the light, which comes from the upper left. */
+    sheen(context, { x, y }, flanks) {
+      const across = x[flanks[0]] < x[flanks[2]] ? 0.08 : 0.5;
+      const at3 = (k, share2) => context.lineTo(
+        x[flanks[k]] + (x[flanks[k + 2]] - x[flanks[k]]) * share2,
+        y[flanks[k]] + (y[flanks[k + 2]] - y[flanks[k]]) * share2
+      );
+      context.beginPath();
+      at3(0, across);
+      at3(0, across + 0.42);
+      at3(1, across + 0.42);
+      at3(1, across);
+      context.fill();
+    }
+    highlights(context, figure2, bones) {
+      const { x, y, scale: scale3, radii } = figure2;
+      for (let k = 0; k < bones.length; k += 2) {
+        const a = bones[k];
+        const b = bones[k + 1];
+        const ra = radii[a] * this.girth * scale3[a];
+        const rb = radii[b] * this.girth * scale3[b];
+        capsule(context, x[a] - 0.32 * ra, y[a] - 0.32 * ra, 0.34 * ra, x[b] - 0.32 * rb, y[b] - 0.32 * rb, 0.34 * rb);
+      }
+    }
+    paintHead(context, figure2, level) {
+      const { header, shades: shades2 } = figure2;
+      const [x, y] = [figure2.x[header.head], figure2.y[header.head]];
+      const scale3 = figure2.scale[header.head];
+      const r = header.head_radius * this.headSize * scale3;
+      if (this.outlined) {
+        context.fillStyle = shades2.edge[2][level];
+        disc(context, x, y, r + 1 + 3e-3 * scale3);
+      }
+      if (this.detailed) {
+        context.drawImage(shades2.ball(level), x - r, y - r, 2 * r, 2 * r);
+        return;
+      }
+      context.fillStyle = shades2.fill[2][level];
+      disc(context, x, y, r);
+    }
+    /** A small cone from the face to the tip. */
+    paintNose(context, figure2, level) {
+      const { header, shades: shades2, x, y, scale: scale3 } = figure2;
+      const { head: h, nose: t } = header;
+      const r = header.head_radius * this.headSize * scale3[h];
+      const out = 1.18 * this.headSize;
+      const fx = x[h] + 0.7 * this.headSize * (x[t] - x[h]);
+      const fy = y[h] + 0.7 * this.headSize * (y[t] - y[h]);
+      const tx = x[h] + out * (x[t] - x[h]);
+      const ty = y[h] + out * (y[t] - y[h]);
+      context.fillStyle = shades2.edge[2][level];
+      capsule(context, fx, fy, 0.27 * r + 1, tx, ty, 0.12 * r + 1);
+      context.fillStyle = shades2.light[2][level];
+      capsule(context, fx, fy, 0.27 * r, tx, ty, 0.12 * r);
+    }
+  };
+  function depthOf({ figure: figure2, limb }) {
+    const { depth: depth2, header } = figure2;
+    if (limb === HEAD) return depth2[header.head];
+    if (limb === NOSE) return depth2[header.nose];
+    const joints = figure2.limbs[limb].joints;
+    let [sum2, near] = [0, Infinity];
+    for (let k = 0; k < joints.length; k++) {
+      const d = depth2[joints[k]];
+      sum2 += d;
+      if (d < near) near = d;
+    }
+    return near < NEAR ? 0 : sum2 / joints.length;
+  }
+
+  // stage/ground.mjs
+  var LIGHT = [0.28, -0.22];
+  var SHELF_DEPTH = 0.5;
+  var ROUND = Array.from({ length: 72 }, (_, k) => [Math.cos(k * Math.PI / 36), Math.sin(k * Math.PI / 36)]);
+  var Ground = class {
+    constructor() {
+      this.radius = 3;
+      this.shelves = [];
+      this.corners = new Float32Array(3 * 74);
+      this.world = new Float32Array(6);
+      [this.x, this.y, this.scale, this.depth] = [0, 1, 2, 3].map(() => new Float32Array(74));
+      [this.sx, this.sy, this.ss, this.sd] = [0, 1, 2, 3].map(() => new Float32Array(256));
+      this.flat = new Float32Array(3 * 256);
+    }
+    paint(context, camera, theme) {
+      if (this.shelves.length) {
+        for (const shelf of this.shelves) this.paintShelf(context, camera, theme, shelf);
+        return;
+      }
+      const [cx, cz] = [camera.target[0], camera.target[2]];
+      context.fillStyle = theme.floorCss;
+      if (this.platform(context, camera, cx, cz, this.radius)) context.fill();
+      context.strokeStyle = theme.rimCss;
+      context.lineWidth = 1.25;
+      context.stroke();
+    }
+    /** Outline of the platform as a path, cut off where it would lie behind the camera. */
+    platform(context, camera, cx, cz, radius) {
+      let n = 0;
+      const points = this.corners;
+      const last2 = ROUND.length - 1;
+      let [px, pz] = [cx + radius * ROUND[last2][0], cz + radius * ROUND[last2][1]];
+      let before2 = camera.depth(px, 0, pz) - 2 * NEAR;
+      for (const [cos, sin] of ROUND) {
+        const [x, z] = [cx + radius * cos, cz + radius * sin];
+        const here3 = camera.depth(x, 0, z) - 2 * NEAR;
+        if (here3 * before2 < 0) {
+          const t = before2 / (before2 - here3);
+          points[3 * n] = px + (x - px) * t;
+          points[3 * n + 2] = pz + (z - pz) * t;
+          n++;
+        }
+        if (here3 >= 0) {
+          points[3 * n] = x;
+          points[3 * n + 2] = z;
+          n++;
+        }
+        [px, pz, before2] = [x, z, here3];
+      }
+      context.beginPath();
+      if (n < 3) return false;
+      camera.project(points, n, this.x, this.y, this.scale, this.depth);
+      for (let k = 0; k < n; k++) context.lineTo(this.x[k], this.y[k]);
+      context.closePath();
+      return true;
+    }
+    /** A board across the view under a row of stills. */
+    paintShelf(context, camera, theme, { level, half }) {
+      [[-half, SHELF_DEPTH], [half, SHELF_DEPTH], [half, -SHELF_DEPTH], [-half, -SHELF_DEPTH]].forEach(([x, z], k) => {
+        this.corners.set([x, level, z], 3 * k);
+      });
+      camera.project(this.corners, 4, this.x, this.y, this.scale, this.depth);
+      if (Math.min(...this.depth.subarray(0, 4)) < NEAR) return;
+      context.beginPath();
+      for (let k = 0; k < 4; k++) context.lineTo(this.x[k], this.y[k]);
+      context.closePath();
+      context.fillStyle = theme.floorCss;
+      context.fill();
+      context.strokeStyle = theme.rimCss;
+      context.lineWidth = 1.25;
+      context.stroke();
+    }
+    paintGrid(context, camera, theme) {
+      if (this.shelves.length) return;
+      const [cx, cz] = [camera.target[0], camera.target[2]];
+      const step3 = this.radius > 9 ? 2 : this.radius > 4 ? 1 : 0.5;
+      context.strokeStyle = theme.gridCss;
+      context.lineWidth = 1;
+      context.beginPath();
+      for (let k = Math.ceil((cx - this.radius) / step3); k * step3 < cx + this.radius; k++) {
+        const half = Math.sqrt(Math.max(this.radius ** 2 - (k * step3 - cx) ** 2, 0));
+        this.line(context, camera, k * step3, cz - half, k * step3, cz + half);
+      }
+      for (let k = Math.ceil((cz - this.radius) / step3); k * step3 < cz + this.radius; k++) {
+        const half = Math.sqrt(Math.max(this.radius ** 2 - (k * step3 - cz) ** 2, 0));
+        this.line(context, camera, cx - half, k * step3, cx + half, k * step3);
+      }
+      context.stroke();
+    }
+    line(context, camera, x1, z1, x2, z2) {
+      const w = this.world;
+      let [a, b] = [0, 1];
+      const d1 = camera.depth(x1, 0, z1) - 2 * NEAR;
+      const d2 = camera.depth(x2, 0, z2) - 2 * NEAR;
+      if (d1 < 0 && d2 < 0) return;
+      if (d1 < 0) a = d1 / (d1 - d2);
+      if (d2 < 0) b = d1 / (d1 - d2);
+      w[0] = x1 + (x2 - x1) * a;
+      w[2] = z1 + (z2 - z1) * a;
+      w[3] = x1 + (x2 - x1) * b;
+      w[5] = z1 + (z2 - z1) * b;
+      camera.project(w, 2, this.x, this.y, this.scale, this.depth);
+      context.moveTo(this.x[0], this.y[0]);
+      context.lineTo(this.x[1], this.y[1]);
+    }
+    /** The figure laid flat along the light; then once more, darker, where it comes close to the floor. */
+    paintShadow(context, camera, figure2, theme) {
+      const n = Math.min(figure2.n, 256);
+      const { points } = figure2;
+      for (let k = 0; k < 3 * n; k += 3) {
+        const height = Math.max(points[k + 1] - figure2.level, 0);
+        this.flat[k] = points[k] + LIGHT[0] * height;
+        this.flat[k + 1] = figure2.level;
+        this.flat[k + 2] = points[k + 2] + LIGHT[1] * height;
+      }
+      camera.project(this.flat, n, this.sx, this.sy, this.ss, this.sd);
+      context.fillStyle = theme.shadowCss;
+      for (const limb of figure2.limbs) this.shadowLimb(context, camera, figure2, limb.bones, Infinity);
+      const { head: head3, head_radius: radius } = figure2.header;
+      if (head3 >= 0) {
+        const r = radius * this.ss[head3];
+        capsule(context, this.sx[head3] - 0.4 * r, this.sy[head3], 0.6 * r, this.sx[head3] + 0.4 * r, this.sy[head3], 0.6 * r);
+      }
+      context.fillStyle = theme.contactCss;
+      for (const limb of figure2.limbs) this.shadowLimb(context, camera, figure2, limb.bones, figure2.level + 0.16 * figure2.size);
+    }
+    shadowLimb(context, camera, figure2, bones, below) {
+      const squash = 0.45 + 0.5 * Math.sin(camera.pitch);
+      for (let k = 0; k < bones.length; k += 2) {
+        const a = bones[k];
+        const b = bones[k + 1];
+        if (figure2.points[3 * a + 1] > below || figure2.points[3 * b + 1] > below) continue;
+        if (this.sd[a] < NEAR || this.sd[b] < NEAR) continue;
+        const ra = figure2.radii[a] * this.ss[a] * squash;
+        const rb = figure2.radii[b] * this.ss[b] * squash;
+        capsule(context, this.sx[a], this.sy[a], ra, this.sx[b], this.sy[b], rb);
+      }
+    }
+  };
+
+  // stage/scene.mjs
+  var [LEAST_LETTERS, MOST_LETTERS] = [11, 26];
+  var LABELS_OVERLAID = 3;
+  var Scene = class {
+    constructor(canvas) {
+      this.canvas = canvas;
+      this.context = canvas.getContext("2d", { alpha: false });
+      this.ground = new Ground();
+      this.bodies = new BodyPainter();
+      this.sky = document.createElement("canvas");
+      this.labels = /* @__PURE__ */ new Map();
+      this.width = this.height = 0;
+    }
+    /** Match the canvas to its box and the screen's pixels; true when anything changed. */
+    resize() {
+      const ratio = Math.min(window.devicePixelRatio || 1, 2);
+      const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
+      const height = Math.max(1, Math.round(this.canvas.clientHeight * ratio));
+      if (width === this.width && height === this.height && ratio === this.ratio) return false;
+      this.canvas.width = this.width = width;
+      this.canvas.height = this.height = height;
+      this.ratio = ratio;
+      this.labels.clear();
+      this.paintSky();
+      return true;
+    }
+    setTheme(theme) {
+      this.theme = theme;
+      for (const name of ["floor", "rim", "grid", "shadow", "contact", "text"]) theme[`${name}Css`] = css(theme[name]);
+      this.labels.clear();
+      this.paintSky();
+    }
+    paintSky() {
+      if (!this.theme || !this.width) return;
+      this.sky.width = this.width;
+      this.sky.height = this.height;
+      const context = this.sky.getContext("2d");
+      const gradient = context.createLinearGradient(0, 0, 0, this.height);
+      gradient.addColorStop(0, css(this.theme.sky));
+      gradient.addColorStop(1, css(this.theme.haze));
+      context.fillStyle = gradient;
+      context.fillRect(0, 0, this.width, this.height);
+    }
+    paint(camera, figures, traces, clock2, overlaid) {
+      const { context, theme } = this;
+      camera.prepare(this.width, this.height);
+      context.drawImage(this.sky, 0, 0);
+      this.ground.paint(context, camera, theme);
+      for (const figure2 of figures) {
+        if (!figure2.visible) continue;
+        camera.project(figure2.points, figure2.n, figure2.x, figure2.y, figure2.scale, figure2.depth);
+        this.ground.paintShadow(context, camera, figure2, theme);
+      }
+      this.ground.paintGrid(context, camera, theme);
+      traces.paint(context, camera, figures, clock2);
+      this.bodies.paint(context, camera, Math.min(this.ground.radius, 0.8 * camera.distance));
+      if (figures.length > 1) this.paintLabels(figures, overlaid);
+    }
+    /** The visible figure at a place of the picture, in its pixels; undefined where there is none near. */
+    figureAt(figures, x, y) {
+      let [found, least] = [void 0, Infinity];
+      for (const figure2 of figures) {
+        if (!figure2.visible) continue;
+        for (let j = 0; j < figure2.n; j++) {
+          if (figure2.depth[j] < NEAR) continue;
+          const away2 = Math.hypot(figure2.x[j] - x, figure2.y[j] - y);
+          const near = away2 + 0.02 * figure2.depth[j];
+          if (away2 < Math.max(14 * this.ratio, 0.16 * figure2.scale[j]) && near < least) [found, least] = [figure2, near];
+        }
+      }
+      return found;
+    }
+    paintLabels(figures, overlaid) {
+      const shown7 = figures.filter((figure2) => figure2.visible);
+      if (overlaid && shown7.length > LABELS_OVERLAID) return;
+      const taken = [];
+      for (const figure2 of shown7.sort((a, b) => a.depth[a.header.root] - b.depth[b.header.root])) {
+        const top = figure2.header.head >= 0 ? figure2.header.head : figure2.header.root;
+        if (figure2.depth[top] < NEAR) continue;
+        const sprite = this.label(figure2, figure2.room * figure2.scale[top]);
+        if (!sprite) continue;
+        const room = this.canvas.width - sprite.width;
+        if (figure2.x[top] < 0 || figure2.x[top] > this.canvas.width) continue;
+        const x = Math.round(Math.min(Math.max(figure2.x[top] - sprite.width / 2, 0), Math.max(room, 0)));
+        const highest = figure2.room === Infinity ? figure2.y[top] : Math.min(...figure2.y) + 0.12 * figure2.size * figure2.scale[top];
+        let y = Math.round(highest - (0.17 * figure2.size * figure2.scale[top] + 1.2 * sprite.height));
+        const hits = (box2) => Math.abs(box2[0] - x) < (box2[2] + sprite.width) / 2 && Math.abs(box2[1] - y) < sprite.height;
+        for (let tries = 0; tries < 4 && shown7.length <= 4 && taken.some(hits); tries++) y -= sprite.height + 2;
+        if (taken.some(hits) || y < 0) continue;
+        taken.push([x, y, sprite.width]);
+        this.context.drawImage(sprite, x, y);
+      }
+    }
+    /** A label drawn once: text on a soft plate with the figure's colour, no wider than `room` pixels; or none. */
+    label(figure2, room) {
+      const size = 11.5 * this.ratio;
+      const letters2 = Math.min(Math.floor((0.96 * room - 2.1 * size) / (0.56 * size)), MOST_LETTERS);
+      const whole3 = letters2 >= Math.min(LEAST_LETTERS, figure2.name.length);
+      if (!whole3 && figure2.brief.length > letters2 + 1) return null;
+      const text = whole3 ? shorten(figure2.name, letters2) : figure2.brief;
+      const key = `${text}|${figure2.shades.fill[2][0]}`;
+      if (this.labels.has(key)) return this.labels.get(key);
+      const sprite = document.createElement("canvas");
+      let context = sprite.getContext("2d");
+      const font = `500 ${size}px ${this.theme.font}`;
+      context.font = font;
+      sprite.width = Math.ceil(context.measureText(text).width + 2.1 * size);
+      sprite.height = Math.ceil(1.7 * size);
+      context = sprite.getContext("2d");
+      context.globalAlpha = 0.82;
+      context.fillStyle = css(this.theme.sky);
+      context.beginPath();
+      context.roundRect(0, 0, sprite.width, sprite.height, sprite.height / 2);
+      context.fill();
+      context.globalAlpha = 1;
+      context.fillStyle = figure2.shades.fill[2][0];
+      disc(context, 0.85 * size, sprite.height / 2, 0.32 * size);
+      context.font = font;
+      context.textBaseline = "middle";
+      context.fillStyle = this.theme.textCss;
+      context.fillText(text, 1.4 * size, sprite.height / 2 + 0.5);
+      this.labels.set(key, sprite);
+      return sprite;
+    }
+  };
+
+  // stage/traces.mjs
+  var TRAILS = ["off", "root", "limbs"];
+  var GHOST_GAP = 0.22;
+  var TRAIL_SECONDS = 1.6;
+  var TRAIL_POINTS = 40;
+  var Traces = class {
+    constructor() {
+      this.ghosts = false;
+      this.trails = "off";
+      this.suited = false;
+      this.paths = new PathPainter();
+      this.points = new Float32Array(3 * 256);
+      [this.x, this.y, this.scale, this.depth] = [0, 1, 2, 3].map(() => new Float32Array(256));
+    }
+    /** Motions with coloured spans show them on the floor; without them trails are as the person left them. */
+    suit(figures) {
+      const coloured = figures.some((figure2) => figure2.spans.length);
+      if (coloured && this.trails === "off") [this.trails, this.suited] = ["root", true];
+      else if (!coloured && this.suited) [this.trails, this.suited] = ["off", false];
+    }
+    nextTrails() {
+      this.suited = false;
+      this.trails = TRAILS[(TRAILS.indexOf(this.trails) + 1) % TRAILS.length];
+    }
+    paint(context, camera, figures, clock2) {
+      const shown7 = figures.filter((figure2) => figure2.visible);
+      context.lineJoin = "round";
+      context.lineCap = "round";
+      if (this.trails === "root") this.paths.paint(context, camera, shown7, clock2.duration);
+      if (this.trails !== "off") for (const figure2 of shown7) this.paintTrails(context, camera, figure2, clock2);
+      if (!this.ghosts || !shown7.length) return;
+      const count = Math.min(Math.max(Math.floor(24 / shown7.length), 1), 4);
+      for (let g = count; g >= 1; g--) {
+        context.globalAlpha = 0.34 * (1 - (g - 1) / (count + 0.5));
+        for (const figure2 of shown7) {
+          if (clock2.time - g * GHOST_GAP > 0) this.paintGhost(context, camera, figure2, clock2.time - g * GHOST_GAP);
+          if (g <= count / 2 && clock2.time + g * GHOST_GAP < clock2.duration) {
+            this.paintGhost(context, camera, figure2, clock2.time + g * GHOST_GAP);
+          }
+        }
+      }
+      context.globalAlpha = 1;
+    }
+    paintGhost(context, camera, figure2, time) {
+      if (figure2.n > 256) return;
+      figure2.pose(time, this.points);
+      camera.project(this.points, figure2.n, this.x, this.y, this.scale, this.depth);
+      for (const limb of figure2.limbs) {
+        context.strokeStyle = figure2.shades.fill[limb.side][0];
+        context.lineWidth = Math.max(1.4 * figure2.radii[limb.bones[1]] * this.scale[limb.bones[0]], 1.5);
+        context.beginPath();
+        let last2 = -1;
+        for (let k = 0; k < limb.bones.length; k += 2) {
+          const a = limb.bones[k];
+          const b = limb.bones[k + 1];
+          if (this.depth[a] < NEAR || this.depth[b] < NEAR) continue;
+          if (a !== last2) context.moveTo(this.x[a], this.y[a]);
+          context.lineTo(this.x[b], this.y[b]);
+          last2 = b;
+        }
+        context.stroke();
+      }
+      const { head: head3, head_radius: radius } = figure2.header;
+      if (head3 < 0 || this.depth[head3] < NEAR) return;
+      context.fillStyle = figure2.shades.fill[2][0];
+      disc(context, this.x[head3], this.y[head3], radius * this.scale[head3]);
+    }
+    /** A ribbon of the last seconds for the root, or for hands and feet. */
+    paintTrails(context, camera, figure2, clock2) {
+      const { header } = figure2;
+      if (this.trails === "root" && figure2.spans.length) return;
+      const feet = header.feet.filter((j) => /_ankle$/.test(header.roles[j]));
+      const joints = this.trails === "root" ? [header.root] : [...header.hands, ...feet];
+      const from = Math.max(0, clock2.time - TRAIL_SECONDS);
+      const n = Math.max(2, Math.ceil(TRAIL_POINTS * (clock2.time - from) / TRAIL_SECONDS));
+      const paths = joints.map(() => new Float32Array(3 * n));
+      for (let s = 0; s < n; s++) {
+        figure2.pose(from + (clock2.time - from) * s / (n - 1), this.points);
+        joints.forEach((j, k) => paths[k].set(this.points.subarray(3 * j, 3 * j + 3), 3 * s));
+      }
+      joints.forEach((j, k) => {
+        camera.project(paths[k], n, this.x, this.y, this.scale, this.depth);
+        context.strokeStyle = figure2.shades.fill[figure2.sides[j]][0];
+        context.lineWidth = 2;
+        for (let third = 0; third < 3; third++) {
+          context.globalAlpha = 0.25 + 0.3 * third;
+          context.beginPath();
+          for (let s = Math.floor(n * third / 3); s < Math.min(n, Math.floor(n * (third + 1) / 3) + 1); s++) {
+            if (this.depth[s] > NEAR) context.lineTo(this.x[s], this.y[s]);
+          }
+          context.stroke();
+        }
+      });
+      context.globalAlpha = 1;
+    }
+  };
+
+  // stage/state.mjs
+  var LAYOUTS = ["overlay", "side", "pose"];
+  var round = (value) => Math.round(value * 1e3) / 1e3;
+  var oneOf = (value, choices2, otherwise) => choices2.includes(value) ? value : otherwise;
+  var number = (value, otherwise) => Number.isFinite(value) ? value : otherwise;
+  function takeState({ clock: clock2, camera, traces, layout, sync, figures }) {
+    return {
+      time: round(clock2.time),
+      speed: clock2.speed,
+      loop: clock2.loop,
+      playing: clock2.playing,
+      layout,
+      sync,
+      ghosts: traces.ghosts,
+      trails: traces.trails,
+      hidden: figures.flatMap((figure2, k) => figure2.visible ? [] : [k]),
+      camera: {
+        yaw: round(camera.yaw),
+        pitch: round(camera.pitch),
+        distance: round(camera.distance),
+        pan: camera.pan.map(round),
+        follow: camera.follow,
+        centre: camera.follow ? void 0 : camera.centre.map(round)
+      }
+    };
+  }
+  function restoreState(stage2, state3) {
+    const { clock: clock2, camera, traces } = stage2;
+    stage2.layout = oneOf(state3.layout, LAYOUTS, stage2.layout);
+    stage2.sync = oneOf(state3.sync, ["warp", "start"], stage2.sync);
+    stage2.figures.forEach((figure2, k) => figure2.visible = !state3.hidden?.includes(k));
+    traces.ghosts = Boolean(state3.ghosts ?? traces.ghosts);
+    traces.trails = oneOf(state3.trails, TRAILS, traces.trails);
+    clock2.speed = Math.min(Math.max(number(state3.speed, clock2.speed), 0.1), 4);
+    clock2.loop = oneOf(state3.loop, ["loop", "bounce", "once"], clock2.loop);
+    stage2.prepare();
+    const seen3 = state3.camera || {};
+    camera.moved = Number.isFinite(seen3.distance) || camera.moved;
+    for (const name of ["yaw", "pitch", "distance"]) camera[name] = number(seen3[name], camera[name]);
+    if (seen3.pan?.length === 3 && seen3.pan.every(Number.isFinite)) camera.pan = [...seen3.pan];
+    if (seen3.centre?.length === 2 && seen3.centre.every(Number.isFinite)) camera.centre = [...seen3.centre];
+    camera.follow = Boolean(seen3.follow ?? camera.follow);
+    clock2.seek(number(state3.time, clock2.time));
+    clock2.playing = Boolean(state3.playing ?? clock2.playing) && !calm();
+  }
+  function standing(figure2, time) {
+    const frame = figure2.recordedFrame(time);
+    const { start: start3, end } = figure2.header;
+    return {
+      index: figure2.index,
+      dataset: figure2.item.dataset,
+      clip: figure2.header.clip,
+      label: figure2.label,
+      start: start3,
+      end,
+      frame,
+      span: figure2.spanAt(frame)?.label ?? null
+    };
+  }
+  function timeOf(figures, { clip, frame, dataset: dataset2, index }) {
+    const away2 = ({ header }) => Math.max(header.start - frame, frame - (header.end - 1), 0);
+    const fitting = figures.filter((figure2) => figure2.header.clip === clip && (dataset2 === void 0 || figure2.item.dataset === dataset2) && (index === void 0 || figure2.index === index));
+    if (!fitting.length || !Number.isFinite(frame)) return null;
+    const rank = (figure2) => away2(figure2) + (figure2.visible ? 0 : 0.5);
+    return fitting.reduce((best, figure2) => rank(figure2) < rank(best) ? figure2 : best).timeAt(frame);
+  }
+  var calm = () => window.matchMedia("(prefers-reduced-motion: reduce)").matches;
+
+  // stage/timeline.mjs
+  var SPEEDS = [0.1, 0.25, 0.5, 0.75, 1, 1.5, 2, 3, 4];
+  var LOOPS = ["loop", "bounce", "once"];
+  var Clock = class {
+    constructor() {
+      this.time = 0;
+      this.duration = 0;
+      this.speed = 1;
+      this.loop = "loop";
+      this.playing = false;
+      this.direction = 1;
+      this.jumped = false;
+    }
+    seek(time) {
+      this.time = Math.min(Math.max(time, 0), this.duration);
+      this.jumped = true;
+    }
+    play() {
+      if (this.loop === "once" && this.time >= this.duration) this.seek(0);
+      this.direction = 1;
+      this.playing = this.duration > 0;
+    }
+    changeSpeed(by) {
+      const nearest2 = SPEEDS.reduce((best, s, k) => Math.abs(s - this.speed) < Math.abs(SPEEDS[best] - this.speed) ? k : best, 0);
+      this.speed = SPEEDS[Math.min(Math.max(nearest2 + by, 0), SPEEDS.length - 1)];
+    }
+    nextLoop() {
+      this.loop = LOOPS[(LOOPS.indexOf(this.loop) + 1) % LOOPS.length];
+      this.direction = 1;
+    }
+    advance(seconds) {
+      if (!this.playing) return;
+      let time = this.time + seconds * this.speed * this.direction;
+      if (time >= 0 && time <= this.duration) {
+        this.time = time;
+        return;
+      }
+      if (this.loop === "loop") {
+        this.seek(time % this.duration);
+      } else if (this.loop === "bounce") {
+        time = time < 0 ? -time : 2 * this.duration - time;
+        this.time = Math.min(Math.max(time, 0), this.duration);
+        this.direction *= -1;
+      } else {
+        this.time = this.duration;
+        this.playing = false;
+      }
+    }
+  };
+  function findMedoid(figures) {
+    let best = -1;
+    let least = Infinity;
+    figures.forEach((figure2, k) => {
+      if (!figure2.warp) return;
+      const bend = figure2.warp.reduce((sum2, frame, i) => sum2 + Math.abs(frame - i), 0) / figure2.warp.length;
+      if (bend < least) [best, least] = [k, bend];
+    });
+    return best;
+  }
+  function makeTimeline(figures, sync, layout) {
+    const medoid = sync === "warp" ? findMedoid(figures) : -1;
+    const reference = medoid < 0 ? longest(figures) : medoid;
+    const warped = medoid >= 0;
+    figures.forEach((figure2) => figure2.follow(warped && figure2.warp ? figures[medoid].ownFps : 0));
+    const chosen3 = figures[reference];
+    const spread = layout === "pose" && figures.length > 0;
+    const duration = spread ? chosen3.duration : figures.reduce((most, figure2) => Math.max(most, figure2.duration), 0);
+    if (spread) figures.forEach((figure2) => spreadOver(figure2, duration));
+    return { reference, warped, fps: chosen3 ? chosen3.fps : 30, duration };
+  }
+  function spreadOver(figure2, duration) {
+    figure2.follow(figure2.warpFps, duration);
+    if (!Number.isFinite(figure2.item.frame)) return;
+    const { start: start3, step: step3 } = figure2.header;
+    figure2.offset = (figure2.item.frame - start3) / step3 - figure2.frameAt(duration / 2);
+  }
+  function longest(figures) {
+    return figures.reduce((best, f, k) => f.ownDuration > figures[best].ownDuration ? k : best, 0);
+  }
+
+  // stage/warp.mjs
+  var [SLOW, FAST] = [[33, 102, 172], [230, 97, 1]];
+  var LEVELS = 16;
+  var RANGE = Math.log(2.5);
+  var WarpStrip = class {
+    constructor(holder) {
+      this.holder = holder;
+      this.canvas = holder.querySelector("canvas");
+      this.cursor = holder.querySelector(".ms-warp-cursor");
+      this.speeds = [];
+    }
+    /** Smoothed speed of each motion relative to the medoid's, one value a medoid frame; none hides the strip. */
+    show(figures, timeline) {
+      this.speeds = timeline.warped ? figures.filter((f) => f.warp && f.visible).map((f) => localSpeed(f, figures[timeline.reference])) : [];
+      this.holder.hidden = this.speeds.length < 2;
+      if (this.holder.hidden) return;
+      this.figures = figures.filter((f) => f.warp && f.visible);
+      this.rowHeight = Math.max(3, Math.min(9, Math.floor(84 / this.speeds.length)));
+      this.canvas.style.height = `${this.speeds.length * (this.rowHeight + 1)}px`;
+    }
+    /** Paint before the next frame: several changes at once cost one painting. */
+    paint() {
+      this.stale = true;
+    }
+    refresh(theme) {
+      if (!this.stale || this.holder.hidden) return;
+      this.stale = false;
+      const rows2 = this.speeds.length;
+      const height = this.rowHeight;
+      const ratio = Math.min(window.devicePixelRatio || 1, 2);
+      const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
+      this.canvas.width = width;
+      this.canvas.height = Math.round(rows2 * (height + 1) * ratio);
+      const context = this.canvas.getContext("2d");
+      const colours = levelColours(theme);
+      this.speeds.forEach((speed, row8) => {
+        const y = Math.round(row8 * (height + 1) * ratio);
+        for (const { from, to, level } of levelRuns(speed, Math.min(width, 400))) {
+          context.fillStyle = colours[level + LEVELS];
+          context.fillRect(Math.floor(from * width), y, Math.ceil((to - from) * width) + 1, Math.round(height * ratio));
+        }
+        context.fillStyle = this.figures[row8].shades.fill[2][0];
+        context.fillRect(0, y, Math.round(4 * ratio), Math.round(height * ratio));
+      });
+    }
+    place(share2) {
+      if (!this.holder.hidden) this.cursor.style.left = `${(100 * share2).toFixed(3)}%`;
+    }
+    /** What the row and column under the pointer mean, in words. */
+    describe(event) {
+      const box2 = this.canvas.getBoundingClientRect();
+      const row8 = Math.floor((event.clientY - box2.top) / box2.height * this.speeds.length);
+      const share2 = (event.clientX - box2.left) / box2.width;
+      const speed = this.speeds[row8]?.[Math.floor(share2 * this.speeds[row8].length)];
+      if (!(speed > 0)) return "";
+      const pace = speed > 1.05 ? `${speed.toFixed(1)}× as fast` : speed < 0.95 ? `${(1 / speed).toFixed(1)}× as slow` : "as fast";
+      return `${this.figures[row8].label}: ${pace} as the middle motion here. Click to go there.`;
+    }
+  };
+  function levelColours(theme) {
+    const neutral = mix(theme.haze, theme.muted, 0.3);
+    return Array.from({ length: 2 * LEVELS + 1 }, (_, k) => {
+      const share2 = k / LEVELS - 1;
+      return css(mix(neutral, share2 < 0 ? SLOW : FAST, Math.abs(share2)));
+    });
+  }
+  function levelRuns(speed, columns) {
+    const runs = [];
+    for (let c = 0; c < columns; c++) {
+      const share2 = Math.log(Math.max(speed[Math.floor((c + 0.5) * speed.length / columns)], 0.05)) / RANGE;
+      const level = Math.round(LEVELS * Math.min(Math.max(share2, -1), 1));
+      if (runs.at(-1)?.level === level) runs.at(-1).to = (c + 1) / columns;
+      else runs.push({ from: c / columns, to: (c + 1) / columns, level });
+    }
+    return runs;
+  }
+  function localSpeed(figure2, medoid) {
+    const { warp } = figure2;
+    const reach = Math.max(1, Math.round(0.1 * medoid.ownFps));
+    return Float32Array.from(warp, (_, k) => {
+      const [a, b] = [Math.max(k - reach, 0), Math.min(k + reach, warp.length - 1)];
+      return (warp[b] - warp[a]) / (b - a) * (medoid.ownFps / figure2.ownFps);
+    });
+  }
+
+  // stage/stage.mjs
+  var STATE_EVERY = 400;
+  var LAYOUT_WORDS = { overlay: "Laid over one another", side: "Side by side", pose: "Stills in rows" };
+  var Stage = class {
+    constructor(root) {
+      this.root = root;
+      this.clock = new Clock();
+      this.camera = new Camera();
+      this.traces = new Traces();
+      this.scene = new Scene(root.querySelector("#stage-canvas"));
+      this.warpStrip = new WarpStrip(root.querySelector(".ms-warp"));
+      this.bands = new SpanBands(root.querySelector(".ms-bands"));
+      this.requests = new Requests(this);
+      this.figures = [];
+      this.timeline = { reference: 0, warped: false, fps: 30, duration: 0 };
+      this.layout = "overlay";
+      this.sync = "warp";
+      this.status = "empty";
+      this.followed = [0, 0];
+      this.chosen = -1;
+      this.fps = 0;
+      this.controls = new Controls(this, root);
+      this.watchLooks();
+      this.setStatus("empty");
+      this.frame = (now6) => this.tick(now6);
+      requestAnimationFrame(this.frame);
+    }
+    /** Follow changes of size, theme and screen. */
+    watchLooks() {
+      const looks = () => {
+        this.scene.setTheme(readTheme(this.root));
+        this.colour();
+      };
+      looks();
+      this.observers = [new ResizeObserver(() => this.resized()), new MutationObserver(looks)];
+      this.observers[0].observe(this.scene.canvas);
+      for (const node of [document.documentElement, document.body]) {
+        this.observers[1].observe(node, { attributes: true, attributeFilter: ["data-mantine-color-scheme", "class", "style"] });
+      }
+    }
+    resized() {
+      if (this.scene.resize()) this.fit();
+      this.warpStrip.paint();
+      this.draw();
+    }
+    close() {
+      this.closed = true;
+      this.observers.forEach((observer) => observer.disconnect());
+    }
+    /** Show figures from their start, as a request wants it. */
+    begin(figures, request5) {
+      this.layout = LAYOUTS.includes(request5.layout) ? request5.layout : "overlay";
+      this.sync = request5.sync === "start" ? "start" : "warp";
+      this.clock.time = 0;
+      this.camera.reset(homeView(figures, this.layout));
+      this.traces.suit(figures);
+      this.setFigures(figures);
+      this.setStatus("ready");
+      this.clock.playing = false;
+      if (this.layout === "pose") this.standStill();
+      else if (!calm()) this.clock.play();
+      if (this.waiting) this.restore(this.waiting);
+      this.touch(true);
+    }
+    /** Put other figures in place of those that are shown; what a person has set, and the share of time, stay. */
+    exchange(figures) {
+      if (figures.length === this.figures.length) figures.forEach((figure2, k) => figure2.visible = this.figures[k].visible);
+      this.keepingShare(() => this.setFigures(figures, true));
+      this.setStatus("ready");
+      this.touch();
+    }
+    /** Stills show the middle of each motion, until one moves them. */
+    standStill() {
+      this.clock.playing = false;
+      this.clock.seek(this.clock.duration / 2);
+    }
+    setFigures(figures, keepView = false) {
+      this.figures = figures;
+      nameFigures(figures);
+      this.prepare(keepView);
+    }
+    /** Do what changes the length of time; the clock goes on at the same share of it. */
+    keepingShare(change) {
+      const { clock: clock2 } = this;
+      const share2 = clock2.duration ? clock2.time / clock2.duration : 0;
+      change();
+      clock2.seek(share2 * clock2.duration);
+    }
+    /** Everything that depends on which figures there are, how they are laid out and kept in step. */
+    prepare(keepView = false) {
+      this.timeline = makeTimeline(this.figures, this.sync, this.layout);
+      this.clock.duration = this.timeline.duration;
+      this.clock.seek(this.clock.time);
+      this.showStrips();
+      this.place(keepView);
+      this.controls.listFigures();
+      this.colour();
+    }
+    /** The strips above the time bar: how fast each motion is, and its coloured spans. */
+    showStrips() {
+      this.warpStrip.show(this.figures, this.timeline);
+      this.warpStrip.paint();
+      this.bands.show(this.figures, this.timeline.duration);
+    }
+    place(keepView = false) {
+      this.scene.resize();
+      const aspect = this.scene.width / Math.max(this.scene.height, 1);
+      this.scene.ground.shelves = placeFigures(this.figures, this.layout, aspect, this.clock.duration);
+      this.scene.bodies.collect(this.figures, this.layout === "overlay");
+      if (!keepView) this.fit();
+      this.clock.jumped = true;
+      this.draw();
+    }
+    /** Frame all figures, unless the person has chosen a distance already. */
+    fit() {
+      if (!this.figures.length) return;
+      const { cloud, radius } = measureStage(this.figures, this.clock.duration);
+      this.camera.fit(cloud, this.scene.width / Math.max(this.scene.height, 1));
+      this.scene.ground.radius = Math.max(2.2, radius * 1.5 + 0.6);
+    }
+    colour() {
+      const { theme } = this.scene;
+      this.figures.forEach((figure2, k) => {
+        figure2.colours = figureColours(theme, k, this.figures.length, figure2.item.colour);
+        figure2.shades = shades(theme, figure2.colours, this.chosen >= 0 && this.chosen !== k ? 0.72 : 0);
+      });
+      this.controls.colourChips();
+      this.warpStrip.paint();
+      this.draw();
+    }
+    highlight(k) {
+      this.chosen = k;
+      this.colour();
+    }
+    /** Say which figure is under the pointer. */
+    pointAt(x, y) {
+      const { canvas, ratio } = this.scene;
+      const figure2 = this.figures.length > 1 ? this.scene.figureAt(this.figures, x * ratio, y * ratio) : void 0;
+      const title = figure2 ? `${figure2.label}, frame ${figure2.recordedFrame(this.clock.time)}` : "";
+      if (canvas.title !== title) canvas.title = title;
+    }
+    setVisible(k, visible2) {
+      this.figures[k].visible = visible2;
+      this.place();
+      this.showStrips();
+      this.touch(true);
+    }
+    setLayout(layout) {
+      if (this.figures.length < 2) return;
+      this.layout = layout;
+      this.camera.reset(homeView(this.figures, layout));
+      this.keepingShare(() => this.prepare());
+      if (layout === "pose") this.standStill();
+      this.say(LAYOUT_WORDS[layout]);
+    }
+    setSync(sync) {
+      if (!this.figures.some((figure2) => figure2.warp)) return;
+      this.sync = sync;
+      this.keepingShare(() => this.prepare());
+      this.say(this.timeline.warped ? "In step" : "Each at its own pace");
+    }
+    play() {
+      this.clock.play();
+      this.touch(true);
+    }
+    pause() {
+      this.clock.playing = false;
+      this.touch(true);
+    }
+    /** To a time in seconds, or to a frame of a clip: {clip, frame, dataset?, index?}. False where that is not shown. */
+    seek(to) {
+      const time = typeof to === "number" ? to : to ? timeOf(this.figures, to) : null;
+      if (!Number.isFinite(time)) return false;
+      this.clock.seek(time);
+      this.touch();
+      return true;
+    }
+    step(frames) {
+      this.clock.playing = false;
+      const { fps } = this.timeline;
+      this.seek(Math.round(this.clock.time * fps + frames) / fps);
+      this.controls.update();
+    }
+    resetCamera() {
+      this.camera.reset(homeView(this.figures, this.layout));
+      this.place();
+      this.say("View reset");
+    }
+    /** Something changed: draw, bring the buttons in line (`byHand`: the person did it), tell the app. */
+    touch(byHand) {
+      if (byHand) this.controls.update();
+      this.draw();
+      this.tell();
+    }
+    draw() {
+      this.dirty = true;
+    }
+    tell() {
+      if (this.telling || this.status !== "ready") return;
+      this.telling = setTimeout(() => {
+        this.telling = 0;
+        window.dispatchEvent(new CustomEvent("stage-state", { detail: { ...this.state(), items: this.standing() } }));
+      }, STATE_EVERY);
+    }
+    /** Where every figure stands now. */
+    standing() {
+      return this.figures.map((figure2) => standing(figure2, this.clock.time));
+    }
+    /** For what follows every frame: a cursor in a chart, a lit node. */
+    tellFrame() {
+      const { time, duration, playing: playing2 } = this.clock;
+      if (this.status !== "ready" || time === this.told?.time && this.figures === this.told.figures) return;
+      this.told = { time, figures: this.figures };
+      window.dispatchEvent(new CustomEvent("stage-frame", { detail: { time, duration, playing: playing2, items: this.standing() } }));
+      if (playing2) this.tell();
+    }
+    tick(now6) {
+      if (this.closed) return;
+      requestAnimationFrame(this.frame);
+      const seconds = Math.min(Math.max((now6 - (this.before ?? now6)) / 1e3, 0), 0.25);
+      this.before = now6;
+      if (this.status !== "ready" && !this.dirty) return;
+      const playing2 = this.clock.playing;
+      if (playing2) {
+        this.clock.advance(seconds);
+        this.fps += ((seconds > 0 ? 1 / seconds : 60) - this.fps) * 0.05;
+        if (!this.clock.playing) this.touch(true);
+      }
+      if (!playing2 && !this.dirty) return;
+      this.dirty = false;
+      this.paint(seconds);
+    }
+    paint(seconds) {
+      for (const figure2 of this.figures) if (figure2.visible) figure2.pose(this.clock.time);
+      if (this.figures.length) {
+        const [x, z] = groundCentre(this.figures, this.followed);
+        const { camera } = this;
+        if (camera.follow) camera.track(x, z, seconds, this.clock.jumped || !this.clock.playing);
+        this.clock.jumped = false;
+      }
+      this.scene.paint(this.camera, this.figures, this.traces, this.clock, this.layout === "overlay");
+      this.warpStrip.refresh(this.scene.theme);
+      this.controls.tick(this.figures.length ? this.readout() : "");
+      this.tellFrame();
+    }
+    readout() {
+      const { time, duration } = this.clock;
+      const figure2 = this.figures[this.timeline.reference];
+      const frame = figure2.recordedFrame(time);
+      const span = figure2.spanAt(frame)?.label;
+      const moment = this.layout === "pose" ? `${Math.round(100 * time / (duration || 1))} % of each` : `${time.toFixed(2)} / ${duration.toFixed(2)} s`;
+      return `${moment} · frame ${frame}${span ? ` · ${span}` : ""}`;
+    }
+    setStatus(status2, message2 = "") {
+      this.status = status2;
+      this.root.dataset.status = status2;
+      this.root.querySelector(".ms-stage-title").textContent = this.request?.title || (status2 === "empty" ? "" : this.request?.items[0]?.label || "");
+      this.root.querySelector(".ms-message-text").textContent = message2;
+      this.root.querySelector(".ms-stage-note").hidden = true;
+      const n = this.figures.length;
+      this.scene.canvas.setAttribute("aria-label", status2 === "ready" ? `${n === 1 ? "One figure" : `${n} figures`} moving: ${this.figures.slice(0, 6).map((f) => f.label).join(", ")}` : "Stage for moving figures");
+      this.controls.update();
+      this.draw();
+    }
+    say(text) {
+      const toast = this.root.querySelector(".ms-toast");
+      toast.textContent = text;
+      toast.classList.add("ms-shown");
+      clearTimeout(this.quiet);
+      this.quiet = setTimeout(() => toast.classList.remove("ms-shown"), 1100);
+    }
+    /** Open or close the list of keys; true when it was open. */
+    toggleHelp(open4) {
+      const help = this.root.querySelector(".ms-help");
+      const was = !help.hidden;
+      help.hidden = open4 === void 0 ? was : !open4;
+      return was;
+    }
+    state() {
+      return takeState(this);
+    }
+    restore(state3) {
+      this.waiting = this.status === "ready" ? void 0 : state3;
+      if (this.status !== "ready") return;
+      restoreState(this, state3);
+      this.touch(true);
+    }
+  };
+
+  // stage/player.mjs
+  var stage = null;
+  var mounted = null;
+  var asked = 0;
+  var early = null;
+  function mount() {
+    const root = document.getElementById("stage");
+    if (root === mounted) return;
+    mounted = root;
+    stage?.close();
+    stage = null;
+    stage = root ? new Stage(root) : null;
+    if (stage && early?.request) stage.requests.show(early.request);
+    if (stage && early?.state) stage.restore(early.state);
+    if (stage) early = null;
+  }
+  var shown = (request5) => stage.status !== "error" && JSON.stringify(request5) === JSON.stringify(stage.request);
+  var player = {
+    /** Show a request from its start (`replace: true` in it: as replace does); one that is shown already goes on. */
+    show(request5) {
+      asked += 1;
+      mount();
+      if (!stage) early = { ...early, request: request5 };
+      else if (!shown(request5)) return request5?.replace ? stage.requests.replace(request5) : stage.requests.show(request5);
+      return void 0;
+    },
+    /** Swap the motions in place: the share of time, camera, layout and what plays stay as they are. */
+    replace: (request5) => stage ? stage.requests.replace(request5) : player.show(request5),
+    /** Fetch a request's motions, so that showing them later is immediate. */
+    prefetch: (request5) => stage?.requests.prefetch(request5).then(() => void 0),
+    /** How often something was to be shown. */
+    get asked() {
+      return asked;
+    },
+    restore(state3) {
+      if (!state3) return;
+      if (stage) stage.restore(state3);
+      else early = { ...early, state: state3 };
+    },
+    state: () => stage?.state(),
+    play: () => stage?.play(),
+    pause: () => stage?.pause(),
+    seek: (to) => stage?.seek(to) ?? false,
+    /** Where the figure of an item stands: {index, dataset, clip, label, start, end, frame, span}. */
+    frameOf: (index) => stage?.standing().find((item) => item.index === index),
+    get time() {
+      return stage?.clock.time ?? 0;
+    },
+    get duration() {
+      return stage?.clock.duration ?? 0;
+    },
+    get frame() {
+      return stage?.figures.length ? stage.figures[stage.timeline.reference].recordedFrame(stage.clock.time) : 0;
+    },
+    /** Frame of each figure, counted from its start, at a time in seconds. */
+    framesAt: (time) => stage?.figures.map((figure2) => figure2.frameAt(time) * figure2.header.step),
+    get camera() {
+      return stage?.state().camera;
+    },
+    get playing() {
+      return stage?.clock.playing ?? false;
+    },
+    get speed() {
+      return stage?.clock.speed ?? 1;
+    },
+    get fps() {
+      return stage?.fps ?? 0;
+    },
+    get figures() {
+      return stage?.figures.filter((figure2) => figure2.visible).length ?? 0;
+    },
+    get layout() {
+      return stage?.layout;
+    },
+    get sync() {
+      return stage?.timeline.warped ? "warp" : "start";
+    },
+    get status() {
+      return stage?.status ?? "absent";
+    }
+  };
+  whenParsed(() => {
+    mount();
+    new MutationObserver(mount).observe(document.body, { childList: true, subtree: true });
+  });
+  register("stage", {
+    show(request5) {
+      if (request5) player.show(request5);
+      return null;
+    }
+  });
+
+  // shell/frame.mjs
+  var WIDTH_KEY = "motionscape-stage-width";
+  var put = (pairs2, values) => {
+    for (const [key, value] of Object.entries(values || {})) {
+      if (value !== null && value !== void 0 && value !== "") pairs2.set(key, String(value));
+    }
+  };
+  var shown2 = { dataset: null, parameters: {}, selection: {}, view: {}, keys: {}, chosen: "{}", stage: {} };
+  var handled = false;
+  var page = (pathname) => (pathname || location.pathname).replace(/\//g, "") || "library";
+  function writeAddress() {
+    if (!shown2.dataset) return clientside.no_update;
+    const pairs2 = new URLSearchParams();
+    put(pairs2, { dataset: shown2.dataset });
+    put(pairs2, shown2.parameters);
+    for (const key of shown2.keys[page()] || []) put(pairs2, { [key]: (shown2.view || {})[key] });
+    put(pairs2, shown2.selection);
+    if (shown2.chosen !== "{}" || (shown2.view || {}).walk || (shown2.view || {}).sentence) put(pairs2, shown2.stage);
+    const address2 = location.pathname + "?" + pairs2.toString().replace(/%2C/g, ",").replace(/%3A/g, ":");
+    if (address2 !== location.pathname + location.search) history.replaceState(history.state, "", address2);
+    return address2;
+  }
+  window.addEventListener("stage-state", (event) => {
+    const { time, playing: playing2, speed, layout, camera } = event.detail;
+    shown2.stage = {
+      time: playing2 ? "" : time,
+      speed: speed === 1 ? "" : speed,
+      layout: layout === "overlay" ? "" : layout,
+      camera: handled ? [camera.yaw, camera.pitch, camera.distance, ...camera.pan, camera.follow ? 1 : 0].join(",") : ""
+    };
+    writeAddress();
+  });
+  for (const kind of ["wheel", "pointerdown", "keydown"]) {
+    document.addEventListener(kind, (event) => {
+      if (event.target.id === "stage-canvas") handled = true;
+    }, { passive: true, capture: true });
+  }
+  register("shell", {
+    // Everything that names what one sees goes into the address, without a new entry in the history.
+    address(pathname, dataset2, parameters, selection, view4, keys) {
+      const chosen3 = JSON.stringify(selection || {});
+      if (shown2.dataset && (chosen3 !== shown2.chosen || dataset2 !== shown2.dataset)) {
+        shown2.stage = {};
+        handled = false;
+      }
+      Object.assign(shown2, { dataset: dataset2, parameters, selection, view: view4, keys, chosen: chosen3 });
+      return writeAddress();
+    },
+    // What a page shows is changed key by key.
+    change(change, view4) {
+      const next2 = { ...view4 || {} };
+      for (const [key, value] of Object.entries(change || {})) {
+        if (key === "at") continue;
+        if (value === null || value === "") delete next2[key];
+        else next2[key] = String(value);
+      }
+      if (JSON.stringify(next2) !== JSON.stringify(view4 || {})) setStore("view", next2);
+      return clientside.no_update;
+    },
+    // What a link says of the Stage; it is taken up when the motion has arrived.
+    restore(stage2) {
+      if (!stage2 || !Object.keys(stage2).length) return clientside.no_update;
+      shown2.stage = stage2;
+      const state3 = {};
+      if (stage2.time) Object.assign(state3, { time: Number(stage2.time), playing: false });
+      if (stage2.speed) state3.speed = Number(stage2.speed);
+      if (stage2.layout) state3.layout = stage2.layout;
+      if (stage2.camera) {
+        handled = true;
+        const [yaw, pitch, distance, x, y, z, follow3] = stage2.camera.split(",").map(Number);
+        state3.camera = { yaw, pitch, distance, pan: [x, y, z], follow: follow3 !== 0 };
+      }
+      player.restore(state3);
+      return clientside.no_update;
+    },
+    choose(choice2, cleared) {
+      if (!choice2) return clientside.no_update;
+      if (choice2.dataset !== shown2.dataset) {
+        setStore("selection", {});
+        setStore("view-change", Object.fromEntries((cleared || []).map((key) => [key, ""])));
+        setStore("stage-request", { dataset: choice2.dataset, items: [] });
+        setStore("dataset", choice2.dataset);
+      }
+      return clientside.no_update;
+    },
+    pick(value, dataset2) {
+      if (value && value !== dataset2) setStore("dataset-choice", { dataset: value, at: Date.now() });
+      return clientside.no_update;
+    },
+    // One link is the current page's.
+    current(pathname) {
+      for (const link2 of document.querySelectorAll(".nav-link")) {
+        if (link2.id === "nav-" + page(pathname)) link2.setAttribute("aria-current", "page");
+        else link2.removeAttribute("aria-current");
+      }
+      return clientside.no_update;
+    },
+    async share(clicks) {
+      if (!clicks) return clientside.no_update;
+      const done = await copy(location.href);
+      return [{
+        action: "show",
+        title: done ? "Link copied" : "Could not copy the link",
+        message: done ? "It opens this very view." : "Copy it from the address line.",
+        color: done ? "accent" : "orange"
+      }];
+    }
+  });
+  async function copy(text) {
+    try {
+      await navigator.clipboard.writeText(text);
+      return true;
+    } catch {
+      const field = document.createElement("textarea");
+      field.value = text;
+      field.style.position = "fixed";
+      field.style.opacity = "0";
+      document.body.append(field);
+      field.select();
+      const done = document.execCommand("copy");
+      field.remove();
+      return done;
+    }
+  }
+  document.addEventListener("click", async (event) => {
+    const button4 = event.target.closest && event.target.closest("[data-copy]");
+    if (!button4) return;
+    const done = await copy(button4.dataset.copy);
+    if (done) notify("Copied", "Paste it where you want to run it.", "accent");
+    else notify("Could not copy", button4.dataset.copy);
+  });
+  function watchTheme() {
+    const root = document.documentElement;
+    let last2 = null;
+    const tell3 = () => {
+      const scheme = root.dataset.mantineColorScheme;
+      if (scheme !== "dark" && scheme !== "light" || scheme === last2 || !clientside.set_props || !find("shell")) return;
+      last2 = scheme;
+      setStore("theme", scheme);
+    };
+    new MutationObserver(tell3).observe(root, { attributes: true, attributeFilter: ["data-mantine-color-scheme"] });
+    tell3();
+  }
+  function setStageWidth(pixels2) {
+    const width = Math.round(Math.min(Math.max(pixels2, 320), innerWidth - 84 - 367));
+    document.documentElement.style.setProperty("--stage-width", width + "px");
+    return width;
+  }
+  function remember(width) {
+    try {
+      localStorage.setItem(WIDTH_KEY, width);
+    } catch {
+    }
+  }
+  function watchSplitter() {
+    let dragging = null;
+    const width = () => document.querySelector(".stage-panel").getBoundingClientRect().width;
+    document.addEventListener("pointerdown", (event) => {
+      if (!event.target.classList || !event.target.classList.contains("splitter")) return;
+      dragging = event.target;
+      dragging.classList.add("dragging");
+      dragging.setPointerCapture(event.pointerId);
+      event.preventDefault();
+    });
+    document.addEventListener("pointermove", (event) => {
+      if (dragging) setStageWidth(innerWidth - event.clientX - 3);
+    });
+    document.addEventListener("pointerup", () => {
+      if (!dragging) return;
+      dragging.classList.remove("dragging");
+      dragging = null;
+      remember(width());
+    });
+    document.addEventListener("keydown", (event) => {
+      if (!event.target.classList || !event.target.classList.contains("splitter")) return;
+      const step3 = { ArrowLeft: 32, ArrowRight: -32 }[event.key];
+      if (!step3) return;
+      event.preventDefault();
+      event.stopPropagation();
+      remember(setStageWidth(width() + step3));
+    });
+    let stored = null;
+    try {
+      stored = Number(localStorage.getItem(WIDTH_KEY));
+    } catch {
+    }
+    if (stored > 0) setStageWidth(stored);
+  }
+  function start() {
+    watchTheme();
+    watchSplitter();
+    const again = setInterval(() => {
+      if (!clientside.set_props || !find("shell")) return;
+      clearInterval(again);
+      setStore("theme", document.documentElement.dataset.mantineColorScheme || "light");
+    }, 100);
+  }
+  whenParsed(start);
+
+  // stage/ahead.mjs
+  var REST = 90;
+  var PATIENCE = 400;
+  var KEPT = 15e3;
+  var OTHER = ["motifs", "motif", "motion", "edge", "transition", "action", "segment", "clip", "start", "end", "as", "time", "speed", "layout", "camera"];
+  var requests = /* @__PURE__ */ new Map();
+  var current = Promise.resolve();
+  var timer = 0;
+  var turn = 0;
+  function address(selection) {
+    const pairs2 = new URLSearchParams(location.search);
+    for (const key of OTHER) pairs2.delete(key);
+    for (const [key, value] of Object.entries(selection)) pairs2.set(key, value);
+    const page3 = location.pathname.split("/").filter(Boolean).pop() || "library";
+    return `${document.getElementById("stage").dataset.api || "/api"}/stage/${page3}?${pairs2}`;
+  }
+  function ask2(selection) {
+    const where = address(selection);
+    if (!requests.has(where)) {
+      const answer2 = fetch(where).then((response) => response.ok ? response.json() : null, () => null);
+      requests.set(where, answer2);
+      answer2.then((request5) => request5 || requests.delete(where));
+      setTimeout(() => requests.delete(where), KEPT);
+    }
+    return requests.get(where);
+  }
+  var exceptions = [];
+  var usable = (selection) => selection && Object.keys(selection).length > 0 && !selection.motifs && document.getElementById("stage") && !exceptions.some((test) => test(selection));
+  var ahead = {
+    /** Fetch what a selection plays: at once, or when the pointer has rested (`later`) until `leave`. */
+    prepare(selection, later2 = false) {
+      clearTimeout(timer);
+      if (!usable(selection)) return;
+      const fetchIt = async () => player.prefetch(await ask2(selection));
+      if (later2) timer = setTimeout(fetchIt, REST);
+      else fetchIt();
+    },
+    leave: () => clearTimeout(timer),
+    /** Never play a selection for which `test(selection)` is true. */
+    unless: (test) => exceptions.push(test),
+    play(selection) {
+      if (usable(selection)) current = play(selection);
+    },
+    /** Until what was played last is on the Stage, but not for long: work that can wait leaves the browser free. */
+    settled: () => Promise.race([current, new Promise((done) => setTimeout(done, PATIENCE))])
+  };
+  async function play(selection) {
+    const mine2 = ++turn;
+    const before2 = player.asked;
+    const request5 = await ask2(selection);
+    if (!request5 || mine2 !== turn || before2 !== player.asked) return;
+    await player.show(request5);
+    for (let frame = 0; frame < 2; frame++) await new Promise(requestAnimationFrame);
+  }
+  var target = (event) => event.target.closest?.('[data-store="selection"]');
+  document.addEventListener("pointerover", (event) => {
+    const button4 = target(event);
+    if (button4) ahead.prepare(JSON.parse(button4.dataset.value), true);
+  });
+  document.addEventListener("pointerout", (event) => target(event) && ahead.leave());
+
+  // shell/selecting.mjs
+  var put2 = (store, value, stamp) => {
+    if (store === "selection") ahead.play(value);
+    setStore(store, stamp ? { ...value, at: Date.now() } : value);
+  };
+  document.addEventListener("click", (event) => {
+    const button4 = event.target.closest && event.target.closest("[data-store]");
+    if (!button4 || button4.disabled) return;
+    put2(button4.dataset.store, JSON.parse(button4.dataset.value), button4.dataset.stamp);
+    if (button4.dataset.page) clientside.set_props("url", { pathname: button4.dataset.page, search: "" });
+  });
+  gridFunctions.chooseRow = (params) => {
+    const at3 = params.event && params.event.type === "click" && params.event.target;
+    if (at3 && at3.closest && at3.closest(".choice-cell")) return;
+    if (params.data && params.data.view) put2("view-change", params.data.view, false);
+    if (params.data && params.data.selection) put2("selection", params.data.selection, false);
+  };
+  gridFunctions.leaveTable = () => false;
+  gridFunctions.chooseRowByKey = (params) => {
+    if (params.event && params.event.key === "Enter") gridFunctions.chooseRow(params);
+  };
+  cellRenderers.Filmstrip = (props) => props.value ? reactElement("img", { className: "filmstrip", src: props.value, alt: "", loading: "lazy", decoding: "async", draggable: false }) : null;
+  var MARKS = { ok: "check", warning: "warning", error: "error" };
+  cellRenderers.Verdict = (props) => props.value ? reactElement(
+    "span",
+    { className: "verdict verdict-" + props.value, title: props.data && props.data.messages || void 0 },
+    reactElement("span", { className: "icon icon-" + MARKS[props.value], style: { width: 14, height: 14 }, "aria-hidden": "true" }),
+    props.value === "error" ? "not read" : props.value
+  ) : null;
+  var KEYS2 = ["clip", "motif", "edge"];
+  var same = (a, b) => Boolean(a && b) && KEYS2.some((key) => key in a) && KEYS2.every((key) => String(a[key] ?? "") === String(b[key] ?? ""));
+  var chosen = null;
+  var among = (own2) => Boolean(own2 && chosen && chosen.motifs && "motif" in own2) && chosen.motifs.split("-").includes(String(own2.motif));
+  gridFunctions.isChosen = (params) => same(params.data && params.data.selection, chosen) || among(params.data && params.data.selection);
+  register("tables", {
+    async mark(selection, rows2, id) {
+      chosen = selection;
+      const api = await gridApi(id);
+      const box2 = document.getElementById(id);
+      if (!api || !box2) return clientside.no_update;
+      api.forEachNode((node) => {
+        if (gridFunctions.isChosen(node)) api.ensureNodeVisible(node);
+      });
+      for (const row8 of box2.querySelectorAll(".ag-row")) {
+        const node = api.getRowNode(row8.getAttribute("row-id"));
+        row8.classList.toggle("row-chosen", Boolean(node) && gridFunctions.isChosen(node));
+      }
+      return clientside.no_update;
+    }
+  });
+
+  // shell/settings.mjs
+  var inOrder = (text, of2) => of2.names.filter((name) => text.split(",").includes(name));
+  register("settings", {
+    // Those keys of the view that are settings of the page; its store is called PAGE-settings.
+    pick(view4, current2, id) {
+      const page3 = id.slice(0, -"settings".length);
+      const own2 = Object.entries(view4 || {}).filter(([key]) => key.startsWith(page3)).sort();
+      const next2 = Object.fromEntries(own2);
+      return current2 && JSON.stringify(next2) === JSON.stringify(current2) ? clientside.no_update : next2;
+    },
+    // Chips for a setting that is a list: here and not on the server, whose answer to one click would undo the next.
+    list(view4, of2) {
+      return inOrder((view4 || {})[of2.key] || of2.usual, of2);
+    },
+    listed(chosen3, view4, of2) {
+      const wanted2 = inOrder((chosen3 || []).join(","), of2).join(",");
+      const there = (view4 || {})[of2.key] || of2.usual;
+      if (wanted2 && wanted2 !== there) changeView({ [of2.key]: wanted2 === of2.usual ? "" : wanted2 });
+      return clientside.no_update;
+    }
+  });
+
+  // shell/views.mjs
+  var keyOf = (id) => id.split("-").pop();
+  register("views", {
+    // The control was used: the choice goes into the store; the first choice is the default and leaves the address.
+    chosen(value, view4) {
+      const key = keyOf(clientside.callback_context.inputs_list[0].id);
+      const first = document.querySelector(`.view-panel[data-key="${key}"]`);
+      const wanted2 = first && first.dataset.value === value ? "" : value;
+      if (value && ((view4 || {})[key] || "") !== wanted2) changeView({ [key]: wanted2 });
+      return clientside.no_update;
+    },
+    // The store changed, or the page came: control and panels follow.
+    show(view4, id) {
+      const key = keyOf(id);
+      const panels = [...document.querySelectorAll(`.view-panel[data-key="${key}"]`)];
+      if (!panels.length) return clientside.no_update;
+      const wanted2 = (view4 || {})[key];
+      const shown7 = panels.find((panel) => panel.dataset.value === wanted2) || panels[0];
+      for (const panel of panels) panel.classList.toggle("hidden", panel !== shown7);
+      return shown7.dataset.value;
+    }
+  });
+
+  // jobs/job_bar.mjs
+  function button(action, job, className, ...children) {
+    const made = element("button", "job-button " + className, ...children);
+    made.type = "button";
+    made.dataset.store = "job-action";
+    made.dataset.value = JSON.stringify({ action, job });
+    made.dataset.stamp = "yes";
+    return made;
+  }
+  function alive({ id, title }) {
+    const spinner = element("span", "spinner");
+    spinner.setAttribute("aria-hidden", "true");
+    const progress = element("div", "job-progress", element("div", ""));
+    progress.setAttribute("role", "progressbar");
+    progress.setAttribute("aria-label", `Progress of ${title}`);
+    const percent3 = element("span", "job-percent");
+    percent3.setAttribute("aria-hidden", "true");
+    return element(
+      "div",
+      "job",
+      spinner,
+      element("span", "job-title ellipsis", title),
+      progress,
+      element("span", "job-stage number", element("span", "job-words"), percent3),
+      element("div", "job-actions", button("cancel", id, "job-cancel", "Cancel"))
+    );
+  }
+  function update(row8, { stage: stage2, percent: percent3, stopping }) {
+    const progress = row8.querySelector(".job-progress"), known3 = percent3 !== null;
+    progress.classList.toggle("waiting", !known3);
+    progress.firstChild.style.width = (percent3 || 0) + "%";
+    if (known3) progress.setAttribute("aria-valuenow", percent3);
+    else progress.removeAttribute("aria-valuenow");
+    const words3 = row8.querySelector(".job-words");
+    if (words3.textContent !== stage2) words3.textContent = stage2;
+    const number3 = row8.querySelector(".job-percent");
+    if (number3) number3.textContent = percent3 ? ` ${percent3} %` : "";
+    row8.querySelector(".job-cancel").disabled = stopping;
+  }
+  function failed({ id, title, error }) {
+    const sign = element("span", "job-mark-failed", icon("error", 18));
+    const dismiss = button("dismiss", id, "job-button-plain", icon("close", 16));
+    dismiss.setAttribute("aria-label", "Dismiss");
+    return element(
+      "div",
+      "job job-failed",
+      sign,
+      element("span", "job-title ellipsis", title),
+      element("span", "job-message", error),
+      element("div", "job-actions", button("retry", id, "", "Try again"), dismiss)
+    );
+  }
+  register("jobs", {
+    show(jobs) {
+      const box2 = document.getElementById("job-list");
+      const wanted2 = (jobs || []).map((job) => [job.error ? `${job.id} failed` : String(job.id), job]);
+      const names2 = new Set(wanted2.map(([name]) => name));
+      for (const row8 of [...box2.children]) if (!names2.has(row8.dataset.job)) row8.remove();
+      wanted2.forEach(([name, job], k) => {
+        let row8 = box2.children[k];
+        if (!row8 || row8.dataset.job !== name) {
+          row8 = job.error ? failed(job) : alive(job);
+          row8.dataset.job = name;
+          box2.insertBefore(row8, box2.children[k] || null);
+        }
+        if (!job.error) document.querySelectorAll(`[data-job="${name}"]`).forEach((place6) => update(place6, job));
+      });
+      return clientside.no_update;
+    }
+  });
+
+  // library/clips.mjs
+  var WORDS = { ok: "read without remarks", warning: "warnings", error: "not read" };
+  var ICONS2 = { ok: "check", warning: "warning", error: "error" };
+  cellRenderers.ClipLink = (props) => props.value ? reactElement("a", { className: "clip-link ellipsis", href: props.data.href, tabIndex: -1, "data-clip": props.value, draggable: false }, props.value) : null;
+  cellRenderers.Mark = (props) => props.value ? reactElement(
+    "span",
+    { className: "verdict verdict-mark verdict-" + props.value, role: "img", "aria-label": WORDS[props.value], title: props.data && props.data.messages || WORDS[props.value] },
+    reactElement("span", { className: "icon icon-" + ICONS2[props.value], style: { width: 14, height: 14 }, "aria-hidden": "true" })
+  ) : null;
+  function open(clip) {
+    setStore("selection", { clip });
+    openPage("/clip");
+  }
+  document.addEventListener("click", (event) => {
+    const link2 = event.target.closest && event.target.closest("a.clip-link");
+    if (!link2 || event.button || event.metaKey || event.ctrlKey || event.shiftKey || event.altKey) return;
+    event.preventDefault();
+    event.stopPropagation();
+    open(link2.dataset.clip);
+  }, true);
+  document.addEventListener("keydown", (event) => {
+    const cell2 = event.key === "Enter" && event.target.closest && event.target.closest(".ag-cell[col-id='clip']");
+    const link2 = cell2 && cell2.querySelector("a.clip-link");
+    if (!link2) return;
+    event.preventDefault();
+    event.stopPropagation();
+    open(link2.dataset.clip);
+  }, true);
+  var noted = { tab: "clips", files: "all" };
+  var set = {};
+  register("library", {
+    look(tab, files, view4) {
+      const change = {};
+      for (const [key, value] of Object.entries({ tab, files })) {
+        const wanted2 = value === noted[key] ? "" : value || "";
+        if (value && value !== set[key] && ((view4 || {})[key] || "") !== wanted2) change[key] = wanted2;
+      }
+      set = {};
+      if (Object.keys(change).length) changeView(change);
+      return clientside.no_update;
+    },
+    show(view4, choices2) {
+      const wanted2 = { ...noted, ...view4 };
+      const known3 = (choices2 || []).some((choice2) => choice2.value === wanted2.files);
+      set = { tab: wanted2.tab === "report" ? "report" : "clips", files: known3 ? wanted2.files : "all" };
+      return [set.tab, set.files];
+    },
+    filter(shown7, rows2) {
+      if (!shown7 || shown7 === "all") return rows2 || [];
+      return (rows2 || []).filter((row8) => shown7 === "added" ? row8.added : row8.verdict === shown7);
+    }
+  });
+
+  // library/upload.mjs
+  var HEADERS = { "X-Motionscape": "upload" };
+  var AT_ONCE = 3;
+  var SHOWN = 400;
+  var batch = null;
+  var limits = () => {
+    const data2 = find("drop-zone").dataset;
+    return {
+      fileBytes: Number(data2.fileBytes),
+      totalBytes: Number(data2.totalBytes),
+      files: Number(data2.files),
+      suffixes: data2.suffixes.split(" ")
+    };
+  };
+  var words = (bytes2) => bytes2 >= 2 ** 30 ? (bytes2 / 2 ** 30).toFixed(1) + " GB" : bytes2 >= 1e5 ? (bytes2 / 2 ** 20).toFixed(1) + " MB" : Math.max(1, Math.round(bytes2 / 1024)) + " kB";
+  function freshBatch() {
+    return { token: null, items: [], sent: 0, bytes: 0, active: 0, queue: [], stopped: false, name: "", hidden: 0 };
+  }
+  async function gather(transfer) {
+    const entries = [...transfer.items].filter((item) => item.kind === "file").map((item) => item.webkitGetAsEntry && item.webkitGetAsEntry());
+    if (!entries.some(Boolean)) return [...transfer.files].map((file) => ({ file, path: file.name }));
+    const found = [];
+    for (const entry of entries) if (entry) await walk(entry, "", found);
+    return found;
+  }
+  async function walk(entry, folder, found) {
+    if (found.length > 2e4) return;
+    if (entry.isFile) {
+      const file = await new Promise((resolve) => entry.file(resolve, () => resolve(null)));
+      if (file) found.push({ file, path: folder + entry.name });
+      return;
+    }
+    const reader = entry.createReader();
+    for (; ; ) {
+      const some = await new Promise((resolve) => reader.readEntries(resolve, () => resolve([])));
+      if (!some.length) return;
+      for (const child of some) await walk(child, folder + entry.name + "/", found);
+    }
+  }
+  async function add(files) {
+    if (!files.length) return;
+    if (!batch || batch.stopped) batch = freshBatch();
+    const mine2 = batch;
+    const { fileBytes, totalBytes, files: most, suffixes: suffixes2 } = limits();
+    const first = files[0].path.split("/");
+    if (!mine2.name) mine2.name = first.length > 1 ? first[0] : files.length > 1 ? "Recordings" : first[0].replace(/\.(bvh|amc|asf|csv|zip)(\.gz)?$/i, "");
+    let ignored = 0;
+    for (const { file, path: given2 } of files) {
+      const path2 = freePath(mine2, file, given2);
+      if (!path2) continue;
+      const lower = path2.toLowerCase();
+      if (!suffixes2.some((suffix) => lower.endsWith(suffix))) {
+        if (files.length > 1 && !/\.(bvh|amc|asf|zip)/i.test(lower)) {
+          ignored += 1;
+          continue;
+        }
+      }
+      const item = { file, path: path2, sent: 0, state: "waiting", message: "", row: null };
+      mine2.items.push(item);
+      if (!suffixes2.some((suffix) => lower.endsWith(suffix))) refuse(item, "not a kind of file we read");
+      else if (file.size > fileBytes) refuse(item, "too large: " + words(file.size) + "; a file may have " + words(fileBytes));
+      else if (mine2.queue.length + mine2.sent >= most) refuse(item, "too many files: " + most + " at most");
+      else if (mine2.bytes + file.size > totalBytes) refuse(item, "too much altogether: " + words(totalBytes) + " at most");
+      else {
+        mine2.bytes += file.size;
+        mine2.queue.push(item);
+      }
+      draw(mine2, item);
+    }
+    mine2.ignored = (mine2.ignored || 0) + ignored;
+    tell(mine2);
+    if (!mine2.token) {
+      try {
+        const answer2 = await fetch("/api/uploads", { method: "POST", headers: HEADERS });
+        if (!answer2.ok) throw new Error();
+        mine2.token = (await answer2.json()).token;
+      } catch {
+        for (const item of mine2.queue.splice(0)) {
+          refuse(item, "the server cannot be reached");
+          draw(mine2, item);
+        }
+        tell(mine2);
+        return;
+      }
+    }
+    while (mine2.active < AT_ONCE && mine2.queue.length) next(mine2);
+    tell(mine2);
+  }
+  function freePath(mine2, file, path2) {
+    for (let k = 1; ; k++) {
+      const tried = k === 1 ? path2 : k + "/" + path2;
+      const there = mine2.items.find((item) => item.path === tried && item.state !== "error");
+      if (!there) return tried;
+      if (there.file.size === file.size && there.file.lastModified === file.lastModified) return null;
+    }
+  }
+  function refuse(item, message2) {
+    item.state = "error";
+    item.message = message2;
+  }
+  function next(mine2) {
+    const item = mine2.queue.shift();
+    if (!item || mine2.stopped) return;
+    mine2.active += 1;
+    item.state = "sending";
+    const request5 = new XMLHttpRequest();
+    item.request = request5;
+    request5.open("PUT", "/api/uploads/" + mine2.token + "/" + item.path.split("/").map(encodeURIComponent).join("/"));
+    request5.setRequestHeader("X-Motionscape", "upload");
+    request5.setRequestHeader("Content-Type", "application/octet-stream");
+    request5.upload.onprogress = (event) => {
+      item.sent = event.loaded;
+      draw(mine2, item);
+      summary(mine2);
+    };
+    request5.onloadend = () => {
+      mine2.active -= 1;
+      if (request5.status === 200) {
+        item.state = "ok";
+        item.sent = item.file.size;
+        mine2.sent += 1;
+      } else {
+        let message2 = request5.status ? "the server refused it" : "the connection broke";
+        try {
+          message2 = JSON.parse(request5.responseText).error || message2;
+        } catch {
+        }
+        refuse(item, message2);
+      }
+      draw(mine2, item);
+      while (mine2.active < AT_ONCE && mine2.queue.length && !mine2.stopped) next(mine2);
+      tell(mine2);
+    };
+    request5.send(item.file);
+  }
+  function draw(mine2, item) {
+    const list2 = find("upload-list");
+    if (!list2 || mine2 !== batch) return;
+    if (!item.row) {
+      if (list2.childElementCount >= SHOWN && item.state !== "error") {
+        return;
+      }
+      item.row = document.createElement("li");
+      item.row.innerHTML = '<span class="upload-mark"></span><span class="upload-name ellipsis"></span><span class="upload-size number"></span><span class="upload-note"></span>';
+      item.row.children[1].textContent = item.path;
+      item.row.children[1].title = item.path;
+      item.row.children[2].textContent = words(item.file.size);
+      list2.append(item.row);
+    }
+    item.row.className = "upload-" + item.state;
+    const percent3 = item.file.size ? Math.round(100 * item.sent / item.file.size) : 100;
+    item.row.style.setProperty("--sent", (item.state === "sending" ? percent3 : 0) + "%");
+    item.row.children[3].textContent = { waiting: "waiting", sending: percent3 + " %", ok: "received", error: item.message }[item.state];
+  }
+  function summary(mine2) {
+    const node = find("upload-summary");
+    if (!node || mine2 !== batch) return;
+    const sent2 = mine2.items.reduce((sum2, item) => sum2 + (item.state === "error" ? 0 : item.sent), 0);
+    const bad = mine2.items.filter((item) => item.state === "error").length;
+    const busy = mine2.active + mine2.queue.length > 0;
+    const sentences = [];
+    if (mine2.items.length) sentences.push(`${mine2.sent} of ${mine2.items.length - bad} files received, ${words(sent2)}`);
+    if (bad) sentences.push(`${bad} left out`);
+    if (mine2.ignored) sentences.push(`${mine2.ignored} other file${mine2.ignored > 1 ? "s" : ""} ignored`);
+    node.textContent = sentences.join("; ");
+    const bar = find("upload-bar");
+    if (bar) bar.style.width = (mine2.bytes ? Math.min(100, 100 * sent2 / mine2.bytes) : 0) + "%";
+    find("upload-progress").classList.toggle("hidden", !busy);
+  }
+  function tell(mine2) {
+    summary(mine2);
+    const done = mine2.active + mine2.queue.length === 0;
+    setStore("upload", { token: mine2.token, received: mine2.sent, done, name: mine2.name, total: mine2.items.length, ...kinds(mine2) });
+  }
+  function kinds(mine2) {
+    const count = (pattern) => mine2.items.filter((item) => item.state !== "error" && pattern.test(item.path)).length;
+    const archives = count(/\.zip$/i);
+    return { recordings: count(/\.(bvh|amc)(\.gz)?$/i) + archives, labels: count(/\.csv$/i), amc: count(/\.amc(\.gz)?$/i), archives };
+  }
+  function reset(discard) {
+    if (batch) {
+      batch.stopped = true;
+      for (const item of batch.items) if (item.state === "sending") item.request.abort();
+      if (discard && batch.token) fetch("/api/uploads/" + batch.token, { method: "DELETE", headers: HEADERS }).catch(() => {
+      });
+    }
+    batch = null;
+    const list2 = find("upload-list");
+    if (list2) list2.replaceChildren();
+    const node = find("upload-summary");
+    if (node) node.textContent = "";
+  }
+  var carriesFiles = (event) => event.dataTransfer && [...event.dataTransfer.types].includes("Files");
+  var depth = 0;
+  document.addEventListener("dragenter", (event) => {
+    if (!carriesFiles(event)) return;
+    depth += 1;
+    document.documentElement.classList.add("dragging-files");
+  });
+  document.addEventListener("dragleave", () => {
+    depth = Math.max(0, depth - 1);
+    if (!depth) document.documentElement.classList.remove("dragging-files");
+  });
+  document.addEventListener("dragover", (event) => {
+    if (carriesFiles(event)) event.preventDefault();
+  });
+  document.addEventListener("drop", async (event) => {
+    depth = 0;
+    document.documentElement.classList.remove("dragging-files");
+    if (!carriesFiles(event)) return;
+    event.preventDefault();
+    if (!find("drop-zone")) return;
+    const card4 = event.target.closest && event.target.closest(".dataset-card");
+    const files = await gather(event.dataTransfer);
+    if (!find("upload-list") || !find("upload-list").offsetParent) {
+      setStore("upload-into", { dataset: card4 ? card4.dataset.dataset : "", at: Date.now() });
+    }
+    whenShown(() => add(files));
+  });
+  document.addEventListener("click", (event) => {
+    const button4 = event.target.closest && event.target.closest("[data-chooses]");
+    if (!button4) return;
+    const chooser = document.createElement("input");
+    chooser.type = "file";
+    chooser.multiple = true;
+    chooser.webkitdirectory = button4.dataset.chooses === "folder";
+    chooser.onchange = () => add([...chooser.files].map((file) => ({ file, path: file.webkitRelativePath || file.name })));
+    chooser.click();
+  });
+  function whenShown(then, tries = 60) {
+    if (find("upload-list")) then();
+    else if (tries) setTimeout(() => whenShown(then, tries - 1), 50);
+  }
+  register("upload", {
+    // What is typed meanwhile stays.
+    name: (suggested, typed) => suggested && (typed || suggested),
+    // The dialog was closed: what was not imported is thrown away. After an import the files belong to the job.
+    closed(opened, imported) {
+      if (opened) return clientside.no_update;
+      reset(!(batch && imported && imported === batch.token));
+      return { token: null, received: 0, done: true, name: "", total: 0 };
+    }
+  });
+
+  // clip/gait.mjs
+  var MOST_EVENTS = 600;
+  function sends(button4, store, value) {
+    button4.type = "button";
+    button4.dataset.store = store;
+    button4.dataset.value = JSON.stringify(value);
+    button4.dataset.stamp = store === "selection" ? "" : "yes";
+    return button4;
+  }
+  function table2(head3, rows2) {
+    const made = element("table", "gait-table number");
+    const top = made.createTHead().insertRow();
+    for (const text of head3) {
+      const cell2 = element("th", "", text);
+      cell2.scope = "col";
+      top.append(cell2);
+    }
+    const body2 = made.createTBody();
+    for (const [name, unit2, ...values] of rows2) {
+      const row8 = body2.insertRow();
+      const first = element("th", "", name + " ");
+      first.scope = "row";
+      first.append(element("span", "muted", unit2));
+      row8.append(first, ...values.map((value) => element("td", "", value)));
+    }
+    return made;
+  }
+  function folding(className, head3, open4, fill) {
+    const part2 = element("details", className);
+    part2.append(head3);
+    part2.addEventListener("toggle", () => {
+      if (part2.open && part2.children.length === 1) part2.append(fill());
+    });
+    part2.open = open4;
+    return part2;
+  }
+  function bout(data2, one, open4) {
+    const head3 = element("summary", "gait-head");
+    const select2 = sends(element("button", "gait-select", "Select"), "selection", { clip: data2.clip, start: one.start, end: one.end });
+    select2.setAttribute("aria-label", `Select the frames of ${one.title}`);
+    head3.append(element("b", "", one.title), element("span", "muted number", one.facts), select2);
+    return folding("gait-bout", head3, open4, () => table2(data2.head, one.rows));
+  }
+  function events(data2) {
+    const list2 = element("div", "gait-events");
+    for (const [frame, seconds, side, name] of data2.events.slice(0, MOST_EVENTS)) {
+      const row8 = sends(element("button", "gait-event"), "clip-seek", { clip: data2.clip, frame });
+      row8.append(
+        element("span", "number", seconds),
+        element("span", "muted number", `frame ${frame}`),
+        element("span", `side-${side}`, side[0].toUpperCase() + side.slice(1)),
+        element("span", "", name)
+      );
+      list2.append(row8);
+    }
+    const more2 = data2.events.length - MOST_EVENTS;
+    if (more2 > 0) list2.append(element("div", "muted", `and ${more2} more: a table of the clip has them all`));
+    return list2;
+  }
+  register("gait", {
+    draw(data2) {
+      const place6 = document.getElementById("clip-gait");
+      if (!place6) return clientside.no_update;
+      if (!data2) place6.replaceChildren();
+      else if (data2.why) place6.replaceChildren(element("div", "muted", data2.why));
+      else {
+        const all = folding("gait-details", element("summary", "", `${data2.events.length} heel strikes and toe-offs`), false, () => events(data2));
+        place6.replaceChildren(...data2.bouts.map((one, k) => bout(data2, one, k === 0)), all);
+      }
+      return clientside.no_update;
+    }
+  });
+
+  // clip/cursor.mjs
+  var at = { shown: null, frame: null, hover: null, items: [], pending: null, values: null, from: "", range: null, dragged: null };
+  var part = (name) => document.querySelector(`#clip-box .clip-${name}`);
+  var measured = null;
+  var forget = () => {
+    measured = null;
+  };
+  function chartPlot() {
+    if (measured && measured.graph.isConnected && at.shown && measured.meta.clip === at.shown.clip) return measured;
+    measured = measure();
+    return measured;
+  }
+  function measure() {
+    const graph = document.querySelector("#clip-graph .js-plotly-plot");
+    const full = graph && graph._fullLayout;
+    if (!full || !full.xaxis || !full.meta || !at.shown || full.meta.clip !== at.shown.clip) return null;
+    const box2 = find("clip-box").getBoundingClientRect();
+    const own2 = graph.getBoundingClientRect();
+    const { xaxis, yaxis, meta } = full;
+    const dx = own2.left - box2.left + xaxis._offset;
+    const dy = own2.top - box2.top;
+    return {
+      graph,
+      meta,
+      full,
+      lines: graph.data.filter((trace) => trace.mode === "lines"),
+      chips: document.querySelectorAll("#clip-legend .clip-value"),
+      left: dx,
+      width: xaxis._length,
+      top: dy + full._size.t,
+      height: full._size.h,
+      x: (value) => dx + xaxis.l2p(value),
+      y: (value) => dy + yaxis._offset + yaxis.l2p(value),
+      time: (pixel) => xaxis.p2l(pixel - dx),
+      range: xaxis.range.map(Number)
+    };
+  }
+  function nearest(list2, value) {
+    let low = 0;
+    let high = list2.length - 1;
+    while (high - low > 1) {
+      const middle = low + high >> 1;
+      if (list2[middle] <= value) low = middle;
+      else high = middle;
+    }
+    return high < 0 ? -1 : Math.abs(list2[low] - value) <= Math.abs(list2[high] - value) ? low : high;
+  }
+  function placeMarks() {
+    const plot = chartPlot();
+    const cursor3 = part("cursor");
+    if (!cursor3) return;
+    const time = plot && plot.meta.kind === "time";
+    upright(cursor3, time && at.frame !== null ? at.frame / plot.meta.fps : null, plot);
+    upright(part("pointer"), time && at.hover !== null ? at.hover / plot.meta.fps : null, plot);
+    band(part("band"), time ? chosenRange() : null, plot);
+    dot2(part("dot"), plot && plot.meta.kind === "path" ? at.frame : null, plot);
+    if (time) tell2(plot);
+  }
+  function upright(line2, seconds, plot) {
+    const x = seconds === null ? null : plot.x(seconds);
+    line2.hidden = x === null || x < plot.left - 1 || x > plot.left + plot.width + 1;
+    if (line2.hidden) return;
+    line2.style.height = `${plot.height}px`;
+    line2.style.transform = `translate(${x.toFixed(1)}px, ${plot.top}px)`;
+  }
+  function band(area, range, plot) {
+    area.hidden = !range;
+    if (!range) return;
+    const clamp3 = (x) => Math.min(Math.max(x, plot.left), plot.left + plot.width);
+    const [a, b] = range.map((frame) => clamp3(plot.x(frame / plot.meta.fps)));
+    Object.assign(area.style, { height: `${plot.height}px`, width: `${Math.max(b - a, 1)}px`, transform: `translate(${a}px, ${plot.top}px)` });
+  }
+  function dot2(mark3, frame, plot) {
+    const path2 = plot && plot.graph.data[0];
+    const k = frame === null || !path2 || !path2.customdata ? -1 : nearest(path2.customdata, frame);
+    mark3.hidden = k < 0;
+    if (k >= 0) mark3.style.transform = `translate(${plot.x(path2.x[k])}px, ${plot.y(path2.y[k])}px)`;
+  }
+  var chosenRange = () => at.dragged || at.range || null;
+  var toldAt = 0;
+  function tell2(plot) {
+    const now6 = performance.now();
+    if (now6 - toldAt < 48) {
+      clearTimeout(tell2.later);
+      tell2.later = setTimeout(placeMarks, 50);
+      return;
+    }
+    toldAt = now6;
+    const frame = at.hover ?? at.frame;
+    plot.chips.forEach((chip2, k) => {
+      const value = frame === null || !plot.lines[k] ? null : valueAt(plot, plot.lines[k], k, frame);
+      const digits = { "°": 1, " m/s": 2 }[chip2.dataset.unit] ?? 3;
+      const text = value === null ? "" : value.toFixed(digits).replace("-", "−") + chip2.dataset.unit;
+      if (chip2.textContent !== text) chip2.textContent = text;
+    });
+  }
+  function valueAt(plot, line2, k, frame) {
+    const { fps, frames, thinned } = plot.meta;
+    const whole3 = at.values && at.values.length >= (k + 1) * frames ? at.values[k * frames + Math.min(Math.round(frame), frames - 1)] : null;
+    if (thinned) return whole3;
+    const i = nearest(line2.x, frame / fps);
+    return i < 0 || Math.abs(line2.x[i] - frame / fps) > 1 / fps ? whole3 : line2.y[i];
+  }
+  async function fetchValues(view4) {
+    const { dataset: dataset2, clip, version } = at.shown;
+    const query = new URLSearchParams({ v: version });
+    for (const key of ["chart", "angles", "joints", "rig", "channels"]) if ((view4 || {})[key]) query.set(key, view4[key]);
+    const where = clip.split("/").map(encodeURIComponent).join("/");
+    const address2 = `/api/clip-values/${encodeURIComponent(dataset2)}/${where}?${query}`;
+    if (address2 === at.from) return;
+    at.from = address2;
+    at.values = null;
+    const answer2 = await fetch(address2).catch(() => null);
+    if (!answer2?.ok || at.from !== address2) return;
+    const bytes2 = await answer2.arrayBuffer();
+    if (at.from !== address2) return;
+    at.values = new Float32Array(bytes2);
+    placeMarks();
+  }
+  function seekFrame(frame) {
+    const { shown: shown7 } = at;
+    if (!shown7) return;
+    const wanted2 = Math.min(Math.max(Math.round(frame), 0), shown7.frames - 1);
+    const there = at.items.some((item) => isShown(item) && wanted2 >= item.start && wanted2 < item.end);
+    if (there && player.seek({ clip: shown7.clip, frame: wanted2 })) return;
+    at.pending = { clip: shown7.clip, frame: wanted2 };
+    setStore("selection", { clip: shown7.clip });
+  }
+  function standing2() {
+    const items = [];
+    for (let k = 0, item; k < 48 && (item = player.frameOf(k)); k++) items.push(item);
+    return items;
+  }
+  var frameNow = () => standing2().find(isShown)?.frame ?? at.frame;
+  var isShown = (item) => at.shown && item.clip === at.shown.clip && (!item.dataset || item.dataset === at.shown.dataset);
+  function follow(items) {
+    at.items = items || [];
+    const item = at.items.find(isShown);
+    if (item && at.pending && at.pending.clip === item.clip && at.pending.frame >= item.start && at.pending.frame < item.end) {
+      const { frame } = at.pending;
+      at.pending = null;
+      player.seek({ clip: item.clip, frame });
+    }
+    at.frame = item ? item.frame : null;
+    placeMarks();
+  }
+  for (const kind of ["stage-frame", "stage-state"]) {
+    window.addEventListener(kind, (event) => {
+      if (find("clip-box")) follow(event.detail.items);
+    });
+  }
+  register("clip", {
+    // A chart was drawn: lay everything over it again, now and after every redrawing.
+    drawn(figure2, legend3, shown7, view4) {
+      at.shown = shown7;
+      const graph = document.querySelector("#clip-graph .js-plotly-plot");
+      if (graph && graph.on && !graph.dataset.clipWatched) {
+        graph.dataset.clipWatched = "yes";
+        const again = () => {
+          forget();
+          placeMarks();
+        };
+        graph.on("plotly_afterplot", again);
+        new ResizeObserver(again).observe(find("clip-box"));
+      }
+      forget();
+      if (figure2 && figure2.layout && figure2.layout.meta && figure2.layout.meta.thinned) fetchValues(view4);
+      requestAnimationFrame(() => requestAnimationFrame(() => {
+        forget();
+        placeMarks();
+      }));
+      return figure2?.layout?.meta?.kind ?? null;
+    },
+    mark(selection, shown7) {
+      at.shown = shown7;
+      const own2 = selection && shown7 && selection.clip === shown7.clip && selection.end > selection.start;
+      at.range = own2 ? [selection.start, Math.min(selection.end, shown7.frames)] : null;
+      follow(standing2());
+      return clientside.no_update;
+    },
+    pick(value, _back, _next, names2, shown7) {
+      const trigger = (clientside.callback_context.triggered[0] || {}).prop_id || "";
+      const step3 = trigger.startsWith("clip-previous") ? -1 : trigger.startsWith("clip-next") ? 1 : 0;
+      const clip = step3 ? names2[names2.indexOf(shown7 ? shown7.clip : value) + step3] : value;
+      if (clip && (!shown7 || clip !== shown7.clip)) {
+        setStore("view-change", { span: "" });
+        setStore("selection", { clip });
+      }
+      return clientside.no_update;
+    },
+    // What was chosen above the chart, into the view; what a clip offers of itself is no choice.
+    control(chart2, kind, joints, channels, view4, choice2) {
+      const now6 = view4 || {};
+      const same4 = (a, b) => JSON.stringify(a || []) === JSON.stringify(b || []);
+      const trigger = (clientside.callback_context.triggered[0] || {}).prop_id || "";
+      const change = {};
+      if (trigger.startsWith("clip-chart")) Object.assign(change, { chart: chart2 === "angles" ? "" : chart2, joints: "" });
+      if (trigger.startsWith("clip-kind")) change.angles = kind === "body" ? "" : kind;
+      if (trigger.startsWith("clip-joints")) change[kind === "file" && chart2 === "angles" ? "rig" : "joints"] = (joints || []).join(",");
+      if (trigger.startsWith("clip-channels")) change.channels = (channels || []).join(",");
+      if (trigger.startsWith("clip-joints") && same4(joints, choice2 && choice2.joints)) return clientside.no_update;
+      if (trigger.startsWith("clip-channels") && same4(channels, choice2 && choice2.channels)) return clientside.no_update;
+      if (trigger.startsWith("clip-chart") && (now6.chart || "angles") === chart2) return clientside.no_update;
+      if (trigger.startsWith("clip-kind") && (now6.angles || "body") === kind) return clientside.no_update;
+      setStore("view-change", change);
+      return clientside.no_update;
+    },
+    seek(to) {
+      if (to && at.shown && to.clip === at.shown.clip) seekFrame(to.frame);
+      return clientside.no_update;
+    },
+    asked(edit) {
+      return edit ? { ...edit, frame: frameNow() ?? 0 } : clientside.no_update;
+    }
+  });
+
+  // clip/range.mjs
+  var CLOSE = 4;
+  var box = (target2) => target2 && target2.closest ? target2.closest("#clip-box") : null;
+  var press = null;
+  var clamp2 = (value, low, high) => Math.min(Math.max(value, low), high);
+  var frameAt = (plot, pixel) => clamp2(Math.round(plot.time(pixel) * plot.meta.fps), 0, plot.meta.frames - 1);
+  var inside = (plot, x, y) => x >= plot.left - 6 && x <= plot.left + plot.width + 6 && y >= plot.top && y <= plot.top + plot.height;
+  function locate(event) {
+    const plot = chartPlot();
+    const area = document.getElementById("clip-box");
+    if (!plot || !area) return null;
+    const { left, top } = area.getBoundingClientRect();
+    return { plot, x: event.clientX - left, y: event.clientY - top };
+  }
+  document.addEventListener("pointerdown", (event) => {
+    if (event.button || !box(event.target)) return;
+    const spot = locate(event);
+    if (!spot) return;
+    const grip = Boolean(event.target.closest(".clip-grip"));
+    if (!grip && !inside(spot.plot, spot.x, spot.y)) return;
+    press = { ...spot, id: event.pointerId, grip, moved: false };
+    if (spot.plot.meta.kind === "time") box(event.target).setPointerCapture(event.pointerId);
+  });
+  document.addEventListener("pointermove", (event) => {
+    const over = box(event.target);
+    if (!press) {
+      const spot2 = over && locate(event);
+      const hover = spot2 && spot2.plot.meta.kind === "time" && inside(spot2.plot, spot2.x, spot2.y) ? frameAt(spot2.plot, spot2.x) : null;
+      if (hover !== at.hover) {
+        at.hover = hover;
+        placeMarks();
+      }
+      return;
+    }
+    const spot = locate(event);
+    if (!spot || event.pointerId !== press.id) return;
+    if (Math.abs(spot.x - press.x) > CLOSE) press.moved = true;
+    if (press.plot.meta.kind !== "time") return;
+    if (press.grip) return seekFrame(frameAt(spot.plot, spot.x));
+    if (!press.moved) return;
+    const ends = [frameAt(spot.plot, press.x), frameAt(spot.plot, spot.x)].sort((a, b) => a - b);
+    at.dragged = [ends[0], ends[1] + 1];
+    at.hover = null;
+    placeMarks();
+  });
+  document.addEventListener("pointerup", (event) => {
+    if (!press || event.pointerId !== press.id) return;
+    const { plot, moved: moved2, grip } = press;
+    press = null;
+    const dragged2 = at.dragged;
+    at.dragged = null;
+    if (grip) return;
+    if (dragged2) return select(dragged2);
+    if (moved2) return;
+    const spot = locate(event);
+    if (!spot) return;
+    if (plot.meta.kind === "path") return clickPath(spot);
+    const picked = blockAt(spot);
+    if (picked) select(picked);
+    else seekFrame(frameAt(spot.plot, spot.x));
+  });
+  document.addEventListener("pointercancel", () => {
+    press = null;
+    at.dragged = null;
+    placeMarks();
+  });
+  document.addEventListener("pointerout", (event) => {
+    if (at.hover === null || box(event.relatedTarget)) return;
+    at.hover = null;
+    placeMarks();
+  });
+  function select(range) {
+    const [start3, end] = range;
+    if (at.shown && end - start3 >= 2) setStore("selection", { clip: at.shown.clip, start: start3, end });
+    else placeMarks();
+  }
+  function blockAt({ plot, x, y }) {
+    const seconds = plot.time(x);
+    for (const trace of plot.graph.data) {
+      if (!trace.meta || !trace.meta.picks) continue;
+      const axis = plot.full["yaxis" + trace.yaxis.slice(1)];
+      const row8 = axis.p2l(y - plot.top + plot.full._size.t - axis._offset);
+      if (Math.abs(row8 - trace.meta.row) > 0.5) continue;
+      const hit = trace.meta.picks.find(([start3, end]) => seconds * plot.meta.fps >= start3 && seconds * plot.meta.fps < end);
+      if (hit) return hit;
+    }
+    return null;
+  }
+  function clickPath({ plot, x, y }) {
+    const path2 = plot.graph.data[0];
+    let best = -1;
+    let least = 30;
+    for (let k = 0; k < path2.x.length; k++) {
+      const away2 = Math.hypot(plot.x(path2.x[k]) - x, plot.y(path2.y[k]) - y);
+      if (away2 < least) [best, least] = [k, away2];
+    }
+    if (best >= 0) seekFrame(path2.customdata[best]);
+  }
+  var settling = 0;
+  var moving = 0;
+  var wanted = null;
+  async function move() {
+    const plot = chartPlot();
+    const range = wanted;
+    if (plot && range) await window.Plotly.relayout(plot.graph, { "xaxis.range": range });
+    moving = 0;
+    if (range !== wanted) moving = requestAnimationFrame(move);
+    else wanted = null;
+  }
+  function show(low, high) {
+    const plot = chartPlot();
+    if (!plot || plot.meta.kind !== "time") return;
+    const seconds = Math.max((plot.meta.frames - 1) / plot.meta.fps, 1 / plot.meta.fps);
+    const width = clamp2(high - low, Math.min(4 / plot.meta.fps, seconds), seconds);
+    const from = clamp2((low + high - width) / 2, 0, seconds - width);
+    wanted = [from, from + width];
+    if (!moving) moving = requestAnimationFrame(move);
+    clearTimeout(settling);
+    const whole3 = width >= seconds - 1e-6;
+    settling = setTimeout(() => setStore("view-change", { span: whole3 ? "" : `${from.toFixed(3)}_${(from + width).toFixed(3)}` }), 160);
+  }
+  function zoom(what) {
+    const plot = chartPlot();
+    if (!plot) return;
+    const [low, high] = plot.range;
+    if (what === "whole") return show(0, Infinity === high ? 1 : plot.meta.frames / plot.meta.fps);
+    const range = chosenRange();
+    if (what === "range") {
+      if (!range) return;
+      const [a, b] = range.map((frame) => frame / plot.meta.fps);
+      return show(a - 0.05 * (b - a), b + 0.05 * (b - a));
+    }
+    const cursor3 = at.frame === null ? NaN : at.frame / plot.meta.fps;
+    scale(what === "in" ? 0.6 : 1 / 0.6, cursor3 >= low && cursor3 <= high ? cursor3 : (low + high) / 2);
+  }
+  function scale(factor, about) {
+    const [low, high] = wanted || chartPlot().range;
+    show(about + (low - about) * factor, about + (high - about) * factor);
+  }
+  document.addEventListener("wheel", (event) => {
+    const spot = box(event.target) && locate(event);
+    if (!spot || spot.plot.meta.kind !== "time") return;
+    const [low, high] = wanted || spot.plot.range;
+    if (event.ctrlKey || event.metaKey) {
+      event.preventDefault();
+      scale(Math.exp(clamp2(event.deltaY, -80, 80) / 200), spot.plot.time(spot.x));
+    } else if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
+      event.preventDefault();
+      const way2 = (event.deltaX || event.deltaY) / spot.plot.width * (high - low);
+      show(low + way2, high + way2);
+    }
+  }, { passive: false });
+  document.addEventListener("click", (event) => {
+    const button4 = event.target.closest && event.target.closest("[data-clip-zoom]");
+    if (button4) zoom(button4.dataset.clipZoom);
+  });
+  function setEnd(which) {
+    const frame = frameNow();
+    if (frame === null || !at.shown) return;
+    const [start3, end] = chosenRange() || [0, at.shown.frames];
+    select(which === "start" ? [frame, end > frame ? end : at.shown.frames] : [start3 < frame ? start3 : 0, frame + 1]);
+  }
+  var step = (by) => {
+    player.pause();
+    seekFrame((frameNow() ?? 0) + by);
+  };
+  var KEYS3 = {
+    ArrowLeft: (far) => step(far ? -10 : -1),
+    ArrowRight: (far) => step(far ? 10 : 1),
+    Home: () => seekFrame(0),
+    End: () => at.shown && seekFrame(at.shown.frames - 1),
+    "[": () => setEnd("start"),
+    "]": () => setEnd("end"),
+    Escape: () => at.shown && setStore("selection", { clip: at.shown.clip }),
+    "+": () => zoom("in"),
+    "=": () => zoom("in"),
+    "-": () => zoom("out"),
+    0: () => zoom("whole"),
+    " ": () => player[player.playing ? "pause" : "play"]()
+  };
+  document.addEventListener("keydown", (event) => {
+    if (event.target.id !== "clip-box" || event.ctrlKey || event.metaKey || event.altKey || !KEYS3[event.key]) return;
+    event.preventDefault();
+    KEYS3[event.key](event.shiftKey);
+  });
+
+  // shared/words.mjs
+  function clock(seconds) {
+    const tenths = Math.round(seconds * 10);
+    return `${Math.floor(tenths / 600)}:${(tenths % 600 / 10).toFixed(1).padStart(4, "0")}`;
+  }
+  var plural = (n, one, more2 = `${one}s`) => `${n} ${n === 1 ? one : more2}`;
+  var percent = (share2) => `${Math.round(100 * share2)} %`;
+
+  // motifs/blend_controls.mjs
+  var html = (name, attributes, text) => withAttributes(element(name, "", text), attributes);
+  var CORNERS = [[150, 26], [28, 214], [272, 214]];
+  var LABELS = [[150, 14], [18, 232], [282, 232]];
+  var STEP = 0.02;
+  var CORNER = 0.03;
+  var place = (weights) => [0, 1].map((axis) => weights.reduce((total2, w, k) => total2 + w * CORNERS[k][axis], 0));
+  function weightsAt(x, y) {
+    const [[ax, ay], [bx, by], [cx, cy]] = CORNERS;
+    const area = (by - cy) * (ax - cx) + (cx - bx) * (ay - cy);
+    const a = ((by - cy) * (x - cx) + (cx - bx) * (y - cy)) / area;
+    const b = ((cy - ay) * (x - cx) + (ax - cx) * (y - cy)) / area;
+    return inside2([a, b, 1 - a - b]);
+  }
+  function inside2(weights) {
+    const kept = weights.map((w) => Math.max(w, 0));
+    const total2 = kept.reduce((sum2, w) => sum2 + w, 0) || 1;
+    const shares2 = kept.map((w) => w / total2);
+    const corner = shares2.findIndex((w) => w > 1 - CORNER);
+    return shares2.map((w, k) => corner < 0 ? w : Number(k === corner));
+  }
+  function triangle(state3, hands2) {
+    const svg = svgElement("svg", { viewBox: "0 0 300 240", class: "blend-triangle" });
+    svg.append(svgElement("polygon", { points: CORNERS.map((c) => c.join()).join(" "), class: "blend-field" }));
+    CORNERS.forEach((corner, k) => {
+      const [x, y] = LABELS[k];
+      svg.append(svgElement("line", { x1: corner[0], y1: corner[1], x2: (CORNERS[(k + 1) % 3][0] + CORNERS[(k + 2) % 3][0]) / 2, y2: (CORNERS[(k + 1) % 3][1] + CORNERS[(k + 2) % 3][1]) / 2, class: "blend-median" }));
+      svg.append(svgElement("circle", { cx: corner[0], cy: corner[1], r: 4, class: "blend-corner" }));
+      svg.append(svgElement("text", { x, y, "text-anchor": "middle", class: "blend-corner-label" }, String(state3.chosen[k] + 1)));
+    });
+    const point = svgElement("circle", {
+      r: 10,
+      class: "blend-point",
+      tabindex: 0,
+      role: "slider",
+      "aria-label": "Mixture of three motions",
+      "aria-valuemin": 0,
+      "aria-valuemax": 100
+    });
+    svg.append(point);
+    const at3 = (event) => {
+      const spot = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
+      hands2.set(weightsAt(spot.x, spot.y));
+    };
+    svg.addEventListener("pointerdown", (event) => {
+      svg.setPointerCapture(event.pointerId);
+      point.focus();
+      at3(event);
+      event.preventDefault();
+    });
+    svg.addEventListener("pointermove", (event) => {
+      if (svg.hasPointerCapture(event.pointerId)) at3(event);
+    });
+    point.addEventListener("keydown", (event) => press2(event, state3, hands2));
+    return svg;
+  }
+  function press2(event, state3, hands2) {
+    const ways = { ArrowUp: [0, -1], ArrowDown: [0, 1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };
+    if (ways[event.key]) {
+      const [x, y] = place(inside2(state3.values));
+      const far = (event.shiftKey ? 5 : 1) * STEP * 244;
+      let weights = weightsAt(x + ways[event.key][0] * far, y + ways[event.key][1] * far);
+      const corner = state3.values.findIndex((w) => w === 1);
+      if (corner >= 0 && weights[corner] === 1) weights = away(corner, ways[event.key]);
+      hands2.set(weights);
+    } else if ("0123".includes(event.key)) {
+      hands2.set(event.key === "0" ? [1, 1, 1].map((w) => w / 3) : [0, 1, 2].map((k) => Number(k === Number(event.key) - 1)));
+    } else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+  function away(corner, [dx, dy]) {
+    const [x, y] = CORNERS[corner];
+    const gains = CORNERS.map(([cx, cy], k) => k === corner ? 0 : (cx - x) * dx + (cy - y) * dy);
+    const best = gains.indexOf(Math.max(...gains));
+    if (gains[best] <= 0) return [0, 1, 2].map((k) => Number(k === corner));
+    return [0, 1, 2].map((k) => k === corner ? 1 - 2 * CORNER : k === best ? 2 * CORNER : 0);
+  }
+  function row2(state3, i, hands2) {
+    const { motion, clip, brief, when } = state3.data.bodies[state3.body].motions.find((one) => one.motion === state3.chosen[i]);
+    const made = html("div", { class: "blend-row" });
+    const name = `Motion ${motion + 1}: ${clip}, ${when}`;
+    const only = html("button", { type: "button", class: "blend-badge number", title: `Only motion ${motion + 1}`, "aria-label": `Only motion ${motion + 1}` }, String(motion + 1));
+    only.addEventListener("click", () => hands2.set(state3.values.map((_, k) => Number(k === i))));
+    const middle = html("div", { class: "blend-middle" });
+    middle.append(html("span", { class: "ellipsis blend-name", title: name }, `${brief} · ${when.split(" ")[0]}`));
+    if (state3.chosen.length !== 3) {
+      const range = html("input", { type: "range", min: 0, max: 1, step: 0.01, "aria-label": `Weight of ${name}` });
+      range.addEventListener("input", () => hands2.set(state3.values.map((value, k) => k === i ? Number(range.value) : value)));
+      middle.append(range);
+    }
+    made.append(only, middle, html("span", { class: "number muted blend-share" }));
+    if (state3.chosen.length > 2) {
+      const remove = html("button", { type: "button", class: "blend-remove", title: "Leave this motion out", "aria-label": `Leave motion ${motion + 1} out` }, "×");
+      remove.addEventListener("click", () => hands2.remove(motion));
+      made.append(remove);
+    }
+    return made;
+  }
+  function choice(label, options, act2) {
+    const select2 = html("select", { class: "blend-choice", "aria-label": label });
+    for (const [value, text] of options) select2.append(html("option", { value }, text));
+    select2.addEventListener("change", () => act2(select2.value));
+    return select2;
+  }
+  function drawControls(box2, state3, shares2, hands2) {
+    const { bodies, most } = state3.data;
+    const controls = [];
+    if (bodies.length > 1) {
+      const bodyChoice = choice("Body", bodies.map(({ motions }, k) => [k, `Body ${k + 1}: ${motions.length} motions`]), (value) => hands2.body(Number(value)));
+      bodyChoice.value = String(state3.body);
+      controls.push(bodyChoice);
+    }
+    if (state3.chosen.length === 3) controls.push(triangle(state3, hands2));
+    const rows2 = html("div", { class: "blend-rows" });
+    rows2.append(...state3.chosen.map((_, i) => row2(state3, i, hands2)));
+    controls.push(rows2);
+    const others = bodies[state3.body].motions.filter(({ motion }) => !state3.chosen.includes(motion));
+    if (others.length && state3.chosen.length < most) {
+      const options = [["", "Add a motion …"], ...others.map(({ motion, brief, when }) => [motion, `${motion + 1}  ${brief} · ${when.split(" ")[0]}`])];
+      controls.push(choice("Add a motion", options, (value) => value && hands2.add(Number(value))));
+    }
+    box2.replaceChildren(...controls);
+    updateControls(state3, shares2);
+  }
+  function updateControls(state3, shares2) {
+    const box2 = find("blend-controls");
+    if (!box2) return;
+    box2.querySelectorAll(".blend-row").forEach((made, i) => {
+      made.querySelector(".blend-share").textContent = percent(shares2[i]);
+      made.style.setProperty("--share", shares2[i]);
+      const range = made.querySelector("input");
+      if (range && Number(range.value) !== state3.values[i]) range.value = state3.values[i];
+      if (range) range.setAttribute("aria-valuetext", percent(shares2[i]));
+    });
+    const point = box2.querySelector(".blend-point");
+    if (!point) return;
+    const [x, y] = place(shares2);
+    point.setAttribute("cx", x.toFixed(1));
+    point.setAttribute("cy", y.toFixed(1));
+    point.setAttribute("aria-valuenow", Math.round(100 * shares2[0]));
+    point.setAttribute("aria-valuetext", shares2.map((share2, k) => `motion ${state3.chosen[k] + 1} ${percent(share2)}`).join(", "));
+  }
+
+  // motifs/blend.mjs
+  var OURS = "~blend~";
+  var WAIT = 300;
+  var SOURCE = { light: "#9aa5b4", dark: "#7c8797" };
+  var now = null;
+  var seen;
+  var writing = 0;
+  var motionOf = (motion) => now.data.bodies[now.body].motions.find((one) => one.motion === motion);
+  var sum = (values) => values.reduce((total2, value) => total2 + value, 0);
+  function shares() {
+    const total2 = sum(now.values);
+    return now.values.map((value) => total2 > 0 ? value / total2 : 1 / now.values.length);
+  }
+  var rounded = (value) => String(Math.round(value * 100) / 100);
+  var pairs = (motions, values) => motions.map((motion, i) => `${motion}:${rounded(values[i])}`).join(",");
+  function linkText() {
+    const { data: data2, body: body2, chosen: chosen3, values } = now;
+    const first = body2 === 0 && chosen3.join() === data2.bodies[0].chosen.join() && values.every((v) => v === values[0]);
+    return first ? "" : pairs(chosen3, values);
+  }
+  function read(text) {
+    const found = [...(text || "").matchAll(/(\d+):([\d.]+)/g)].map(([, motion, value]) => [Number(motion), Math.min(Number(value) || 0, 1)]);
+    const body2 = now.data.bodies.findIndex(({ motions }) => found.length > 1 && found.every(([k]) => motions.some((one) => one.motion === k)));
+    if (body2 < 0) return false;
+    const kept = found.slice(0, now.data.most);
+    Object.assign(now, { body: body2, chosen: kept.map(([k]) => k), values: kept.map(([, v]) => v), written: text });
+    return true;
+  }
+  function start2(body2) {
+    const chosen3 = [...now.data.bodies[body2].chosen];
+    Object.assign(now, { body: body2, chosen: chosen3, values: chosen3.map(() => even(chosen3.length)) });
+  }
+  var even = (n) => n > 3 ? 0.5 : 1 / n;
+  function interpolate(x, xs, ys) {
+    let k = 1;
+    while (k < xs.length - 1 && xs[k] < x) k++;
+    const part2 = (x - xs[k - 1]) / Math.max(xs[k] - xs[k - 1], 1e-9);
+    return ys[k - 1] + (ys[k] - ys[k - 1]) * Math.min(Math.max(part2, 0), 1);
+  }
+  function inStep(used) {
+    const knots = used[0].one.seconds.map((_, i) => i);
+    const times = knots.map((i) => sum(used.map(({ one, share: share2 }) => share2 * one.seconds[i])));
+    const fps = Math.max(...used.map(({ one }) => one.fps));
+    const n = Math.round(times.at(-1) * fps) + 1;
+    const at3 = Array.from({ length: n }, (_, j) => interpolate(j / Math.max(n - 1, 1) * times.at(-1), times, knots));
+    const own2 = ({ one }) => at3.map((u) => Math.min(Math.round(interpolate(u, knots, one.seconds) * one.fps * 100) / 100, one.end - one.start - 1));
+    return { mixture: at3.map((_, j) => j), sources: used.map(own2) };
+  }
+  function mixtureName() {
+    const used = shares().map((share2, i) => [now.chosen[i], share2]).filter(([, share2]) => rounded(share2) !== "0");
+    used.sort(([a], [b]) => a - b);
+    return `${OURS}${now.data.key}~${now.data.motif}~${pairs(used.map(([k]) => k), used.map(([, share2]) => share2))}`;
+  }
+  function request() {
+    const { data: data2 } = now;
+    const made = { dataset: mixtureName(), clip: "blend", label: "Mixture" };
+    const title = `${data2.title}: mixture of ${shares().filter((share2) => rounded(share2) !== "0").length}`;
+    if (!now.sources) return { dataset: data2.dataset, items: [made], layout: "overlay", sync: "warp", title };
+    const used = shares().map((share2, i) => ({ share: share2, one: motionOf(now.chosen[i]) })).filter(({ share: share2 }) => rounded(share2) !== "0");
+    const warps = inStep(used);
+    const colour = SOURCE[document.documentElement.dataset.mantineColorScheme] || SOURCE.light;
+    const items = used.map(({ one }, i) => ({
+      clip: one.clip,
+      start: one.start,
+      end: one.end,
+      label: `Motion ${one.motion + 1}`,
+      version: data2.version,
+      colour,
+      warp: warps.sources[i]
+    }));
+    return { dataset: data2.dataset, items: [{ ...made, warp: warps.mixture }, ...items], layout: "overlay", sync: "warp", title };
+  }
+  var onStage = () => Boolean(player.frameOf(0)?.dataset?.startsWith(OURS));
+  function play2() {
+    const asked5 = request();
+    if (onStage()) player.replace(asked5);
+    else player.show(asked5);
+    const link2 = find("blend-bvh");
+    if (link2) link2.href = `/api/bvh/${encodeURIComponent(mixtureName())}/blend`;
+  }
+  function write() {
+    clearTimeout(writing);
+    writing = setTimeout(() => {
+      if (!now) return;
+      now.written = linkText();
+      changeView({ weights: now.written });
+    }, WAIT);
+  }
+  function changed() {
+    updateControls(now, shares());
+    play2();
+    write();
+  }
+  function chooseAgain(body2, chosen3, values) {
+    Object.assign(now, { body: body2, chosen: chosen3, values });
+    show2();
+    write();
+  }
+  var actions = {
+    mean: () => now.values.fill(even(now.values.length)),
+    random() {
+      const drawn7 = now.values.map(() => -Math.log(Math.max(Math.random(), 1e-9)));
+      const scale3 = now.values.length > 3 ? Math.max(...drawn7) : sum(drawn7);
+      now.values = drawn7.map((value) => Math.round(value / scale3 * 100) / 100);
+    },
+    sources() {
+      now.sources = !now.sources;
+    }
+  };
+  var hands = {
+    set(values) {
+      now.values = values;
+      changed();
+    },
+    body(number3) {
+      start2(number3);
+      chooseAgain(now.body, now.chosen, now.values);
+    },
+    add(motion) {
+      const chosen3 = [...now.chosen, motion];
+      chooseAgain(now.body, chosen3, chosen3.map(() => even(chosen3.length)));
+    },
+    remove(motion) {
+      const chosen3 = now.chosen.filter((one) => one !== motion);
+      chooseAgain(now.body, chosen3, chosen3.map(() => even(chosen3.length)));
+    }
+  };
+  document.addEventListener("click", (event) => {
+    const button4 = event.target.closest && event.target.closest("[data-blend]");
+    if (!button4 || !now) return;
+    const action = button4.dataset.blend;
+    if (action === "middles") return player.show(now.data.middles);
+    actions[action]();
+    if (action === "sources") button4.setAttribute("aria-pressed", String(now.sources));
+    changed();
+  });
+  function show2(quiet2) {
+    const { data: data2 } = now;
+    find("blend-title").textContent = data2.title;
+    const body2 = data2.bodies[now.body];
+    find("blend-count").textContent = `${now.chosen.length} of ${data2.total} motions`;
+    const others = data2.total - body2.motions.length;
+    find("blend-note").textContent = others ? `${others} of its ${data2.total} motions are of other bodies; only motions of one body can be mixed.` : "";
+    drawControls(find("blend-controls"), now, shares(), hands);
+    if (!quiet2) play2();
+  }
+  function message(text) {
+    find("blend-hint").textContent = text;
+    find("blend-hint").classList.toggle("hidden", !text);
+    find("blend-panel").classList.toggle("hidden", Boolean(text));
+  }
+  function leave(selection) {
+    if (now && onStage() && selection) setStore("selection", { ...selection });
+    now = null;
+  }
+  function begin(data2, view4, selection, linked) {
+    now = { data: data2, body: 0, chosen: [], values: [], sources: false, written: "" };
+    start2(0);
+    if (linked && view4.weights) read(view4.weights);
+    else if (view4.weights) changeView({ weights: "" });
+    const stills = !seen && new URLSearchParams(location.search).get("layout") === "pose";
+    show2(stills || selection && selection.motion !== void 0);
+    if (stills) player.show(data2.middles);
+    document.querySelector("[data-blend='sources']").setAttribute("aria-pressed", "false");
+  }
+  function take(data2, view4, selection) {
+    const name = `${data2.key} ${data2.motif}`;
+    const linked = !seen || seen === name;
+    if (data2.motif === void 0 || data2.motif === null) {
+      now = null;
+      message("Choose a motif to mix its motions.");
+    } else if (!data2.bodies || !data2.bodies.length) {
+      now = null;
+      message("No two motions of this motif are of one body, so there is nothing to mix.");
+      if (data2.together && seen !== name) player.show(data2.together);
+    } else {
+      message("");
+      if (!now || `${now.data.key} ${now.data.motif}` !== name) begin(data2, view4, selection, linked);
+      else if (!find("blend-controls").childElementCount) show2(true);
+      else if ((view4.weights || "") !== now.written && read(view4.weights)) show2();
+    }
+    seen = name;
+  }
+  register("blend", {
+    draw(data2, view4, _id, selection) {
+      if (!view4 || view4.side !== "blend") {
+        leave(selection);
+        return clientside.no_update;
+      }
+      if (!data2 || !find("blend-panel")) return clientside.no_update;
+      take(data2, view4, selection);
+      return clientside.no_update;
+    }
+  });
+
+  // motifs/compare.mjs
+  var BAR = 12;
+  var LABEL = 40;
+  var LEAST_LABEL = 9;
+  var shown3 = null;
+  var drawing2 = (name, attributes, title) => svgElement(name, attributes, ...title ? [svgElement("title", {}, title)] : []);
+  function choose(a, b) {
+    if (a !== null && a !== void 0) return setStore("selection", { motif: a });
+    if (b === null || b === void 0) return;
+    changeView({ gained: String(b) });
+    setStore("selection", {});
+  }
+  function here(bar) {
+    if (bar.side === "a") return bar.motif;
+    const links = shown3.data.ribbons.filter((r) => r.b === bar.motif && r.a !== null && r.kind !== "rest");
+    return links.length ? links.reduce((best, r) => r.h > best.h ? r : best).a : null;
+  }
+  function pressable(node, label, act2) {
+    node.setAttribute("tabindex", "0");
+    node.setAttribute("role", "button");
+    node.setAttribute("aria-label", label);
+    node.addEventListener("click", act2);
+    node.addEventListener("keydown", (event) => {
+      if (event.key !== "Enter" && event.key !== " ") return;
+      event.preventDefault();
+      act2();
+    });
+  }
+  function drawBar(svg, bar, width) {
+    const left = bar.side === "a";
+    const x = left ? LABEL : width - LABEL - BAR;
+    const group = drawing2("g", { class: `flow-bar change-${bar.change || "none"}`, "data-side": bar.side, "data-motif": bar.motif ?? "" }, bar.title);
+    group.appendChild(drawing2("rect", { x, y: bar.y, width: BAR, height: Math.max(bar.h, 1), rx: 2 }));
+    if (bar.h >= LEAST_LABEL) {
+      const at3 = { x: left ? x - 6 : x + BAR + 6, y: bar.y + bar.h / 2, "text-anchor": left ? "end" : "start" };
+      group.appendChild(drawing2("text", { ...at3, "dominant-baseline": "central" })).textContent = bar.label;
+    }
+    if (bar.motif !== null) pressable(group, bar.title, () => choose(here(bar), bar.motif));
+    svg.appendChild(group);
+  }
+  function drawRibbon(svg, ribbon, width, changes) {
+    const [x0, x1] = [LABEL + BAR + 1, width - LABEL - BAR - 1];
+    const bend = (x0 + x1) / 2, { ya, yb, h } = ribbon;
+    const path2 = `M${x0},${ya} C${bend},${ya} ${bend},${yb} ${x1},${yb} L${x1},${yb + h} C${bend},${yb + h} ${bend},${ya + h} ${x0},${ya + h} Z`;
+    const change = ribbon.kind === "kept" ? "kept" : ribbon.kind === "linked" ? changes(ribbon) : "none";
+    const one = drawing2("path", { d: path2, class: `flow-ribbon change-${change}`, "data-a": ribbon.a ?? "", "data-b": ribbon.b ?? "" }, ribbon.title);
+    one.addEventListener("click", () => choose(ribbon.a, ribbon.b));
+    svg.appendChild(one);
+  }
+  function draw2() {
+    const box2 = document.getElementById("compare-flow");
+    if (!box2 || !shown3 || !shown3.data || !box2.clientWidth) return;
+    const width = box2.clientWidth, { height, bars, ribbons } = shown3.data;
+    const svg = drawing2("svg", { width, height, viewBox: `0 0 ${width} ${height}`, role: "group", "aria-label": "Motion that motifs of both results share" });
+    const change = new Map(bars.map((bar) => [bar.side + bar.motif, bar.change]));
+    const changes = (ribbon) => change.get("a" + ribbon.a) === "kept" ? change.get("b" + ribbon.b) : change.get("a" + ribbon.a);
+    const rank = { rest: 0, linked: 1, kept: 2 };
+    [...ribbons].sort((r, s) => rank[r.kind] - rank[s.kind]).forEach((ribbon) => drawRibbon(svg, ribbon, width, changes));
+    bars.forEach((bar) => drawBar(svg, bar, width));
+    box2.replaceChildren(svg);
+    mark();
+  }
+  function mark() {
+    const box2 = document.getElementById("compare-flow");
+    if (!box2 || !shown3) return;
+    const a = String(shown3.selection?.motif ?? ""), b = a ? "" : String(shown3.gained ?? "");
+    const touches = (node) => a && node.dataset.a === a || b && node.dataset.b === b || node.dataset.side === "a" && a && node.dataset.motif === a || node.dataset.side === "b" && b && node.dataset.motif === b;
+    box2.classList.toggle("some-chosen", Boolean(a || b));
+    for (const node of box2.querySelectorAll(".flow-bar, .flow-ribbon")) node.classList.toggle("chosen", Boolean(touches(node)));
+  }
+  var watched = /* @__PURE__ */ new WeakSet();
+  function watch(box2) {
+    if (watched.has(box2)) return;
+    watched.add(box2);
+    let width = 0;
+    new ResizeObserver(() => {
+      if (box2.clientWidth && box2.clientWidth !== width) draw2();
+      width = box2.clientWidth;
+    }).observe(box2);
+  }
+  register("compare", {
+    draw(data2, selection, view4) {
+      shown3 = { data: data2, selection, gained: (view4 || {}).gained };
+      const box2 = document.getElementById("compare-flow");
+      if (!data2 || !box2) return clientside.no_update;
+      watch(box2);
+      draw2();
+      return clientside.no_update;
+    },
+    play(request5) {
+      if (request5) setStore("stage-request", request5);
+      return clientside.no_update;
+    },
+    mark(selection, view4) {
+      if (shown3) Object.assign(shown3, { selection, gained: (view4 || {}).gained });
+      mark();
+      return clientside.no_update;
+    }
+  });
+  var WORDS2 = { kept: "Kept", split: "Split", merged: "Merged", lost: "Gone", gained: "New" };
+  cellRenderers.Change = (props) => props.value ? reactElement("span", { className: "change-mark change-" + props.value }, WORDS2[props.value] || props.value) : null;
+  cellRenderers.Share = (props) => typeof props.value === "number" ? reactElement(
+    "span",
+    { className: "share-bar number", title: Math.round(100 * props.value) + " %" },
+    reactElement("span", { className: "share-track" }, reactElement("span", { className: "share-fill", style: { width: 100 * props.value + "%" } })),
+    reactElement("span", { className: "share-number" }, Math.round(100 * props.value) + " %")
+  ) : null;
+
+  // motifs/walk_state.mjs
+  var walking = { on: false };
+
+  // motifs/graph.mjs
+  var ID = "motif-graph";
+  async function graphReady(tries = 100) {
+    for (let i = 0; i < tries; i++) {
+      const box2 = document.getElementById(ID);
+      const cy = box2 && box2._cyreg && box2._cyreg.cy;
+      if (cy && !cy.destroyed() && cy.elements().length) return cy;
+      await new Promise((resolve) => setTimeout(resolve, 30));
+    }
+    return null;
+  }
+  function chosenIn(cy, selection) {
+    if (!selection) return cy.collection();
+    if (selection.motif !== void 0) return cy.getElementById("m" + selection.motif);
+    if (selection.motifs !== void 0) return cy.nodes().filter((node) => selection.motifs.split("-").includes(String(node.data("motif"))));
+    if (selection.edge !== void 0) return cy.getElementById("e" + selection.edge);
+    return cy.collection();
+  }
+  var selectionOf = (element2) => element2.isNode() ? { motif: element2.data("motif") } : { edge: element2.data("edge") };
+  var watched2 = /* @__PURE__ */ new WeakSet();
+  function watch2(cy) {
+    if (watched2.has(cy)) return;
+    watched2.add(cy);
+    const box2 = cy.container();
+    box2.tabIndex = 0;
+    box2.setAttribute("role", "application");
+    box2.setAttribute("aria-label", "Motif graph. Arrow keys move, plus and minus zoom, 0 shows all. The table below lists the same motifs.");
+    box2.addEventListener("keydown", (event) => {
+      const step3 = { ArrowLeft: [60, 0], ArrowRight: [-60, 0], ArrowUp: [0, 60], ArrowDown: [0, -60] }[event.key];
+      if (step3) cy.panBy({ x: step3[0], y: step3[1] });
+      else if (event.key === "+" || event.key === "=") zoom2(cy, 1.25);
+      else if (event.key === "-") zoom2(cy, 0.8);
+      else if (event.key === "0") cy.fit(void 0, 26);
+      else return;
+      event.preventDefault();
+      event.stopPropagation();
+    });
+    let touched = false;
+    cy.on("pan zoom", (event) => {
+      if (event.target === cy && cy._byHand) touched = true;
+    });
+    box2.addEventListener("wheel", () => {
+      touched = true;
+    }, { passive: true });
+    box2.addEventListener("pointerdown", () => {
+      touched = true;
+    });
+    new ResizeObserver(() => {
+      if (cy.destroyed()) return;
+      cy.resize();
+      if (!touched) cy.fit(void 0, 26);
+    }).observe(box2);
+    cy.on("mouseover", "node, edge", (event) => {
+      box2.style.cursor = "pointer";
+      event.target.addClass("pointed");
+      readable(cy);
+      ahead.prepare(selectionOf(event.target), true);
+    });
+    cy.on("mouseout", "node, edge", (event) => {
+      box2.style.cursor = "";
+      event.target.removeClass("pointed");
+      readable(cy);
+      ahead.leave();
+    });
+    let pressed = null;
+    cy.on("tapstart", "node, edge", (event) => {
+      pressed = event;
+      ahead.prepare(selectionOf(event.target));
+    });
+    cy.on("tapend", "node, edge", (event) => {
+      const [a, b] = [pressed?.renderedPosition, event.renderedPosition];
+      const tapped = pressed?.target === event.target && Math.hypot(a.x - b.x, a.y - b.y) < 6;
+      if (tapped && !walking.on) ahead.play(selectionOf(event.target));
+    });
+    cy.on("zoom", () => cy.elements(".readable").data("letters", letters(cy)));
+    const looks = new MutationObserver(() => cy.destroyed() ? looks.disconnect() : rasterise(cy));
+    looks.observe(document.documentElement, { attributes: true, attributeFilter: ["data-mantine-color-scheme"] });
+    cy.autoungrabify(true);
+    cy.fit(void 0, 26);
+  }
+  var letters = (cy) => Math.max(12, 11 / cy.zoom());
+  function readable(cy) {
+    const wanted2 = cy.elements(".pointed, .chosen, edge.near");
+    cy.batch(() => {
+      cy.elements(".readable").difference(wanted2).removeClass("readable");
+      wanted2.data("letters", letters(cy)).addClass("readable");
+    });
+  }
+  var SHARPNESS = 3;
+  var drawn = /* @__PURE__ */ new Map();
+  function pixels(address2, width, height) {
+    const key = `${width}x${height} ${address2}`;
+    if (!drawn.has(key)) {
+      drawn.set(key, new Promise((resolve) => {
+        const image = new Image();
+        image.onload = () => {
+          const scale3 = SHARPNESS * Math.min(width / image.width, height / image.height);
+          const canvas = document.createElement("canvas");
+          canvas.width = Math.max(1, Math.round(image.width * scale3));
+          canvas.height = Math.max(1, Math.round(image.height * scale3));
+          canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
+          canvas.toBlob((blob) => resolve(blob ? URL.createObjectURL(blob) : address2));
+        };
+        image.onerror = () => resolve(address2);
+        image.src = address2;
+      }));
+    }
+    return drawn.get(key);
+  }
+  async function rasterise(cy) {
+    const field = "icon_" + (document.documentElement.dataset.mantineColorScheme || "light");
+    const vector = cy.nodes().filter((node) => (node.data(field) || "").startsWith("data:image/svg"));
+    const images = await Promise.all(vector.map((node) => pixels(node.data(field), node.data("width"), node.data("height"))));
+    if (!cy.destroyed()) cy.batch(() => vector.forEach((node, i) => {
+      node.data(field, images[i]);
+    }));
+  }
+  function zoom2(cy, factor) {
+    const box2 = cy.container().getBoundingClientRect();
+    cy.zoom({ level: cy.zoom() * factor, renderedPosition: { x: box2.width / 2, y: box2.height / 2 } });
+  }
+  var taps = 0;
+  register("graph", {
+    async tapped(node, edge) {
+      if (walking.on) return clientside.no_update;
+      const which = clientside.callback_context.triggered.map((item) => item.prop_id).join(" ");
+      const mine2 = ++taps;
+      await ahead.settled();
+      if (mine2 !== taps) return clientside.no_update;
+      if (which.includes("tapNodeData") && node) setStore("selection", { motif: node.motif });
+      else if (which.includes("tapEdgeData") && edge) setStore("selection", { edge: edge.edge });
+      return clientside.no_update;
+    },
+    async mark(selection, threshold) {
+      const cy = await graphReady();
+      if (!cy) return clientside.no_update;
+      watch2(cy);
+      rasterise(cy);
+      const label = document.getElementById("edge-filter-label");
+      if (label) label.textContent = `Successions seen at least ${threshold || 1}×`;
+      cy.batch(() => {
+        cy.elements().removeClass("chosen near faded rare");
+        const chosen3 = chosenIn(cy, selection);
+        const near = chosen3.length === 1 && chosen3.isNode() ? chosen3.closedNeighborhood() : chosen3.union(chosen3.connectedNodes());
+        cy.edges().forEach((edge) => {
+          if (edge.data("count") < (threshold || 1) && !near.contains(edge)) edge.addClass("rare");
+        });
+        if (chosen3.nonempty()) {
+          cy.elements().difference(near).addClass("faded");
+          near.difference(chosen3).addClass("near");
+          chosen3.addClass("chosen");
+        }
+        readable(cy);
+      });
+      return clientside.no_update;
+    },
+    async tool(request5, dataset2) {
+      const cy = request5 && await graphReady(10);
+      if (!cy) return clientside.no_update;
+      const background = getComputedStyle(document.documentElement).getPropertyValue("--surface").trim();
+      const name = (dataset2 || "motifs") + "-graph";
+      if (request5.graph === "in") zoom2(cy, 1.3);
+      else if (request5.graph === "out") zoom2(cy, 1 / 1.3);
+      else if (request5.graph === "fit") cy.animate({ fit: { padding: 26 }, duration: 200 });
+      else if (request5.graph === "png") save(await cy.png({ output: "blob-promise", full: true, scale: 2, bg: background, maxWidth: 8e3, maxHeight: 8e3 }), name + ".png");
+      return clientside.no_update;
+    }
+  });
+
+  // motifs/motion_list.mjs
+  function row3({ clip, brief, when, strip, selection, chosen: chosen3 }) {
+    const button4 = element("button", "motion-row" + (chosen3 ? " chosen" : ""));
+    button4.type = "button";
+    button4.title = `Play ${clip}, ${when}, alone`;
+    button4.dataset.store = "selection";
+    button4.dataset.value = JSON.stringify(selection);
+    button4.setAttribute("aria-pressed", String(chosen3));
+    const picture = element("img", "motion-strip");
+    Object.assign(picture, { loading: "lazy", alt: "", draggable: false, src: strip });
+    button4.append(icon("play"), element("span", "ellipsis motion-clip", brief), element("span", "muted number motion-time", when), picture);
+    return button4;
+  }
+  register("motions", {
+    list(motions) {
+      const box2 = document.getElementById("motion-list");
+      if (!box2) return clientside.no_update;
+      const { name = "", rows: rows2 = [], more: more2 = 0 } = motions || {};
+      const same4 = box2.dataset.name === name;
+      const top = same4 ? box2.scrollTop : 0;
+      const focused = same4 ? [...box2.children].indexOf(document.activeElement) : -1;
+      box2.dataset.name = name;
+      box2.replaceChildren(...rows2.map(row3));
+      if (more2) box2.append(element("div", "muted selection-more", `and ${more2} more`));
+      box2.scrollTop = top;
+      if (focused >= 0) box2.children[focused]?.focus({ preventScroll: true });
+      return clientside.no_update;
+    }
+  });
+
+  // motifs/names.mjs
+  var LONGEST = 26;
+  var short = (text) => text.length > LONGEST ? text.slice(0, LONGEST - 1) + "…" : text;
+  register("names", {
+    async draw(said2) {
+      const cy = await graphReady();
+      if (!cy) return clientside.no_update;
+      cy.batch(() => cy.nodes("[motif >= 0]").forEach((node) => {
+        if (node.data("plain") === void 0) node.data("plain", node.data("label"));
+        const [name] = (said2 || {})[node.data("motif")] || [];
+        const label = name ? `${short(name)} · ${node.data("plain").split(" · ").pop()}` : node.data("plain");
+        if (node.data("label") !== label) node.data("label", label);
+      }));
+      return clientside.no_update;
+    },
+    // Rows that do not match leave the table, their boxes fade in the graph.
+    async search(text, rows2) {
+      const words3 = (text || "").toLowerCase().split(/\s+/).filter(Boolean);
+      const api = await gridApi("motif-table");
+      if (api) api.setGridOption("quickFilterText", text || "");
+      const cy = await graphReady(3);
+      if (!cy) return clientside.no_update;
+      const fits = (row8) => {
+        const all = ["id", "name", "tags", "note", "label"].map((field) => row8[field] ?? "").join(" ").toLowerCase();
+        return words3.every((word) => all.includes(word));
+      };
+      const found = new Set((rows2 || []).filter(fits).map((row8) => "m" + row8.id));
+      cy.batch(() => cy.nodes("[motif >= 0]").forEach((node) => {
+        node.toggleClass("unmatched", words3.length > 0 && !found.has(node.id()));
+      }));
+      return clientside.no_update;
+    }
+  });
+
+  // motifs/stability.mjs
+  var shown4 = null;
+  var of = (motif) => shown4 ? shown4.motifs[motif] : void 0;
+  function rate(node) {
+    const found = of(node.data("motif"));
+    if (!found) return;
+    const label = `${node.data("label")} · ${percent(found.overall)}`;
+    if (node.data("rated") !== label) node.data({ rated: label, stability: found.overall });
+    node.addClass("rated");
+  }
+  var watched3 = /* @__PURE__ */ new WeakSet();
+  function watch3(cy) {
+    if (watched3.has(cy)) return;
+    watched3.add(cy);
+    cy.on("data", "node[motif >= 0]", (event) => rate(event.target));
+  }
+  function words2(motif) {
+    const found = of(motif);
+    if (!found) return "Choose a box to see how it fared.";
+    const kinds2 = [["noise", "with noise"], ["seed", "from other seeds"], ["parameters", "with settings a step away"]];
+    const each = kinds2.filter(([kind]) => kind in found).map(([kind, name]) => `${percent(found[kind])} ${name}`);
+    return `Motif ${motif}: ${percent(found.overall)}, kept in ${found.kept} of ${shown4.repeats} repeats (${each.join(", ")}).`;
+  }
+  gridFunctions.stabilityOf = (params) => (params.data && of(params.data.id)?.overall) ?? null;
+  register("stability", {
+    async draw(data2, _elements, selection) {
+      shown4 = data2 || null;
+      const legend3 = document.getElementById("stability-legend");
+      if (legend3) legend3.classList.toggle("hidden", !shown4);
+      const place6 = document.getElementById("stability-words");
+      if (place6 && shown4) place6.textContent = words2((selection || {}).motif);
+      const cy = await graphReady();
+      if (!cy) return clientside.no_update;
+      watch3(cy);
+      cy.batch(() => {
+        if (shown4) cy.nodes("[motif >= 0]").forEach(rate);
+        else cy.nodes(".rated").removeClass("rated");
+      });
+      return clientside.no_update;
+    },
+    async list(data2) {
+      shown4 = data2 || null;
+      const api = await gridApi("motif-table");
+      if (!api) return clientside.no_update;
+      api.setColumnsVisible(["stability"], Boolean(shown4));
+      api.refreshCells({ columns: ["stability"], force: true });
+      return clientside.no_update;
+    }
+  });
+
+  // motifs/timeline.mjs
+  var place2 = (node, start3, end, seconds) => {
+    node.style.left = 100 * start3 / seconds + "%";
+    node.style.width = Math.max(100 * (end - start3) / seconds, 0.15) + "%";
+  };
+  function labelBlock([start3, end, action], { actions: actions4, colours }, seconds) {
+    const block2 = element("span", "timeline-label", actions4[action]);
+    block2.title = `${actions4[action]}, ${clock(start3)} to ${clock(end)}`;
+    block2.style.setProperty("--tone", colours[action]);
+    place2(block2, start3, end, seconds);
+    return block2;
+  }
+  function motionBlock([start3, end, motif, number3], motifs2, seconds) {
+    const { name, colour: tone, motions } = motifs2[motif];
+    const block2 = element("button", "timeline-motion");
+    block2.append(element("span", motif < 100 ? "" : "timeline-hundred", String(motif)));
+    block2.type = "button";
+    block2.tabIndex = -1;
+    block2.title = `${name}, motion ${number3 + 1} of ${motions}, ${clock(start3)} to ${clock(end)}`;
+    block2.setAttribute("aria-label", block2.title);
+    block2.dataset.store = "selection";
+    block2.dataset.value = JSON.stringify({ motif, motion: number3 });
+    block2.dataset.motif = motif;
+    block2.style.setProperty("--tone", tone);
+    place2(block2, start3, end, seconds);
+    return block2;
+  }
+  function row4(clip, data2, longest2, fill) {
+    const line2 = element("div", "timeline-row");
+    line2.setAttribute("role", "listitem");
+    const head3 = element("button", "timeline-clip");
+    head3.type = "button";
+    head3.title = `Play ${clip.clip}`;
+    head3.setAttribute("aria-label", `${head3.title}, ${Math.round(100 * clip.share)} % in motifs`);
+    head3.dataset.store = "selection";
+    head3.dataset.value = JSON.stringify({ clip: clip.clip });
+    head3.append(element("span", "ellipsis", clip.brief), element("span", "muted number", `${Math.round(100 * clip.share)} %`));
+    const track = element("div", "timeline-track");
+    const time = element("div", "timeline-time");
+    time.style.width = fill ? "100%" : Math.max(100 * clip.seconds / longest2, 0.5) + "%";
+    time.dataset.clip = clip.clip;
+    time.dataset.seconds = clip.seconds;
+    time.dataset.fps = clip.fps;
+    if (data2.actions.length) {
+      const labels2 = element("div", "timeline-labels");
+      labels2.append(...clip.labels.map((label) => labelBlock(label, data2, clip.seconds)));
+      time.append(labels2);
+    }
+    const motions = element("div", "timeline-motions");
+    motions.append(...clip.motions.map((motion) => motionBlock(motion, data2.motifs, clip.seconds)));
+    if (motions.firstChild) motions.firstChild.tabIndex = 0;
+    time.append(motions, element("div", "timeline-now"));
+    track.append(time);
+    line2.append(head3, track);
+    return line2;
+  }
+  function ordered(rows2, order, motif) {
+    const has = ({ motions }) => motions.filter((motion) => String(motion[2]) === String(motif)).length;
+    if (order === "share") return [...rows2].sort((a, b) => a.share - b.share);
+    if (order === "chosen") return [...rows2].sort((a, b) => has(b) - has(a));
+    return rows2;
+  }
+  function legend2(box2, { actions: actions4, colours }) {
+    box2.replaceChildren(...actions4.slice(0, 24).map((action, i) => {
+      const entry = element("span", "timeline-key", action);
+      entry.style.setProperty("--tone", colours[i]);
+      return entry;
+    }));
+    if (actions4.length > 24) box2.append(element("span", "muted", `and ${actions4.length - 24} more`));
+  }
+  function mark2(box2, selection) {
+    chosen2 = selection;
+    const motif = selection && selection.motif !== void 0 ? String(selection.motif) : null;
+    box2.classList.toggle("one-motif", motif !== null);
+    for (const block2 of box2.querySelectorAll(".timeline-motion")) {
+      block2.classList.toggle("same", block2.dataset.motif === motif);
+      const { motion } = JSON.parse(block2.dataset.value);
+      block2.setAttribute("aria-pressed", String(block2.dataset.motif === motif && String(selection.motion) === String(motion)));
+    }
+    for (const head3 of box2.querySelectorAll(".timeline-clip")) {
+      head3.classList.toggle("chosen", Boolean(selection && selection.clip === JSON.parse(head3.dataset.value).clip));
+    }
+  }
+  function move2(event) {
+    const block2 = event.target.closest(".timeline-motion");
+    if (!block2) return;
+    const siblings = [...block2.parentNode.children];
+    const lines = [...block2.closest(".timeline-rows").querySelectorAll(".timeline-motions:not(:empty)")];
+    const at3 = siblings.indexOf(block2);
+    const line2 = lines.indexOf(block2.parentNode);
+    const next2 = {
+      ArrowRight: () => siblings[at3 + 1],
+      ArrowLeft: () => siblings[at3 - 1],
+      ArrowDown: () => lines[line2 + 1]?.firstChild,
+      ArrowUp: () => lines[line2 - 1]?.firstChild
+    }[event.key];
+    if (!next2) return;
+    event.preventDefault();
+    event.stopPropagation();
+    next2()?.focus();
+  }
+  document.addEventListener("keydown", move2);
+  var shown5 = [];
+  function cursor() {
+    const box2 = document.getElementById("timeline-rows");
+    if (!box2 || !box2.offsetParent) return;
+    const now6 = /* @__PURE__ */ new Map();
+    for (let i = 0; i < 24; i++) {
+      const item = player.frameOf(i);
+      if (!item) break;
+      if (!String(item.dataset || "").startsWith("~")) now6.set(item.clip, item.frame);
+    }
+    for (const line2 of shown5) if (!now6.has(line2.parentNode.dataset.clip)) line2.style.display = "";
+    shown5 = [];
+    for (const [clip, frame] of now6) {
+      const time = box2.querySelector(`.timeline-time[data-clip="${CSS.escape(clip)}"]`);
+      if (!time) continue;
+      const line2 = time.lastChild;
+      line2.style.display = "block";
+      line2.style.left = 100 * frame / time.dataset.fps / time.dataset.seconds + "%";
+      shown5.push(line2);
+    }
+  }
+  setInterval(cursor, 80);
+  var drawn2 = null;
+  function drawing3(selection) {
+    if (!drawn2) return null;
+    const motif = selection && selection.motif !== void 0 ? { motif: selection.motif } : {};
+    const scheme = document.documentElement.dataset.mantineColorScheme || "light";
+    return `${drawn2.data.drawing}&${new URLSearchParams({ order: drawn2.order, scale: drawn2.scale, ...motif, scheme })}`;
+  }
+  var chosen2 = null;
+  drawings.timeline = () => drawing3(chosen2);
+  function draw3(data2, order, scale3, selection) {
+    const box2 = document.getElementById("timeline-rows");
+    if (!box2 || !data2) return clientside.no_update;
+    const wanted2 = { data: data2, order, scale: scale3, motif: order === "chosen" ? (selection || {}).motif : null };
+    const same4 = drawn2 && box2.firstChild && Object.keys(wanted2).every((key) => wanted2[key] === drawn2[key]);
+    if (!same4) {
+      drawn2 = wanted2;
+      const longest2 = Math.max(...data2.rows.map((clip) => clip.seconds), 1e-3);
+      const rows2 = ordered(data2.rows, order, (selection || {}).motif);
+      box2.classList.toggle("labelled", data2.actions.length > 0);
+      box2.replaceChildren(...rows2.map((clip) => row4(clip, data2, longest2, scale3 === "fill")));
+      legend2(document.getElementById("timeline-legend"), data2);
+    }
+    mark2(box2, selection);
+    return clientside.no_update;
+  }
+  register("timeline", {
+    draw: draw3,
+    mark(selection, order) {
+      if (drawn2 && order === "chosen") draw3(drawn2.data, order, drawn2.scale, selection);
+      const box2 = document.getElementById("timeline-rows");
+      if (box2) mark2(box2, selection);
+      return clientside.no_update;
+    }
+  });
+
+  // motifs/walk_graph.mjs
+  var watched4 = /* @__PURE__ */ new WeakSet();
+  function watch4(cy, steps2) {
+    if (watched4.has(cy)) return;
+    watched4.add(cy);
+    cy.on("tap", "node", (event) => walking.on && steps2.add(event.target.data("motif")));
+    cy.on("tap", "edge", (event) => {
+      if (!walking.on) return;
+      steps2.follow(event.target.source().data("motif"), event.target.target().data("motif"));
+    });
+  }
+  var further = ([source, target2]) => ({
+    group: "edges",
+    classes: "further",
+    selectable: false,
+    data: { id: `w${source}-${target2}`, source: `m${source}`, target: `m${target2}`, width: 2.5 }
+  });
+  var turn2 = 0;
+  async function markWalk(data2, on2, steps2) {
+    const mine2 = ++turn2;
+    const cy = await graphReady(on2 ? 100 : 1);
+    if (!cy || mine2 !== turn2) return;
+    watch4(cy, steps2);
+    const links = new Set((data2.path || []).slice(1).map((motif, i) => `${data2.path[i]}-${motif}`));
+    const wanted2 = on2 ? (data2.further || []).filter(([a, b]) => cy.getElementById(`m${a}`).nonempty() && cy.getElementById(`m${b}`).nonempty()) : [];
+    const kept = new Set(wanted2.map(([a, b]) => `w${a}-${b}`));
+    cy.batch(() => {
+      cy.edges(".further").filter((edge) => !kept.has(edge.id())).remove();
+      cy.add(wanted2.filter(([a, b]) => cy.getElementById(`w${a}-${b}`).empty()).map(further));
+      cy.nodes().forEach((node) => {
+        node.toggleClass("walked", on2 && (data2.path || []).includes(node.data("motif")));
+        node.toggleClass("dead-end", on2 && (data2.dead || []).includes(node.data("motif")));
+      });
+      cy.edges().forEach((edge) => {
+        edge.toggleClass("walked", on2 && links.has(edge.id().slice(1)));
+      });
+      if (!on2) cy.nodes(".lit").removeClass("lit");
+    });
+  }
+  async function lightMotif(motif) {
+    const cy = await graphReady(1);
+    if (!cy) return;
+    cy.batch(() => {
+      cy.nodes(".lit").removeClass("lit");
+      if (motif !== null) cy.getElementById(`m${motif}`).addClass("lit");
+    });
+  }
+
+  // motifs/walk_path.mjs
+  var path = { ids: [], hands: null, focus: void 0 };
+  var LINKS = { further: "A further transition point, inside the motions", bridge: "Bridged by a blend: not in the recordings" };
+  function moved(ids, from, to) {
+    const next2 = [...ids];
+    next2.splice(to, 0, ...next2.splice(from, 1));
+    return next2;
+  }
+  var without = (ids, at3) => ids.filter((_, i) => i !== at3);
+  function chip(motif, at3, data2, hands2) {
+    const name = data2.motifs?.find((one) => one.id === motif)?.name || "";
+    const item = element("li", "walk-step");
+    const kind = data2.kinds?.[at3 - 1];
+    if (at3 && kind && kind !== "seen") {
+      const mark3 = element("span", "walk-link", "⇢");
+      mark3.title = LINKS[kind];
+      item.append(mark3);
+    }
+    const box2 = element("span", "walk-chip");
+    box2.draggable = true;
+    box2.dataset.at = at3;
+    if (data2.gap && at3 && data2.path[at3 - 1] === data2.gap[0] && motif === data2.gap[1]) box2.classList.add("gap");
+    if (data2.dead?.includes(motif) && at3 === data2.path.length - 1) box2.classList.add("dead");
+    const go = element("button", "walk-go");
+    go.type = "button";
+    go.append(element("b", "", String(motif)));
+    if (name) go.append(element("span", "walk-name", name));
+    go.title = `Motif ${motif}${name ? `, ${name}` : ""}: play from here. Alt and arrow keys move it, Delete takes it away.`;
+    go.addEventListener("click", () => hands2.jump(at3));
+    go.addEventListener("keydown", (event) => {
+      const ids = data2.path;
+      const step3 = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+      if (event.altKey && step3 && at3 + step3 >= 0 && at3 + step3 < ids.length) {
+        path.focus = at3 + step3;
+        hands2.write(moved(ids, at3, at3 + step3));
+      } else if (event.key === "Delete" || event.key === "Backspace") {
+        path.focus = Math.max(0, at3 - 1);
+        hands2.write(without(ids, at3));
+      } else return;
+      event.preventDefault();
+      event.stopPropagation();
+    });
+    const away2 = element("button", "walk-away", "×");
+    away2.type = "button";
+    away2.title = "Take away";
+    away2.setAttribute("aria-label", `Take motif ${motif} away`);
+    away2.addEventListener("click", () => hands2.write(without(data2.path, at3)));
+    box2.append(go, away2);
+    item.append(box2);
+    return item;
+  }
+  function watch5(list2) {
+    if (list2.dataset.watched) return;
+    list2.dataset.watched = "yes";
+    let held = null;
+    const place6 = (event) => event.target.closest?.(".walk-chip");
+    list2.addEventListener("dragstart", (event) => {
+      held = Number(place6(event)?.dataset.at);
+      event.dataTransfer.effectAllowed = "move";
+      event.dataTransfer.setData("text/plain", String(held));
+    });
+    list2.addEventListener("dragover", (event) => {
+      if (held === null || !place6(event)) return;
+      event.preventDefault();
+      for (const box2 of list2.querySelectorAll(".walk-chip")) box2.classList.toggle("over", box2 === place6(event));
+    });
+    list2.addEventListener("drop", (event) => {
+      const to = place6(event);
+      if (held === null || !to) return;
+      event.preventDefault();
+      if (Number(to.dataset.at) !== held) path.hands.write(moved(path.ids, held, Number(to.dataset.at)));
+    });
+    list2.addEventListener("dragend", () => {
+      held = null;
+      for (const box2 of list2.querySelectorAll(".over")) box2.classList.remove("over");
+    });
+  }
+  function drawPath(list2, data2, hands2) {
+    watch5(list2);
+    path.ids = data2.path || [];
+    path.hands = hands2;
+    const stamp = JSON.stringify([data2.path, data2.kinds, data2.gap, data2.dead, data2.motifs]);
+    if (list2.dataset.stamp === stamp) return;
+    list2.dataset.stamp = stamp;
+    list2.replaceChildren(...path.ids.map((motif, at3) => chip(motif, at3, data2, hands2)));
+    const focused = path.focus === void 0 ? null : list2.querySelectorAll(".walk-go")[path.focus];
+    path.focus = void 0;
+    if (focused) focused.focus();
+  }
+  function lightVisit(list2, visit) {
+    if (!list2) return;
+    list2.querySelectorAll(".walk-chip").forEach((box2, at3) => {
+      const here3 = at3 === visit;
+      box2.classList.toggle("lit", here3);
+      if (here3) box2.setAttribute("aria-current", "true");
+      else box2.removeAttribute("aria-current");
+      if (here3) {
+        const [outer, inner] = [list2.getBoundingClientRect(), box2.getBoundingClientRect()];
+        if (inner.top < outer.top || inner.bottom > outer.bottom) list2.scrollTop += inner.top - outer.top - 4;
+      }
+    });
+  }
+
+  // motifs/walk.mjs
+  var KEYS4 = ["walk", "extra", "gaps", "ends", "feet"];
+  var OURS2 = "~walk~";
+  var LONGEST2 = 300;
+  var MOST_NAMED = 12;
+  var BEFORE = 0.5;
+  var now2 = {};
+  var view = {};
+  var played = "";
+  var added = false;
+  var lit = -1;
+  var asked2 = (shown7) => Object.fromEntries(KEYS4.filter((key) => shown7?.[key]).map((key) => [key, shown7[key]]));
+  var same2 = (a, b) => KEYS4.every((key) => (a?.[key] || "") === (b?.[key] || ""));
+  var onStage2 = () => Boolean(player.frameOf(0)?.dataset?.startsWith(OURS2));
+  var motifs = () => now2.path || [];
+  function write2(ids, more2 = {}) {
+    const text = ids.join("-");
+    if (text.length > LONGEST2) return problem({ error: "This path is too long for a link; about a hundred motifs fit." });
+    changeView({ walk: text, ...more2 });
+  }
+  function add2(motif) {
+    added = true;
+    write2([...motifs(), motif]);
+  }
+  function request2(data2) {
+    const shown7 = data2.path.slice(0, 8).join(" → ") + (data2.path.length > 8 ? " …" : "");
+    return {
+      dataset: data2.name,
+      title: `Walk: ${shown7}`,
+      layout: "overlay",
+      sync: "start",
+      items: [{ clip: "walk", start: 0, end: data2.frames, label: "Walk", colours: data2.bands }]
+    };
+  }
+  async function play3(data2, fromEnd) {
+    played = data2.name;
+    await player.show(request2(data2));
+    if (!fromEnd || data2.path.length < 2) return;
+    const back = Math.round(BEFORE * data2.frames / data2.seconds);
+    player.seek({ clip: "walk", frame: Math.max(0, data2.visits.at(-1)[0] - back) });
+  }
+  var swap = (data2) => {
+    played = data2.name;
+    player.replace(request2(data2));
+  };
+  function problem({ error, gap, detour }) {
+    const box2 = find("walk-error");
+    box2.replaceChildren();
+    box2.classList.toggle("hidden", !error);
+    if (!error) return;
+    const text = document.createElement("p");
+    text.textContent = error;
+    box2.append(text);
+    const offer = (label, act2) => {
+      const button4 = Object.assign(document.createElement("button"), { type: "button", className: "walk-button", textContent: label });
+      button4.addEventListener("click", act2);
+      box2.append(button4);
+    };
+    if (gap && detour?.length) offer(`Go by way of ${detour.slice(1, -1).join(", ")}`, () => write2(filled(gap, detour)));
+    if (gap) offer("Bridge the gap by a blend", () => changeView({ gaps: "bridge" }));
+    if (gap && motifs().length) offer(`Take ${gap[1]} away`, () => write2(without2(gap)));
+  }
+  var filled = ([a, b], detour) => motifs().flatMap((motif, i, all) => i && all[i - 1] === a && motif === b ? detour.slice(1) : [motif]);
+  var without2 = ([a, b]) => motifs().filter((motif, i, all) => !(i && all[i - 1] === a && motif === b));
+  var cm = (metres) => `${(100 * metres).toFixed(1)} cm/s`;
+  function meters(data2) {
+    const box2 = find("walk-meters");
+    box2.classList.toggle("hidden", !data2.name);
+    if (!data2.name) return;
+    const [source, plain3, kept] = data2.skate;
+    const most = Math.max(source, plain3, kept, 1e-6);
+    const rows2 = [["This walk", kept], ["Blending alone", plain3], ["Recordings", source]];
+    const heading = Object.assign(document.createElement("div"), {
+      className: "walk-meter-title",
+      textContent: "Foot skate",
+      title: "How far standing feet slide, in centimetres per second of contact"
+    });
+    box2.replaceChildren(heading, ...rows2.map(([label, value], i) => {
+      const row8 = document.createElement("div");
+      row8.className = "walk-meter" + (i ? "" : " walk-meter-own");
+      const name = Object.assign(document.createElement("span"), { textContent: label });
+      const bar = Object.assign(document.createElement("span"), { className: "walk-bar" });
+      bar.style.setProperty("--share", value / most);
+      const number3 = Object.assign(document.createElement("span"), { className: "number", textContent: cm(value) });
+      row8.append(name, bar, number3);
+      return row8;
+    }));
+    const speed = document.createElement("div");
+    speed.className = "walk-speed" + (data2.jump ? " walk-jump" : "");
+    const [seams, sources] = data2.speeds;
+    speed.textContent = data2.blends ? `${data2.jump ? "A blend jumps" : "No jump"}: fastest joint ${seams} m/s in the blends, ${sources} m/s in the recordings.` : "Recorded as it is: nothing had to be blended.";
+    box2.append(speed);
+  }
+  function waysText(data2) {
+    if (!data2.parts) return "";
+    const total2 = data2.motifs.length;
+    const words3 = [];
+    if (data2.parts.length > 1) words3.push(`From ${data2.parts[0]} of ${total2} motifs one can come back to each other; ${data2.parts.length - 1} more such part${data2.parts.length > 2 ? "s" : ""}.`);
+    const dead = data2.dead.length > MOST_NAMED ? `${data2.dead.length} motifs` : data2.dead.join(", ");
+    if (data2.dead.length) words3.push(`Dead ends, where nothing leads on: ${dead} (marked in the graph).`);
+    if (data2.asked.extra) words3.push(data2.further.length ? `${data2.further.length} further transitions (dashed).` : "No further transition points are good enough.");
+    return words3.join(" ");
+  }
+  function show3() {
+    const busy = !same2(now2.asked, asked2(view));
+    find("walk-path").classList.toggle("busy", busy);
+    if (busy) {
+      find("walk-hint").textContent = view.walk ? "Making the walk …" : "";
+      return;
+    }
+    const walks = Boolean(now2.name);
+    find("walk-path").dataset.shown = now2.asked.walk || "";
+    find("walk-length").textContent = walks ? `${now2.path.length} motif${now2.path.length > 1 ? "s" : ""}, ${now2.seconds.toFixed(1)} s` : "";
+    find("walk-hint").textContent = walks || now2.error ? "" : "Click motifs in the graph one after the other, or let chance choose.";
+    find("walk-notes").replaceChildren(...(now2.warnings || []).map((text) => Object.assign(document.createElement("p"), { textContent: text })));
+    find("walk-ways").textContent = waysText(now2);
+    drawPath(find("walk-path"), now2, { write: write2, jump: seekTo });
+    problem(now2);
+    meters(now2);
+    for (const button4 of document.querySelectorAll("[data-walk='play']")) button4.disabled = !walks;
+    for (const button4 of document.querySelectorAll("[data-walk='clear']")) button4.disabled = !view.walk;
+    setLink("walk-bvh", walks && `/api/bvh/${encodeURIComponent(now2.name)}/walk`);
+    const recipes = Object.values(walks && now2.recipes || {});
+    document.querySelectorAll(".walk-recipe").forEach((button4, i) => {
+      button4.disabled = !recipes[i];
+      button4.title = `Copy the walk as ${i ? "a Python script" : "commands"}`;
+      button4.dataset.copy = recipes[i] || "";
+    });
+    setLink("walk-json", walks && `/api/walk/${now2.name.slice(OURS2.length)}.json`);
+    lists();
+    markWalk(now2, walking.on, steps);
+  }
+  function lists() {
+    for (const [id, first] of [["walk-add", "a motif …"], ["walk-from", "motif"], ["walk-to", "motif"]]) {
+      const list2 = find(id);
+      const stamp = `${now2.key} ${JSON.stringify(now2.motifs)}`;
+      if (list2.dataset.stamp === stamp) continue;
+      list2.dataset.stamp = stamp;
+      const chosen3 = list2.value;
+      list2.replaceChildren(new Option(first, ""), ...now2.motifs.map(({ id: motif, name }) => new Option(name ? `${motif} ${name}` : motif, motif)));
+      list2.value = chosen3;
+    }
+  }
+  function seekTo(visit) {
+    if (!now2.name) return;
+    const frame = now2.visits[visit][0];
+    if (!onStage2() || played !== now2.name) play3(now2).then(() => player.seek({ clip: "walk", frame }));
+    else player.seek({ clip: "walk", frame });
+  }
+  window.addEventListener("stage-frame", (event) => {
+    const item = event.detail.items[0];
+    const ours = walking.on && now2.name && item?.dataset === now2.name;
+    const visit = ours ? now2.visits.findIndex(([a, b]) => item.frame >= a && item.frame < b) : -1;
+    if (visit === lit) return;
+    lit = visit;
+    lightVisit(find("walk-path"), visit);
+    lightMotif(visit < 0 ? null : now2.path[visit]);
+  });
+  var actions2 = {
+    play: () => now2.name && play3(now2),
+    clear: () => changeView({ walk: "" }),
+    fewest: () => between("fewest"),
+    used: () => between("used"),
+    random() {
+      const whole3 = (id, low, high) => Math.min(Math.max(Math.round(Number(find(id).value) || low), low), high);
+      const seconds = whole3("walk-seconds", 1, Number(find("walk-seconds").max));
+      let seed = whole3("walk-seed", 0, 999999999);
+      if (view.walk === `random:${seconds}:${seed}`) seed += 1;
+      changeView({ walk: `random:${seconds}:${seed}` });
+    }
+  };
+  function between(by) {
+    const [from, to] = ["walk-from", "walk-to"].map((id) => find(id).value);
+    const missing = ["walk-from", "walk-to"].find((id) => !find(id).value);
+    if (missing) return find(missing).focus();
+    changeView({ walk: `${by}:${from}:${to}` });
+  }
+  document.addEventListener("click", (event) => {
+    const button4 = event.target.closest?.("[data-walk]");
+    if (button4 && !button4.disabled && walking.on) actions2[button4.dataset.walk]();
+  });
+  document.addEventListener("change", (event) => {
+    if (event.target.id !== "walk-add" || !event.target.value) return;
+    add2(Number(event.target.value));
+    event.target.value = "";
+  });
+  function leave2(selection) {
+    if (!walking.on) return;
+    walking.on = false;
+    lit = -1;
+    markWalk({}, false, steps);
+    if (onStage2() && selection && Object.keys(selection).length) setStore("selection", { ...selection });
+  }
+  var steps = {
+    add: add2,
+    /** A click on an edge: on to its target, if the path has come to its source. */
+    follow(source, target2) {
+      const last2 = motifs().at(-1);
+      if (last2 === source) add2(target2);
+      else if (last2 === void 0) {
+        added = true;
+        write2([source, target2]);
+      }
+    }
+  };
+  ahead.unless((selection) => walking.on && (selection.edge !== void 0 || selection.motif !== void 0 && selection.motion === void 0));
+  var OPTIONS = { extra: "walk-extra", gaps: "walk-bridge", ends: "walk-stop", feet: "walk-feet" };
+  var checkedFor = { extra: (v) => v === "1", gaps: (v) => v === "bridge", ends: (v) => v === "stop", feet: (v) => v !== "0" };
+  register("walk", {
+    draw(data2, shown7, _id, _elements, selection) {
+      view = shown7 || {};
+      if (view.side !== "walk") return leave2(selection), clientside.no_update;
+      if (!find("walk-path")) return clientside.no_update;
+      const entered = !walking.on;
+      walking.on = true;
+      for (const [key, id] of Object.entries(OPTIONS)) clientside.set_props(id, { checked: checkedFor[key](view[key]) });
+      const [, seconds, seed] = /^random:([\d.]+):(\d+)/.exec(view.walk || "") || [];
+      if (seed) {
+        clientside.set_props("walk-seconds", { value: Number(seconds) });
+        clientside.set_props("walk-seed", { value: Number(seed) });
+      }
+      if (!data2) return clientside.no_update;
+      const before2 = now2;
+      now2 = data2;
+      show3();
+      if (!now2.name || !same2(now2.asked, asked2(view))) return clientside.no_update;
+      const chosen3 = selection && Object.keys(selection).length > 0;
+      if (entered && chosen3 && !before2.key) return clientside.no_update;
+      if (entered && chosen3) setStore("selection", {});
+      if (now2.name !== played || entered && !onStage2()) {
+        const feet = before2.name && before2.frames === now2.frames && String(before2.path) === String(now2.path) && onStage2();
+        if (feet) swap(now2);
+        else play3(now2, added && !entered);
+      }
+      added = false;
+      return clientside.no_update;
+    },
+    // One of the switches: it goes into the link, where it differs.
+    option(extra, bridge, stop, feet, shown7) {
+      if (!walking.on) return clientside.no_update;
+      const wanted2 = { extra: extra ? "1" : "", gaps: bridge ? "bridge" : "", ends: stop ? "stop" : "", feet: feet ? "" : "0" };
+      if (Object.entries(wanted2).some(([key, value]) => ((shown7 || {})[key] || "") !== value)) changeView(wanted2);
+      return clientside.no_update;
+    }
+  });
+
+  // motion_map/state.mjs
+  var state = {
+    map: null,
+    known: null,
+    keys: [],
+    reach: 0,
+    pace: null,
+    facts: null,
+    mode: "keys",
+    selection: null,
+    hits: [],
+    path: "",
+    lit: [],
+    overlay: null,
+    // over the heatmap of the page, with its follower
+    follower: null
+  };
+
+  // motion_map/export.mjs
+  var LOOK = ["fill", "fill-opacity", "stroke", "stroke-width", "stroke-opacity", "stroke-dasharray", "font", "text-anchor"];
+  function copied(source) {
+    const copy2 = source.cloneNode(true);
+    const from = [source, ...source.querySelectorAll("*")], to = [copy2, ...copy2.querySelectorAll("*")];
+    from.forEach((node, k) => {
+      const style = getComputedStyle(node);
+      for (const name of LOOK) if (style.getPropertyValue(name)) to[k].style.setProperty(name, style.getPropertyValue(name));
+      to[k].setAttribute("vector-effect", "non-scaling-stroke");
+    });
+    copy2.querySelector(".map-layer-cursor")?.remove();
+    return copy2;
+  }
+  async function drawing4() {
+    const { overlay } = state, plot = overlay.plot;
+    const { width, height } = plot.getBoundingClientRect();
+    const address2 = await window.Plotly.toImage(plot, { format: "svg", width, height });
+    const text = decodeURIComponent(address2.slice(address2.indexOf(",") + 1));
+    const page3 = new DOMParser().parseFromString(text, "image/svg+xml").documentElement;
+    const ground = getComputedStyle(document.documentElement).getPropertyValue("--surface");
+    page3.prepend(svgElement("rect", { width: "100%", height: "100%", fill: ground.trim() }));
+    page3.append(copied(overlay.view));
+    return new XMLSerializer().serializeToString(page3);
+  }
+  document.addEventListener("click", async (event) => {
+    const button4 = event.target.closest?.("[data-map-save]");
+    if (!button4 || !state.map) return;
+    const made = await drawing4(), name = `${state.known.dataset} map`;
+    if (button4.dataset.mapSave === "svg") save(made, `${name}.svg`, "image/svg+xml");
+    else save(await pngOf(made), `${name}.png`);
+  });
+
+  // search/study.mjs
+  var SCALE = ["completely different", "", "", "", "", "", "", "", "", "identical"];
+  var CHOICES = { left: ["A", "#3a9b7a", "A"], same: ["No difference", "", "S"], right: ["B", "#d2762b", "B"] };
+  var VALUES = { A: "left", S: "same", B: "right" };
+  var data = null;
+  var view2 = {};
+  var at2 = { rate: 0, vote: 0 };
+  var shown6 = "";
+  var mode = () => view2.study === "vote" ? "vote" : view2.study === "results" ? "results" : "rate";
+  var awaited = () => data.asked[2] !== (person.name || person.id);
+  var rows = () => awaited() ? [] : (mode() === "vote" ? data.duels : data.pairs) || [];
+  var visible = () => Boolean(find("study-setup")?.offsetParent) && data && !data.error;
+  var button2 = (words3, name, className = "search-button") => {
+    const made = element("button", className, ...[words3].flat());
+    made.type = "button";
+    made.dataset.study = name;
+    return made;
+  };
+  function setup() {
+    const queries = data.queries.map(({ name: name2, clip, when, strip }) => {
+      const picture = element("img", "study-strip");
+      Object.assign(picture, { src: strip, alt: "", draggable: false });
+      const away2 = button2(icon("close", 12), "remove", "search-tool");
+      away2.dataset.name = name2;
+      away2.title = `Leave ${clip} out`;
+      away2.setAttribute("aria-label", away2.title);
+      return element("div", "study-query", picture, element("span", "study-query-words", element("b", "ellipsis", clip), element("span", "muted", when)), away2);
+    });
+    const engines = data.engines.map(({ method, label: label2, ready: ready2 }) => {
+      if (ready2) return element("span", "study-engine", icon("check", 13), label2);
+      const build3 = button2(`Build ${label2}`, "build");
+      build3.dataset.method = method;
+      build3.title = "Its index has not been built yet; then it takes part";
+      return build3;
+    });
+    const name = element("input", "search-text");
+    Object.assign(name, { id: "study-name", placeholder: "optional", maxLength: 60, value: person.name || "", autocomplete: "off" });
+    const label = element("label", "search-label", "Your name");
+    label.htmlFor = "study-name";
+    const add3 = button2([icon("plus", 13), "The query of the search"], "add");
+    add3.disabled = !whole();
+    add3.title = whole() ? "" : "Choose a query of this dataset, for the whole body, under Search first";
+    find("study-setup").replaceChildren(
+      element("div", "study-line", element("span", "search-label", "Queries"), ...queries, add3, button2([icon("dice", 15), "Draw three"], "draw")),
+      element("div", "study-line", element("span", "search-label", "Engines"), ...engines),
+      element("div", "study-line", label, name)
+    );
+  }
+  function whole() {
+    const text = view2.query || "";
+    return text && !text.includes(",") && text.split(":").length === 2 ? text : "";
+  }
+  function nothing(words3) {
+    return element("p", "muted study-nothing", words3);
+  }
+  function draw4() {
+    const which = mode();
+    if (which === "results") return;
+    const box2 = find(which === "vote" ? "study-vote" : "study-rate");
+    const all = rows();
+    if (awaited()) return box2.replaceChildren(nothing(`Fetching the pairs for ${person.name || "you"} …`));
+    if (!data.queries.length) return box2.replaceChildren(nothing("Choose queries above: the one of the search, or three drawn by chance."));
+    if (!all.length) {
+      const built = data.engines.filter((engine) => engine.ready).length;
+      return box2.replaceChildren(nothing(!built ? "Build the index of at least one engine first." : which === "vote" ? "There are too few hits to compare." : "The engines found nothing for these queries."));
+    }
+    at2[which] = Math.min(at2[which], all.length - 1);
+    const row8 = all[at2[which]];
+    const done = all.filter((one) => one.value).length;
+    const bar = element("div", "job-progress", element("div"));
+    bar.firstChild.style.width = `${100 * done / all.length}%`;
+    const walk2 = element("div", "study-walk", move3("Back", -1, "back"), element("span", "muted number", `${at2[which] + 1} of ${all.length}, ${done} answered`), move3("Skip", 1, "next"));
+    box2.replaceChildren(...[
+      element("div", "study-progress", bar),
+      element("h2", "study-question", which === "vote" ? "Which is more like the query: A or B?" : "How alike are the two motions on the Stage?"),
+      which === "vote" ? choices(row8) : scale2(row8),
+      walk2,
+      done === all.length ? element("p", "study-thanks", "All pairs are answered. Thank you! Results shows what came of it.") : null
+    ].filter(Boolean));
+    play4(row8);
+    return void 0;
+  }
+  function move3(words3, by, symbol) {
+    const made = button2([icon(symbol, 13), words3], "move");
+    made.dataset.by = by;
+    return made;
+  }
+  function scale2(row8) {
+    const buttons = SCALE.map((words3, k) => {
+      const one = button2([element("b", "", String(k + 1)), element("span", "", words3)], "answer", "study-value");
+      one.dataset.value = k + 1;
+      one.setAttribute("aria-label", `${k + 1}${words3 ? `: ${words3}` : ""}`);
+      one.setAttribute("aria-pressed", String(row8.value === k + 1));
+      return one;
+    });
+    const keys = element("p", "muted study-keys", "Keys 1 to 9, and 0 for 10; Backspace goes back, N skips.");
+    return element("div", "", element("div", "study-scale", ...buttons), keys);
+  }
+  function choices(row8) {
+    const buttons = Object.entries(CHOICES).map(([value, [words3, colour, key]]) => {
+      const dot3 = element("span", "study-dot");
+      dot3.style.background = colour;
+      const one = button2([...colour ? [dot3] : [], element("b", "", words3), element("kbd", "", key)], "answer", "study-choice");
+      one.dataset.value = value;
+      one.setAttribute("aria-pressed", String(row8.value === value));
+      return one;
+    });
+    return element("div", "study-choices", ...buttons);
+  }
+  function play4(row8) {
+    const wanted2 = JSON.stringify([row8.query, row8.hit, row8.left, row8.right]);
+    if (wanted2 === shown6 && player.status !== "empty") return;
+    shown6 = wanted2;
+    setStore("selection", {});
+    setStore("stage-request", { ...row8.request, at: wanted2 });
+    const next2 = rows()[at2[mode()] + 1];
+    if (next2) setTimeout(() => player.prefetch(next2.request), 600);
+  }
+  function answer(value) {
+    const which = mode();
+    const row8 = rows()[at2[which]];
+    if (!row8) return;
+    row8.value = value;
+    given.set(nameOf(row8), value);
+    const told = which === "vote" ? { kind: "vote", query: row8.query, left: row8.left, right: row8.right, choice: value } : { kind: "rating", query: row8.query, hit: row8.hit, value };
+    pending.push({ ...told, person: person.name || person.id, id: `${Date.now()} ${Math.random()}` });
+    send();
+    step2(1);
+  }
+  function send() {
+    if (!pending.length || !find("study-rate") || sent && Date.now() - sent < PATIENCE2) return;
+    sent = Date.now();
+    setStore("study-answer", { answers: [...pending], at: sent });
+    setTimeout(send, PATIENCE2);
+  }
+  function step2(by) {
+    const which = mode();
+    at2[which] = Math.min(Math.max(at2[which] + by, 0), Math.max(rows().length - 1, 0));
+    draw4();
+  }
+  var given = /* @__PURE__ */ new Map();
+  var nameOf = (row8) => JSON.stringify([person.name || person.id, row8.query, row8.hit, row8.left, row8.right]);
+  function place3(number3, before2, all) {
+    const same4 = before2[number3] && before2.length === all.length && nameOf(before2[number3]) === nameOf(all[number3]);
+    return same4 ? number3 : Math.max(all.findIndex((row8) => !row8.value), 0);
+  }
+  var PATIENCE2 = 2e4;
+  var pending = [];
+  var sent = 0;
+  var person = {};
+  function who(stored) {
+    person = stored || {};
+    if (!person.id) {
+      person = { ...person, id: `someone-${Math.random().toString(36).slice(2, 8)}` };
+      setStore("study-person", person);
+    }
+  }
+  register("study", {
+    kept(confirmed) {
+      if (!confirmed || !confirmed.kept) return clientside.no_update;
+      for (const id of confirmed.kept) {
+        const number3 = pending.findIndex((one) => one.id === id);
+        if (number3 >= 0) pending.splice(number3, 1);
+      }
+      sent = 0;
+      send();
+      return clientside.no_update;
+    },
+    draw(found, seen3, stored) {
+      view2 = seen3 || {};
+      if (!found || view2.look !== "agree" || !find("study-setup")) {
+        shown6 = "";
+        return clientside.no_update;
+      }
+      if (!stored || !stored.id) who(stored);
+      else person = stored;
+      const fresh = found !== data;
+      const before2 = data && data.asked[2] === found.asked[2] ? data : null;
+      data = found;
+      if (data.error) {
+        find("study-setup").replaceChildren(nothing(data.error));
+        for (const id of ["study-rate", "study-vote"]) find(id).replaceChildren();
+        return clientside.no_update;
+      }
+      if (fresh) for (const row8 of [...data.pairs, ...data.duels]) row8.value = given.get(nameOf(row8)) ?? row8.value;
+      if (fresh) for (const [which, all] of [["rate", "pairs"], ["vote", "duels"]]) at2[which] = place3(at2[which], before2 && before2[all] || [], data[all]);
+      setup();
+      draw4();
+      return clientside.no_update;
+    }
+  });
+  var ACTS = {
+    add: () => asks([...data.queries.map((query) => query.name), whole()]),
+    remove: (on2) => asks(data.queries.map((query) => query.name).filter((name) => name !== on2.dataset.name)),
+    draw: () => setStore("study-wish", { draw: 1 + Math.floor(Math.random() * 1e6) }),
+    build: (on2) => setStore("study-wish", { build: on2.dataset.method, at: Date.now() }),
+    clear() {
+      if (!window.confirm("Remove all ratings and votes about this dataset, of all people?")) return;
+      given.clear();
+      pending.length = 0;
+      for (const row8 of [...data.pairs, ...data.duels]) row8.value = null;
+      setStore("study-wish", { clear: true, at: Date.now() });
+    },
+    move: (on2) => step2(Number(on2.dataset.by)),
+    answer: (on2) => answer(mode() === "vote" ? on2.dataset.value : Number(on2.dataset.value))
+  };
+  var asks = (names2) => changeView({ asks: [...new Set(names2.filter(Boolean))].join(",") });
+  document.addEventListener("click", (event) => {
+    const on2 = event.target.closest && event.target.closest("[data-study]");
+    if (on2 && !on2.disabled) ACTS[on2.dataset.study](on2);
+  });
+  document.addEventListener("change", (event) => {
+    if (event.target.id !== "study-name") return;
+    who({ ...person, name: event.target.value.trim() });
+    setStore("study-person", person);
+    draw4();
+  });
+  document.addEventListener("keydown", (event) => {
+    if (!visible() || mode() === "results" || !rows().length || event.ctrlKey || event.metaKey || event.altKey) return;
+    if (event.target.closest && event.target.closest("input:not([type='radio']), textarea, select")) return;
+    const key = event.key.toUpperCase();
+    let done = true;
+    if (mode() === "rate" && /^[0-9]$/.test(key)) answer(key === "0" ? 10 : Number(key));
+    else if (mode() === "vote" && VALUES[key]) answer(VALUES[key]);
+    else if (key === "BACKSPACE") step2(-1);
+    else if (key === "N") step2(1);
+    else done = false;
+    if (!done) return;
+    event.preventDefault();
+    event.stopPropagation();
+  }, true);
+
+  // sweeps/sweeps.mjs
+  function open2(address2) {
+    const { pathname, searchParams } = new URL(address2, location.origin);
+    searchParams.delete("dataset");
+    setStore("selection", {});
+    openPage(pathname, { parameters: Object.fromEntries(searchParams) });
+    document.getElementById("page").scrollTo(0, 0);
+  }
+  var plain2 = (event) => !(event.button || event.metaKey || event.ctrlKey || event.shiftKey || event.altKey);
+  cellRenderers.PointLink = (props) => props.data ? reactElement("a", { className: "text-link point-link", href: props.data.href, tabIndex: -1 }, props.value) : null;
+  document.addEventListener("click", (event) => {
+    const link2 = event.target.closest && event.target.closest("a.point-link");
+    if (!link2 || !plain2(event)) return;
+    event.preventDefault();
+    event.stopPropagation();
+    open2(link2.href);
+  }, true);
+  document.addEventListener("keydown", (event) => {
+    const row8 = event.key === "Enter" && event.target.closest && event.target.closest("#sweep-table .ag-row");
+    const link2 = row8 && row8.querySelector("a.point-link");
+    if (!link2) return;
+    event.preventDefault();
+    event.stopPropagation();
+    open2(link2.href);
+  }, true);
+  register("sweeps", {
+    open(click) {
+      const address2 = click && click.points && click.points[0] && click.points[0].customdata;
+      if (typeof address2 === "string" && address2) open2(address2);
+      return clientside.no_update;
+    }
+  });
+
+  // grammar/state.mjs
+  var state2 = { data: {} };
+  var actionOf = (id) => (state2.data.actions || [])[id] || { id, name: `Action ${id}`, short: String(id), colour: "#8793a3", count: 0, seconds: 0 };
+  var playsSelection = (button4, selection) => {
+    button4.dataset.store = "selection";
+    button4.dataset.value = JSON.stringify(selection);
+    return button4;
+  };
+  var paintAction = (node, action) => {
+    node.style.setProperty("--tone", action.colour);
+    node.style.setProperty("--ink", action.ink || "#ffffff");
+  };
+  var actionChip = (id) => {
+    const action = actionOf(id);
+    const button4 = playsSelection(element("button", "action-chip", action.short), { action: id });
+    button4.type = "button";
+    if (action.hint) button4.append(element("span", "action-hint-word", action.hint));
+    paintAction(button4, action);
+    button4.title = `${action.name}: ${plural(action.count, "time")}`;
+    button4.dataset.action = id;
+    return button4;
+  };
+  var redraw = (box2, children) => {
+    const focused = [...box2.querySelectorAll("button, input, [tabindex]")].indexOf(document.activeElement);
+    const top = box2.scrollTop;
+    box2.replaceChildren(...children);
+    box2.scrollTop = top;
+    if (focused >= 0) [...box2.querySelectorAll("button, input, [tabindex]")][focused]?.focus({ preventScroll: true });
+  };
+  var isFresh = (box2, stamp) => {
+    const text = typeof stamp === "string" ? stamp : JSON.stringify(stamp);
+    if (box2.drawnFrom === text) return false;
+    box2.drawnFrom = text;
+    return true;
+  };
+  var downloadQuery = (view4, more2 = {}) => {
+    const pairs2 = new URLSearchParams({ dataset: state2.data.dataset || "" });
+    for (const [key, value] of Object.entries(view4 || {})) if (key.startsWith("grammar-")) pairs2.set(key, value);
+    for (const [key, value] of Object.entries(more2)) pairs2.set(key, value);
+    return pairs2.toString();
+  };
+
+  // grammar/actions.mjs
+  var ROWS = 60;
+  function card(action) {
+    const button4 = playsSelection(element("button", "action-card"), { action: action.id });
+    button4.type = "button";
+    button4.dataset.action = action.id;
+    button4.style.setProperty("--tone", action.colour);
+    button4.title = `Play all occurrences of ${action.name}`;
+    const head3 = element("span", "action-head");
+    head3.append(element("b", "ellipsis", action.name), element("span", "muted number", action.named ? String(action.id) : ""));
+    const strip = element("img", "action-strip");
+    Object.assign(strip, { src: action.strip, alt: "", loading: "lazy", draggable: false });
+    const facts = element("span", "muted number action-facts");
+    facts.append(element("span", "", `${plural(action.count, "time")}, ${action.seconds.toFixed(1)} s`));
+    if (action.label) facts.append(element("span", "ellipsis action-label", action.label));
+    button4.append(head3, strip, facts);
+    return button4;
+  }
+  function occurrence([clip, start3, end, number3], id, chosen3) {
+    const button4 = playsSelection(element("button", "occurrence" + (chosen3 ? " chosen" : "")), { action: id, segment: number3 });
+    button4.type = "button";
+    button4.title = `Play ${clip.clip}, ${clock(start3)} to ${clock(end)}`;
+    button4.setAttribute("aria-pressed", String(chosen3));
+    const strip = element("img", "occurrence-strip");
+    const frames = new URLSearchParams({ start: Math.round(start3 * clip.fps), end: Math.round(end * clip.fps), n: 4, v: state2.data.version });
+    strip.src = `/api/filmstrip/${encodeURIComponent(state2.data.dataset)}/${encodeURIComponent(clip.clip)}?${frames}`;
+    Object.assign(strip, { alt: "", loading: "lazy", draggable: false });
+    button4.append(icon("play"), element("span", "ellipsis", clip.brief), element("span", "muted number", `${clock(start3)} to ${clock(end)}`), strip);
+    return button4;
+  }
+  var occurrences = (data2, id) => data2.rows.flatMap((clip) => clip.pieces.filter((piece) => piece[2] === id).map((piece) => [clip, piece[0], piece[1], piece[3]])).sort((a, b) => a[3] - b[3]);
+  var drawActions = (data2, order) => {
+    const box2 = find("action-cards");
+    if (!box2 || !isFresh(box2, [data2.key, data2.names, order])) return;
+    const sorted = [...data2.actions];
+    if (order === "count") sorted.sort((a, b) => b.count - a.count);
+    if (order === "seconds") sorted.sort((a, b) => b.seconds - a.seconds);
+    if (order === "name") sorted.sort((a, b) => b.named - a.named || a.name.localeCompare(b.name, void 0, { numeric: true }));
+    redraw(box2, sorted.map(card));
+  };
+  var drawOccurrences = (data2, selection) => {
+    const box2 = find("occurrences");
+    if (!box2) return;
+    const id = selection?.action === void 0 ? null : Number(selection.action);
+    const known3 = id !== null && data2.actions?.[id];
+    for (const one of document.querySelectorAll(".action-card")) one.classList.toggle("chosen", known3 && Number(one.dataset.action) === id);
+    find("action-hint").classList.toggle("hidden", Boolean(known3));
+    find("action-detail").classList.toggle("hidden", !known3);
+    if (!known3 || !isFresh(box2, [data2.key, data2.names, id, selection.segment])) return;
+    const all = occurrences(data2, id);
+    find("action-title").textContent = `Action ${id}`;
+    find("action-count").textContent = `${plural(all.length, "time")} in ${plural(known3.clips, "recording")}`;
+    const shown7 = all.slice(0, ROWS).map((one) => occurrence(one, id, String(one[3]) === String(selection.segment)));
+    redraw(box2, shown7);
+    if (all.length > ROWS) box2.append(element("div", "muted selection-more", `and ${all.length - ROWS} more, all of them in the recordings above`));
+    playsSelection(find("action-all"), { action: id });
+  };
+
+  // grammar/tree.mjs
+  var showTree = (box2, svg, choose5) => {
+    box2.choose = choose5;
+    if (isFresh(box2, svg || "")) {
+      const left = box2.scrollLeft;
+      const focused = document.activeElement?.closest?.(".tree-node");
+      const path2 = focused && box2.contains(focused) ? focused.dataset.path : null;
+      box2.innerHTML = svg || "";
+      box2.scrollLeft = left;
+      const nodes = [...box2.querySelectorAll(".tree-node")];
+      const first = nodes.find((node) => node.dataset.path === path2) || nodes[0];
+      first?.setAttribute("tabindex", "0");
+      if (path2 !== null) first?.focus({ preventScroll: true });
+    }
+    if (box2.watched) return;
+    box2.watched = true;
+    box2.addEventListener("click", (event) => act(box2, event.target.closest(".tree-node")));
+    box2.addEventListener("keydown", (event) => {
+      const node = event.target.closest(".tree-node");
+      if (!node) return;
+      if (event.key === "Enter" || event.key === " ") act(box2, node);
+      else if (!move4(box2, node, event.key)) return;
+      event.preventDefault();
+      event.stopPropagation();
+    });
+  };
+  function act(box2, node) {
+    if (!node) return;
+    focus(box2, node);
+    const { path: path2, first, end } = node.dataset;
+    box2.choose?.({ path: path2, first: Number(first), end: Number(end), leaf: node.classList.contains("tree-leaf") });
+  }
+  function focus(box2, node) {
+    for (const other of box2.querySelectorAll('.tree-node[tabindex="0"]')) other.setAttribute("tabindex", "-1");
+    node.setAttribute("tabindex", "0");
+    node.focus();
+  }
+  function move4(box2, node, key) {
+    const at3 = node.dataset.path;
+    const cut = at3.lastIndexOf(".");
+    const above = at3 === "" ? null : cut < 0 ? "" : at3.slice(0, cut);
+    const inside3 = (path2) => [...box2.querySelectorAll(".tree-node")].filter((one) => {
+      const own2 = one.dataset.path;
+      if (own2 === "" || own2 === path2) return false;
+      const parent = own2.includes(".") ? own2.slice(0, own2.lastIndexOf(".")) : "";
+      return parent === path2;
+    });
+    const siblings = above === null ? [node] : inside3(above);
+    const number3 = siblings.indexOf(node);
+    const next2 = {
+      ArrowUp: () => above !== null && [...box2.querySelectorAll(".tree-node")].find((one) => one.dataset.path === above),
+      ArrowDown: () => inside3(at3)[0],
+      ArrowLeft: () => siblings[number3 - 1],
+      ArrowRight: () => siblings[number3 + 1]
+    }[key];
+    if (!next2) return false;
+    const found = next2();
+    if (found) focus(box2, found);
+    return true;
+  }
+  var lightTree = (box2, number3) => {
+    if (!box2 || box2.lit === number3) return;
+    box2.lit = number3;
+    for (const leaf of box2.querySelectorAll(".tree-leaf")) {
+      const here3 = Number(leaf.dataset.first) === number3;
+      leaf.classList.toggle("lit", here3);
+      if (!here3) continue;
+      const [outer, inner] = [box2.getBoundingClientRect(), leaf.getBoundingClientRect()];
+      if (inner.left < outer.left || inner.right > outer.right) box2.scrollLeft += inner.left - outer.left - 40;
+    }
+  };
+  document.addEventListener("click", (event) => {
+    const button4 = event.target.closest?.(".tree-png");
+    const link2 = button4 && find(button4.dataset.link);
+    if (link2?.href) savePicture(link2.href, "png", `${state2.data.dataset || "motionscape"} tree`);
+  });
+
+  // grammar/compose.mjs
+  var KEYS5 = ["sentence", "pick", "up"];
+  var HISTORY = "motionscape-routines";
+  var on = false;
+  var now3 = {};
+  var view3 = {};
+  var played2 = "";
+  var lit2 = -1;
+  var past = { key: "", list: [], at: -1 };
+  var asked3 = (shown7) => Object.fromEntries(KEYS5.filter((key) => shown7?.[key]).map((key) => [key, shown7[key]]));
+  var same3 = (a, b) => KEYS5.every((key) => (a?.[key] || "") === (b?.[key] || ""));
+  var ready = () => Boolean(now3.name) && same3(now3.asked, asked3(view3));
+  var here2 = () => on && Boolean(find("compose-tree")?.offsetParent);
+  var onStage3 = () => String(player.frameOf(0)?.dataset || "").startsWith("~derive~");
+  var goTo = (sentence, more2 = {}) => changeView({ sentence, pick: "", up: "", alt: "", ...more2 });
+  function remember2(sentence) {
+    if (past.key !== state2.data.key) {
+      past = { key: state2.data.key, list: [], at: -1 };
+      try {
+        const kept = JSON.parse(sessionStorage.getItem(HISTORY) || "{}");
+        if (kept.key === past.key) past = kept;
+      } catch {
+      }
+    }
+    if (past.list[past.at] === sentence) return;
+    if (past.list[past.at - 1] === sentence) past.at -= 1;
+    else if (past.list[past.at + 1] === sentence) past.at += 1;
+    else past = { key: past.key, list: [...past.list.slice(Math.max(0, past.at - 98), past.at + 1), sentence], at: Math.min(past.at + 1, 99) };
+    try {
+      sessionStorage.setItem(HISTORY, JSON.stringify(past));
+    } catch {
+    }
+  }
+  function request3(data2) {
+    return {
+      dataset: data2.name,
+      title: `New routine: ${plural(data2.actions.length, "action")}`,
+      layout: "overlay",
+      sync: "start",
+      items: [{ clip: data2.clip, start: 0, end: data2.frames, label: "New routine", colours: data2.bands }]
+    };
+  }
+  async function play5(data2, from) {
+    played2 = data2.name;
+    await player.show(request3(data2));
+    if (from !== void 0) player.seek({ clip: data2.clip, frame: data2.spans[from][0] });
+    player.play();
+  }
+  function string(data2) {
+    const list2 = find("compose-string");
+    if (!isFresh(list2, [data2.name, data2.actions, state2.data.names, now3.asked, now3.chosen])) return;
+    const chips = data2.actions.map((id, at3) => {
+      const line2 = element("li", "compose-step");
+      const button4 = actionChip(id);
+      delete button4.dataset.store;
+      button4.dataset.pick = at3;
+      button4.title = `${actionOf(id).name}: choose it`;
+      button4.setAttribute("aria-pressed", String(String(at3) === now3.asked.pick));
+      line2.classList.toggle("within", Boolean(now3.chosen && at3 >= now3.chosen.first && at3 < now3.chosen.end));
+      line2.append(button4);
+      return line2;
+    });
+    redraw(list2, chips);
+  }
+  function meters2(data2) {
+    const box2 = find("compose-meters");
+    box2.classList.toggle("hidden", !data2.skate);
+    if (!data2.skate) return;
+    const [source, plain3, kept] = data2.skate;
+    const most = Math.max(source, plain3, kept, 1e-6);
+    const title = element("div", "walk-meter-title", "Foot skate");
+    title.title = "How far standing feet slide, in centimetres per second of contact";
+    box2.replaceChildren(title, ...[["This routine", kept], ["Blending alone", plain3], ["Recordings", source]].map(([label, value], i) => {
+      const row8 = element("div", "walk-meter" + (i ? "" : " walk-meter-own"));
+      const bar = element("span", "walk-bar");
+      bar.style.setProperty("--share", value / most);
+      row8.append(element("span", "", label), bar, element("span", "number", `${(100 * value).toFixed(1)} cm/s`));
+      return row8;
+    }));
+    const speed = element("div", "walk-speed" + (data2.jump ? " walk-jump" : ""));
+    speed.textContent = `${data2.jump ? "A blend jumps" : "No jump"}: fastest joint ${data2.speeds[0]} m/s in the blends, ${data2.speeds[1]} m/s in the recordings.`;
+    box2.append(speed);
+  }
+  function chosenWords() {
+    const { chosen: chosen3 } = now3;
+    if (!chosen3) return "Choose an action to change its part.";
+    const span = chosen3.end - chosen3.first === 1 ? `action ${chosen3.first + 1}` : `actions ${chosen3.first + 1} to ${chosen3.end}`;
+    const ways = chosen3.ways > 1 ? `${chosen3.ways} ways` : chosen3.varies ? "its parts can differ" : "one way only";
+    return `${chosen3.name}: ${span}, ${ways}`;
+  }
+  function show4() {
+    const busy = Boolean(view3.sentence) && !same3(now3.asked, asked3(view3));
+    find("compose-string").classList.toggle("busy", busy);
+    const error = !busy && now3.error;
+    find("compose-error").classList.toggle("hidden", !error);
+    find("compose-error").textContent = error || "";
+    const there = ready();
+    find("compose-string").dataset.shown = busy ? "" : KEYS5.map((key) => now3.asked?.[key] || "").join(" ");
+    find("compose-said").textContent = busy ? "Making the routine …" : there ? `${plural(now3.actions.length, "action")}, ${now3.seconds.toFixed(1)} s. ${now3.novel ? "Nobody performed it like this." : "It occurs like this in the recordings."}` : error ? "" : "Press New routine: chance makes one that keeps to the rules.";
+    for (const name of ["play", "larger", "smaller", "others", "undo", "redo"]) {
+      const usable2 = {
+        play: there,
+        undo: past.at > 0,
+        redo: past.at < past.list.length - 1,
+        larger: there && now3.chosen?.larger,
+        smaller: there && now3.chosen?.smaller,
+        others: there && now3.chosen?.varies
+      }[name];
+      document.querySelector(`[data-compose="${name}"]`).disabled = !usable2;
+    }
+    if (busy && !now3.actions) return;
+    find("compose-chosen").textContent = there ? chosenWords() : "";
+    if (!there) {
+      if (error) for (const id of ["compose-string", "compose-tree"]) {
+        find(id).replaceChildren();
+        find(id).drawnFrom = "";
+      }
+    } else {
+      string(now3);
+      showTree(find("compose-tree"), now3.svg, choose2);
+      meters2(now3);
+    }
+    find("compose-warnings").replaceChildren(...(there && now3.warnings || []).map((text) => element("p", "", text)));
+    setLink("compose-bvh", there && `/api/bvh/${encodeURIComponent(now3.name)}/${encodeURIComponent(now3.clip)}`);
+    setLink("compose-json", there && `/api/derivation/${now3.name.split("~")[2]}.json`);
+    setLink("compose-svg", there && `/api/grammar-tree.svg?${downloadQuery(view3, { sentence: now3.code })}`);
+    find("compose-save").disabled = !there;
+    for (const button4 of document.querySelectorAll(".compose-recipe")) {
+      const text = there && now3.recipes?.[button4.dataset.recipe];
+      button4.disabled = !text;
+      button4.title = button4.dataset.recipe;
+      button4.dataset.copy = text || "";
+    }
+  }
+  function choose2({ path: path2, first, leaf }) {
+    if (!ready()) return;
+    if (leaf) return pick(first);
+    const depth2 = (text) => text === "" ? 0 : text.split(".").length;
+    const inner = now3.parents[first];
+    changeView({ pick: String(first), up: String(Math.max(0, depth2(inner) - depth2(path2)) || ""), alt: "" });
+  }
+  function pick(at3) {
+    const again = String(at3) === now3.asked.pick && !now3.asked.up;
+    changeView({ pick: again ? "" : String(at3), up: "", alt: "" });
+    if (!again && now3.name === played2 && onStage3()) player.seek({ clip: now3.clip, frame: now3.spans[at3][0] });
+  }
+  var whole2 = (text, low, high) => Math.min(Math.max(Math.round(Number(text) || low), low), high);
+  var actions3 = {
+    new() {
+      const most = whole2(find("compose-most").value, 1, Number(find("compose-most").max));
+      const seed = Number((/^random:(\d+)/.exec(view3.sentence || "") || [0, past.list.length])[1]) + 1;
+      goTo(`random:${seed}:${most}`);
+    },
+    undo: () => past.at > 0 && goTo(past.list[past.at - 1]),
+    redo: () => past.at < past.list.length - 1 && goTo(past.list[past.at + 1]),
+    play: () => ready() && play5(now3),
+    larger: () => changeView({ up: String(Number(now3.asked.up || 0) + 1), alt: "" }),
+    smaller: () => changeView({ up: String(Math.max(0, Number(now3.asked.up || 0) - 1) || ""), alt: "" }),
+    others: () => changeView({ alt: String(Number(view3.alt || 0) + 1) })
+  };
+  document.addEventListener("click", (event) => {
+    const button4 = event.target.closest?.("[data-compose]");
+    if (button4 && !button4.disabled && here2()) actions3[button4.dataset.compose]();
+    const chip2 = event.target.closest?.("[data-pick]");
+    if (chip2 && here2() && ready()) pick(Number(chip2.dataset.pick));
+  });
+  document.addEventListener("keydown", (event) => {
+    if (!here2() || !(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
+    if (event.target.closest?.("input, textarea")) return;
+    event.preventDefault();
+    actions3[event.shiftKey ? "redo" : "undo"]();
+  });
+  window.addEventListener("stage-frame", (event) => {
+    const item = event.detail.items[0];
+    const ours = here2() && now3.name && item?.dataset === now3.name;
+    const at3 = ours ? now3.spans.findIndex(([a, b]) => item.frame >= a && item.frame < b) : -1;
+    if (at3 === lit2) return;
+    lit2 = at3;
+    lightTree(find("compose-tree"), at3);
+    find("compose-string")?.querySelectorAll(".compose-step").forEach((step3, number3) => step3.classList.toggle("lit", number3 === at3));
+  });
+  var composition = () => ({ on, now: now3, view: view3, ready: ready(), play: () => play5(now3) });
+  var drawCompose = (data2, shown7, selection) => {
+    view3 = shown7 || {};
+    const entered = view3.show === "compose" && !on;
+    on = view3.show === "compose" && Boolean(find("compose-tree"));
+    if (!on || !state2.data.key) return;
+    if (!view3.sentence) return actions3.new();
+    const [, , most] = /^random:(\d+):(\d+)/.exec(view3.sentence) || [];
+    if (most && document.activeElement?.id !== "compose-most") clientside.set_props("compose-most", { value: Number(most) });
+    remember2(view3.sentence);
+    if (data2) now3 = data2;
+    if (data2 && data2.key !== state2.data.key && !data2.error) now3 = {};
+    show4();
+    if (!ready()) return;
+    if (entered && selection && Object.keys(selection).length) setStore("selection", {});
+    if (!view3.alt && (now3.name !== played2 || entered && !onStage3())) play5(now3);
+  };
+
+  // grammar/others.mjs
+  var LETTERS = "ABCDEFGH";
+  var playing = "";
+  var matches = (data2, view4) => ["sentence", "pick", "up", "alt"].every((key) => (data2?.asked?.[key] || "") === (view4[key] || ""));
+  function request4(data2) {
+    return {
+      dataset: data2.others[0].name,
+      title: `${plural(data2.others.length, "other way")} for ${data2.part}`,
+      layout: "side",
+      sync: "start",
+      items: data2.others.map((other, i) => ({
+        dataset: other.name,
+        clip: other.clip,
+        start: other.start,
+        end: other.stop,
+        label: LETTERS[i],
+        colours: other.bands
+      }))
+    };
+  }
+  function card2(other, i) {
+    const box2 = element("section", "other-card");
+    const head3 = element("div", "other-head");
+    head3.append(element("b", "", LETTERS[i]), element("span", "muted number", `${plural(other.end - other.first, "action")}, ${other.seconds.toFixed(1)} s`));
+    const use = element("button", "walk-button", "Use this");
+    use.type = "button";
+    use.setAttribute("aria-label", `Use ${LETTERS[i]}`);
+    use.addEventListener("click", () => goTo(other.code));
+    head3.append(element("span", "spacer"), use);
+    const chips = element("div", "way-parts");
+    chips.append(...other.actions.slice(other.first, other.end).map((id) => {
+      const chip2 = element("span", "action-chip plain-chip", actionOf(id).short);
+      paintAction(chip2, actionOf(id));
+      chip2.title = actionOf(id).name;
+      return chip2;
+    }));
+    if (other.first === other.end) chips.append(element("span", "muted", "left out"));
+    box2.append(head3, chips);
+    return box2;
+  }
+  var drawOthers = (data2, view4) => {
+    const box2 = find("compose-others");
+    if (!box2) return;
+    const wanted2 = view4.show === "compose" && view4.alt;
+    box2.classList.toggle("hidden", !wanted2);
+    if (!wanted2) {
+      if (playing && view4.show === "compose" && composition().ready) composition().play();
+      playing = "";
+      return;
+    }
+    const there = matches(data2, view4);
+    if (!isFresh(box2, [there, there && data2, state2.data.names])) return;
+    const head3 = element("div", "other-title");
+    head3.append(element("h3", "", there && data2.others ? `Other ways for ${data2.part}` : "Other ways"));
+    const close = element("button", "walk-button", "Keep it as it is");
+    close.type = "button";
+    close.addEventListener("click", () => changeView({ alt: "" }));
+    const again = element("button", "walk-button", "Another four");
+    again.type = "button";
+    again.disabled = !there;
+    again.addEventListener("click", () => changeView({ alt: String(Number(view4.alt) + 1) }));
+    const replay = element("button", "walk-button", "Play again");
+    replay.type = "button";
+    replay.disabled = !there || !data2.others?.length;
+    replay.addEventListener("click", () => player.show(request4(data2)).then(() => player.play()));
+    head3.append(element("span", "spacer"), replay, again, close);
+    const body2 = element("div", "other-cards");
+    if (!there) body2.append(element("p", "muted", "Making four other ways …"));
+    else if (data2.error || !data2.others.length) body2.append(element("p", "muted", data2.error || "There is no other way for this part; choose a larger one."));
+    else body2.append(...data2.others.map(card2));
+    box2.replaceChildren(head3, body2);
+    const stamp = there && data2.others?.length ? JSON.stringify(data2.asked) : "";
+    if (!stamp || stamp === playing) return;
+    playing = stamp;
+    player.show(request4(data2));
+  };
+
+  // grammar/routines.mjs
+  var now4 = {};
+  var selectionOf2 = (routine, first, end) => ({
+    clip: routine.clip,
+    start: routine.leaves[first][0],
+    end: routine.leaves[end - 1][1],
+    as: "actions"
+  });
+  function row5(routine, number3, brief) {
+    const line2 = element("li");
+    const button4 = element("button", "routine-row");
+    button4.type = "button";
+    button4.dataset.routine = number3;
+    const name = `${routine.clip}, ${clock(routine.seconds[0])} to ${clock(routine.seconds[1])}`;
+    button4.setAttribute("aria-label", `Routine ${number3 + 1}: ${name}, ${plural(routine.actions.length, "action")}`);
+    button4.title = `${name}: ${routine.actions.map((id) => actionOf(id).name).join(", ")}`;
+    const squares = element("span", "routine-squares");
+    squares.append(...routine.actions.map((id) => {
+      const square = element("span", "routine-square");
+      square.style.setProperty("--tone", actionOf(id).colour);
+      return square;
+    }));
+    button4.append(
+      element("span", "number routine-number", String(number3 + 1)),
+      element("span", "ellipsis routine-clip", brief),
+      element("span", "muted number", clock(routine.seconds[0])),
+      squares
+    );
+    line2.append(button4);
+    return line2;
+  }
+  function play6(routine, first = 0, end = routine.leaves.length) {
+    const selection = selectionOf2(routine, first, end);
+    ahead.play(selection);
+    setStore("selection", selection);
+  }
+  var drawRoutines = (shown7, data2, view4) => {
+    const list2 = find("routine-list");
+    if (!list2 || !data2?.routines) return;
+    if (isFresh(list2, [data2.key, data2.names])) {
+      const brief = new Map(data2.rows.map((clip) => [clip.clip, clip.brief]));
+      redraw(list2, data2.routines.map((routine2, number3) => row5(routine2, number3, brief.get(routine2.clip))));
+    }
+    if (!shown7 || shown7.key !== data2.key) return;
+    const routine = data2.routines[shown7.number];
+    now4 = { routine, number: shown7.number };
+    for (const button4 of list2.querySelectorAll(".routine-row")) {
+      const here3 = Number(button4.dataset.routine) === shown7.number;
+      button4.classList.toggle("chosen", here3);
+      button4.setAttribute("aria-pressed", String(here3));
+    }
+    find("routine-title").textContent = `Routine ${shown7.number + 1}`;
+    find("routine-count").textContent = `${routine.clip}, ${plural(routine.actions.length, "action")}`;
+    showTree(find("routine-tree"), shown7.svg, ({ first, end }) => play6(routine, first, end));
+    setLink("routine-svg", `/api/grammar-tree.svg?${downloadQuery(view4, { routine: shown7.number })}`);
+  };
+  document.addEventListener("click", (event) => {
+    if (event.target.closest?.("#routine-play") && now4.routine) play6(now4.routine);
+    const button4 = event.target.closest?.(".routine-row");
+    if (!button4) return;
+    const number3 = Number(button4.dataset.routine);
+    changeView({ routine: number3 ? String(number3) : "" });
+    play6(state2.data.routines[number3]);
+  });
+  window.addEventListener("stage-frame", (event) => {
+    const box2 = find("routine-tree");
+    if (!box2?.offsetParent || !now4.routine) return;
+    const item = event.detail.items[0];
+    const here3 = item && item.clip === now4.routine.clip && item.dataset === state2.data.dataset;
+    lightTree(box2, here3 ? now4.routine.leaves.findIndex(([start3, end]) => item.frame >= start3 && item.frame < end) : -1);
+  });
+
+  // grammar/rules.mjs
+  var FIRST = 8;
+  var open3 = /* @__PURE__ */ new Set();
+  var named = (id) => (state2.data.rules || []).find((phrase) => phrase.id === id);
+  var phraseChip = (id) => {
+    const phrase = named(id);
+    const button4 = element("button", "phrase-chip", phrase ? phrase.name : id);
+    button4.type = "button";
+    button4.title = "Show what it may be";
+    button4.dataset.phrase = id;
+    return button4;
+  };
+  function way({ parts: symbols, count }, seen3) {
+    const line2 = element("li", "way");
+    const bar = element("span", "way-bar");
+    bar.style.setProperty("--share", seen3 ? count / seen3 : 0);
+    const many = element("span", "number way-count", `${count}×`);
+    many.title = `Taken ${plural(count, "time")} of ${seen3}`;
+    const body2 = element("span", "way-parts");
+    body2.append(...symbols.map((one) => typeof one === "number" ? actionChip(one) : phraseChip(one)));
+    if (!symbols.length) body2.append(element("span", "muted", "nothing: it may be left out"));
+    line2.append(many, bar, body2);
+    return line2;
+  }
+  function card3(phrase, start3) {
+    const box2 = element("section", "phrase-card");
+    box2.id = `phrase-${phrase.id}`;
+    box2.tabIndex = -1;
+    const head3 = element("div", "phrase-head");
+    head3.append(element("h3", "", start3 ? "A routine" : phrase.name));
+    const kinds2 = phrase.ways.length === 1 ? "always goes like this" : `goes one of ${phrase.ways.length} ways`;
+    head3.append(element("span", "muted", `${kinds2}, seen ${plural(phrase.seen, "time")}`));
+    if (phrase.cyclic) {
+      const mark3 = element("span", "phrase-cyclic", "can contain itself");
+      mark3.title = "New routines may go round it more than once";
+      head3.append(mark3);
+    }
+    const list2 = element("ol", "ways");
+    const shown7 = open3.has(phrase.id) ? phrase.ways : phrase.ways.slice(0, FIRST);
+    list2.append(...shown7.map((one) => way(one, phrase.seen)));
+    box2.append(head3, list2);
+    if (phrase.ways.length > shown7.length) {
+      const more2 = element("button", "text-button", `Show ${phrase.ways.length - shown7.length} more`);
+      more2.type = "button";
+      more2.addEventListener("click", () => {
+        open3.add(phrase.id);
+        box2.replaceWith(card3(phrase, start3));
+        find(`phrase-${phrase.id}`).querySelectorAll(".way")[FIRST]?.querySelector("button")?.focus();
+      });
+      box2.append(more2);
+    }
+    return box2;
+  }
+  var drawRules = (data2) => {
+    const box2 = find("grammar-rules");
+    if (!box2 || !isFresh(box2, [data2.key, data2.names])) return;
+    open3.clear();
+    box2.replaceChildren(...data2.rules.map((phrase, number3) => card3(phrase, number3 === 0)));
+  };
+  document.addEventListener("click", (event) => {
+    const chip2 = event.target.closest?.(".phrase-chip");
+    const phraseCard = chip2 && find(`phrase-${chip2.dataset.phrase}`);
+    if (!phraseCard || !phraseCard.offsetParent) return;
+    phraseCard.scrollIntoView({ block: "center", behavior: "smooth" });
+    phraseCard.focus({ preventScroll: true });
+    phraseCard.classList.add("shown");
+    setTimeout(() => phraseCard.classList.remove("shown"), 1200);
+  });
+
+  // grammar/strings.mjs
+  var MOST_FIGURES2 = 24;
+  var place4 = (node, start3, end, seconds) => {
+    node.style.left = `${100 * start3 / seconds}%`;
+    node.style.width = `${Math.max(100 * (end - start3) / seconds, 0.15)}%`;
+  };
+  function block([start3, end, id, number3], seconds) {
+    const action = actionOf(id);
+    const made = playsSelection(element("button", "string-block"), { action: id, segment: number3 });
+    made.type = "button";
+    made.append(element("span", "", action.short));
+    made.tabIndex = -1;
+    made.title = `${action.name}, ${number3 + 1} of ${action.count}, ${clock(start3)} to ${clock(end)}`;
+    made.setAttribute("aria-label", made.title);
+    made.dataset.action = id;
+    made.dataset.segment = number3;
+    paintAction(made, action);
+    place4(made, start3, end, seconds);
+    return made;
+  }
+  function row6(clip, longest2) {
+    const line2 = element("div", "string-row");
+    line2.setAttribute("role", "listitem");
+    const head3 = playsSelection(element("button", "string-clip ellipsis", clip.brief), { clip: clip.clip, as: "actions" });
+    head3.type = "button";
+    head3.dataset.clip = clip.clip;
+    head3.title = `Play ${clip.clip} with its actions`;
+    const time = element("div", "string-time");
+    time.style.width = `${Math.max(100 * clip.seconds / longest2, 0.5)}%`;
+    Object.assign(time.dataset, { clip: clip.clip, seconds: clip.seconds, fps: clip.fps });
+    if (clip.labels.length) {
+      const labels2 = element("div", "string-labels");
+      labels2.append(...clip.labels.map(([start3, end, name]) => {
+        const made = element("span", "string-label", name);
+        made.title = `${name}, ${clock(start3)} to ${clock(end)}`;
+        place4(made, start3, end, clip.seconds);
+        return made;
+      }));
+      time.append(labels2);
+    }
+    const blocks = element("div", "string-blocks");
+    blocks.append(...clip.pieces.map((piece) => block(piece, clip.seconds)));
+    if (blocks.firstChild) blocks.firstChild.tabIndex = 0;
+    for (const cut of clip.cuts) {
+      const mark3 = element("span", "string-cut");
+      mark3.style.left = `${100 * cut / clip.seconds}%`;
+      blocks.append(mark3);
+    }
+    time.append(blocks, element("div", "string-now"));
+    const track = element("div", "string-track");
+    track.append(time);
+    line2.append(head3, track);
+    return line2;
+  }
+  var drawString = (data2) => {
+    const box2 = find("grammar-string");
+    if (!box2 || !isFresh(box2, [data2.key, data2.names])) return;
+    const longest2 = Math.max(...data2.rows.map((clip) => clip.seconds), 1e-3);
+    box2.replaceChildren(...data2.rows.map((clip) => row6(clip, longest2)));
+  };
+  var markChosen = (selection) => {
+    const chosen3 = selection?.action === void 0 ? null : String(selection.action);
+    const box2 = find("grammar-string");
+    if (!box2) return;
+    box2.classList.toggle("one-action", chosen3 !== null);
+    for (const made of box2.querySelectorAll(".string-block")) {
+      const same4 = made.dataset.action === chosen3;
+      made.classList.toggle("same", same4);
+      made.setAttribute("aria-pressed", String(same4 && made.dataset.segment === String(selection.segment)));
+    }
+    for (const head3 of box2.querySelectorAll(".string-clip")) head3.classList.toggle("chosen", selection?.clip === head3.dataset.clip);
+  };
+  document.addEventListener("keydown", (event) => {
+    const at3 = event.target.closest?.(".string-block");
+    if (!at3) return;
+    const lines = [...at3.closest("#grammar-string").querySelectorAll(".string-blocks")];
+    const line2 = lines.indexOf(at3.parentNode);
+    const blocks = [...at3.parentNode.querySelectorAll(".string-block")];
+    const number3 = blocks.indexOf(at3);
+    const next2 = {
+      ArrowRight: () => blocks[number3 + 1],
+      ArrowLeft: () => blocks[number3 - 1],
+      ArrowDown: () => lines[line2 + 1]?.querySelector(".string-block"),
+      ArrowUp: () => lines[line2 - 1]?.querySelector(".string-block")
+    }[event.key];
+    if (!next2) return;
+    event.preventDefault();
+    event.stopPropagation();
+    next2()?.focus();
+  });
+  var LARGEST = 32;
+  document.addEventListener("click", (event) => {
+    const button4 = event.target.closest?.(".string-zoom");
+    const box2 = button4 && find("grammar-string");
+    if (!box2) return;
+    const before2 = Number(box2.dataset.zoom || 1);
+    const zoom4 = Math.min(Math.max(before2 * (button4.dataset.zoom === "in" ? 2 : 0.5), 1), LARGEST);
+    const middle = box2.scrollLeft + box2.clientWidth / 2;
+    box2.dataset.zoom = zoom4;
+    box2.style.setProperty("--zoom", zoom4);
+    box2.scrollLeft = middle * zoom4 / before2 - box2.clientWidth / 2;
+  });
+  function follow2(box2, line2) {
+    if (Number(box2.dataset.zoom || 1) === 1 || !player.playing) return;
+    const [outer, at3] = [box2.getBoundingClientRect(), line2.getBoundingClientRect().left];
+    if (at3 < outer.left + 140 || at3 > outer.right) box2.scrollLeft += at3 - outer.left - 160;
+  }
+  var lit3 = [];
+  function cursor2() {
+    const box2 = find("grammar-string");
+    if (!box2 || !box2.offsetParent) return;
+    for (const line2 of lit3) line2.style.display = "";
+    lit3 = [];
+    for (let i = 0; i < MOST_FIGURES2; i++) {
+      const item = player.frameOf(i);
+      if (!item) break;
+      if (String(item.dataset || "").startsWith("~")) continue;
+      const time = box2.querySelector(`.string-time[data-clip="${CSS.escape(item.clip)}"]`);
+      const line2 = time?.lastChild;
+      if (!line2 || lit3.includes(line2)) continue;
+      line2.style.display = "block";
+      line2.style.left = `${100 * item.frame / time.dataset.fps / time.dataset.seconds}%`;
+      lit3.push(line2);
+    }
+    if (lit3.length === 1) follow2(box2, lit3[0]);
+  }
+  setInterval(cursor2, 80);
+
+  // grammar/grammar.mjs
+  register("grammar", {
+    draw(data2, selection, order, _place) {
+      if (!data2 || !find("grammar-string")) return clientside.no_update;
+      state2.data = data2;
+      drawString(data2);
+      drawActions(data2, order);
+      drawOccurrences(data2, selection);
+      drawRules(data2);
+      markChosen(selection);
+      return clientside.no_update;
+    },
+    /** A point of a chart over the number of actions: its result comes on the page. */
+    open(click) {
+      const change = click?.points?.[0]?.customdata;
+      if (typeof change === "string") changeView(JSON.parse(change));
+      return clientside.no_update;
+    },
+    routine(shown7, data2, view4) {
+      if (data2) state2.data = data2;
+      drawRoutines(shown7, data2, view4 || {});
+      return clientside.no_update;
+    },
+    compose(made, view4, data2, selection) {
+      if (data2) state2.data = data2;
+      drawCompose(made, view4, selection);
+      return clientside.no_update;
+    },
+    others(data2, view4) {
+      drawOthers(data2, view4 || {});
+      return clientside.no_update;
+    }
+  });
+
+  // motion_map/data.mjs
+  var MapData = class {
+    constructor(buffer, key) {
+      const length = new DataView(buffer).getUint32(0, true);
+      Object.assign(this, JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length))));
+      this.key = key;
+      [this.nx, this.ny] = this.grid;
+      this.n = this.nx * this.ny;
+      this.width = 3 * this.joints.length;
+      let at3 = 4 + length;
+      const take3 = (Kind, n) => {
+        const array = new Kind(buffer, at3, n);
+        at3 += 4 * n;
+        return array;
+      };
+      this.weights = take3(Float32Array, this.n * this.width);
+      const table3 = {};
+      for (const name of ["clip", "start", "end", "node"]) table3[name] = take3(Int32Array, this.runs);
+      for (const name of ["distance", "ahead", "aside"]) table3[name] = take3(Float32Array, this.runs);
+      this.table = table3;
+      this.seconds = new Float32Array(this.n);
+      this.speed = new Float32Array(this.runs);
+      this.fastest = 0;
+      for (let r = 0; r < this.runs; r++) {
+        this.seconds[table3.node[r]] += (table3.end[r] - table3.start[r]) / this.fps;
+        this.speed[r] = Math.hypot(table3.ahead[r], table3.aside[r]);
+        this.fastest = Math.max(this.fastest, this.speed[r]);
+      }
+      this.reach = Math.ceil(10 * this.spread()) / 10;
+      this.postures = /* @__PURE__ */ new Map();
+      this.near = /* @__PURE__ */ new Map();
+    }
+    /** Largest distance of a posture from the mean one. */
+    spread() {
+      const mean = new Float64Array(this.width);
+      for (let k = 0; k < this.weights.length; k++) mean[k % this.width] += this.weights[k] / this.n;
+      let most = 0;
+      for (let node = 0; node < this.n; node++) most = Math.max(most, this.apart(node, mean));
+      return most;
+    }
+    index(x, y) {
+      return x * this.ny + y;
+    }
+    place(node) {
+      return [Math.floor(node / this.ny), node % this.ny];
+    }
+    /** Distance of a node's model vector to a vector. */
+    apart(node, vector) {
+      let sum2 = 0;
+      for (let k = 0, at3 = node * this.width; k < this.width; k++, at3++) sum2 += (this.weights[at3] - vector[k]) ** 2;
+      return Math.sqrt(sum2);
+    }
+    model(node) {
+      return this.weights.subarray(node * this.width, (node + 1) * this.width);
+    }
+    /** Distances (n) of all nodes to a key node's model vector. */
+    distances(node) {
+      if (!this.near.has(node)) {
+        const own2 = this.model(node), found = new Float32Array(this.n);
+        for (let k = 0; k < this.n; k++) found[k] = this.apart(k, own2);
+        if (this.near.size > 64) this.near.clear();
+        this.near.set(node, found);
+      }
+      return this.near.get(node);
+    }
+    /** The node nearest to a vector of joint positions, and the distance. */
+    nearest(vector) {
+      let [best, least] = [0, Infinity];
+      for (let node = 0; node < this.n; node++) {
+        const apart = this.apart(node, vector);
+        if (apart < least) [best, least] = [node, apart];
+      }
+      return { node: best, distance: least };
+    }
+    /** The posture of a node, bones at their real lengths: positions (3 n_joints), the pelvis at the origin. */
+    posture(node) {
+      if (!this.postures.has(node)) this.postures.set(node, this.withBones(this.model(node)));
+      return this.postures.get(node);
+    }
+    withBones(vector) {
+      const made = new Float64Array(this.width);
+      this.parents.forEach((parent, joint) => {
+        const from = (array, k) => parent < 0 ? 0 : array[3 * parent + k];
+        const bone = [0, 1, 2].map((k) => vector[3 * joint + k] - from(vector, k));
+        const size = Math.hypot(...bone);
+        const way2 = size > 1e-9 ? bone.map((part2) => part2 / size) : [0, 1, 0];
+        for (let k = 0; k < 3; k++) made[3 * joint + k] = from(made, k) + way2[k] * this.lengths[joint];
+      });
+      return made;
+    }
+    /** Whether a run travels as a pace says: {slowest, fastest, way}. */
+    allows(run, pace) {
+      if (!pace) return true;
+      const speed = this.speed[run];
+      if (speed < pace.slowest || speed > pace.fastest) return false;
+      if (!pace.way || pace.way === "any") return true;
+      const straight = pace.way === "forward" || pace.way === "backward";
+      let [along2, across] = [this.table.ahead[run], this.table.aside[run]];
+      if (!straight) [along2, across] = [across, along2];
+      if (pace.way === "backward" || pace.way === "right") along2 = -along2;
+      return along2 > 0 && along2 >= Math.abs(across);
+    }
+    /**
+     * Stretches that pass all keys in order, best first; as core/motion_map/keypose_search.py, which says why. keys: node
+     * numbers; reach: the paper's T. Gives [{clip, start, end, distance}], clip a number, analysis frames.
+     */
+    search(keys, reach, pace) {
+      if (!keys.length) return [];
+      const { clip, start: start3, end, node } = this.table;
+      const passes = keys.map((key) => {
+        const apart = this.distances(key);
+        const rows2 = [];
+        for (let r = 0; r < this.runs; r++) {
+          const on2 = node[r];
+          if ((on2 === key || apart[on2] < reach) && this.allows(r, pace)) rows2.push(r);
+        }
+        return { rows: rows2, apart };
+      });
+      let chains = passes[0].rows.map((r) => ({ first: r, last: r, distance: passes[0].apart[node[r]] }));
+      for (const { rows: rows2, apart } of passes.slice(1)) {
+        let at3 = 0;
+        const next2 = [];
+        for (const chain of chains) {
+          while (at3 < rows2.length && rows2[at3] <= chain.last) at3++;
+          if (at3 === rows2.length) break;
+          if (clip[rows2[at3]] !== clip[chain.last]) continue;
+          next2.push({ first: chain.first, last: rows2[at3], distance: chain.distance + apart[node[rows2[at3]]] });
+        }
+        chains = next2;
+      }
+      const shortest = chains.filter((chain, k) => k + 1 === chains.length || chains[k + 1].last !== chain.last);
+      const hits = shortest.map((chain) => ({
+        clip: clip[chain.first],
+        start: start3[chain.first],
+        end: end[chain.last],
+        distance: chain.distance
+      }));
+      const rough = (value) => Math.round(value * 1e5);
+      return hits.sort((a, b) => rough(a.distance) - rough(b.distance) || a.end - a.start - (b.end - b.start) || a.clip - b.clip || a.start - b.start);
+    }
+    /** A stretch in frames of the clip's own rate: {clip: name, start, end}. */
+    segment({ clip, start: start3, end }) {
+      const { name, frames, fps } = this.clips[clip];
+      const even3 = (value) => value % 1 === 0.5 ? 2 * Math.round(value / 2) : Math.round(value);
+      const first = Math.min(even3(start3 * fps / this.fps), frames - 1);
+      return { clip: name, start: first, end: Math.max(Math.min(even3(end * fps / this.fps), frames), first + 1) };
+    }
+    /** The node on which a frame (of the clip's own rate) of a clip of the map lies, or -1. */
+    nodeAt(name, frame) {
+      this.numbers ||= new Map(this.clips.map((clip2, k2) => [clip2.name, k2]));
+      const k = this.numbers.get(name);
+      if (k === void 0) return -1;
+      const { clip, start: start3, end, node } = this.table;
+      const wanted2 = Math.max(Math.round(frame * this.fps / this.clips[k].fps), 0);
+      let [low, high] = [0, this.runs - 1];
+      while (low < high) {
+        const middle = low + high + 1 >> 1;
+        if (clip[middle] < k || clip[middle] === k && start3[middle] <= wanted2) low = middle;
+        else high = middle - 1;
+      }
+      return clip[low] === k && start3[low] <= wanted2 && wanted2 <= end[low] ? node[low] : -1;
+    }
+  };
+  var loaded = /* @__PURE__ */ new Map();
+  var loadMap = (key) => {
+    if (!loaded.has(key)) {
+      const answer2 = fetch(`/api/map/${key}.bin`).then(async (response) => {
+        if (!response.ok) throw new Error((await response.json().catch(() => ({}))).error || "The map cannot be read.");
+        return new MapData(await response.arrayBuffer(), key);
+      });
+      loaded.set(key, answer2);
+      answer2.catch(() => loaded.delete(key));
+      if (loaded.size > 4) loaded.delete(loaded.keys().next().value);
+    }
+    return loaded.get(key);
+  };
+
+  // motion_map/figure.mjs
+  var HEAD2 = 0.105;
+  var PENS = { left: 0.06, right: 0.06, centre: 0.075 };
+  var [YAW, PITCH] = [35 * Math.PI / 180, 8 * Math.PI / 180];
+  var VIEWS = {
+    front: ([x, y, z]) => [x, -y, z],
+    side: ([x, y, z]) => [z, -y, -x],
+    top: ([x, y, z]) => [x, z, y],
+    icon: ([x, y, z]) => {
+      const [a, c] = [Math.cos(YAW) * x + Math.sin(YAW) * z, Math.cos(YAW) * z - Math.sin(YAW) * x];
+      return [a, c * Math.sin(PITCH) - y * Math.cos(PITCH), c];
+    }
+  };
+  var jointOf = (posture, j) => j < 0 ? [0, 0, 0] : [posture[3 * j], posture[3 * j + 1], posture[3 * j + 2]];
+  var minus = (a, b) => a.map((part2, k) => part2 - b[k]);
+  var plus = (a, b, scale3 = 1) => a.map((part2, k) => part2 + scale3 * b[k]);
+  var cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+  var unit = (a) => {
+    const size = Math.hypot(...a);
+    return size > 1e-6 ? a.map((part2) => part2 / size) : null;
+  };
+  function forward(map, posture) {
+    const [left, right] = ["left_shoulder", "right_shoulder"].map((role) => map.roles.indexOf(role));
+    if (left < 0 || right < 0) return [0, 0, 1];
+    const [a, b] = [jointOf(posture, left), jointOf(posture, right)];
+    return unit(cross(minus(a, b), plus(a, b))) || [0, 0, 1];
+  }
+  var sideOf = (map, j) => /_(clavicle|shoulder|hip)$/.test(map.roles[j]) ? "centre" : map.sides[j];
+  function drawFigure(map, posture, view4) {
+    const see = VIEWS[view4];
+    const text = (point) => {
+      const [a, b] = see(point);
+      return `${a.toFixed(3)} ${b.toFixed(3)}`;
+    };
+    const layers = ["left", "right", "centre"].map((side) => {
+      const bones = map.parents.map((parent, j) => [parent, j]).filter(([, j]) => sideOf(map, j) === side);
+      const d = bones.map(([parent, j]) => `M${text(jointOf(posture, parent))}L${text(jointOf(posture, j))}`).join("");
+      const depth2 = bones.reduce((sum2, [, j]) => sum2 + see(jointOf(posture, j))[2], 0) / Math.max(bones.length, 1);
+      const group = svgElement("g", { class: `map-limb-${side}` }, svgElement("path", { d, "stroke-width": PENS[side], fill: "none" }));
+      if (side === "centre") group.append(...head(map, posture, see));
+      return { group, depth: depth2 };
+    });
+    layers.sort((a, b) => a.depth - b.depth);
+    return svgElement("g", { class: "map-figure" }, ...layers.map((layer) => layer.group));
+  }
+  function head(map, posture, see) {
+    const at3 = map.roles.indexOf("head");
+    if (at3 < 0) return [];
+    const up = unit(minus(jointOf(posture, at3), jointOf(posture, map.parents[at3]))) || [0, 1, 0];
+    const centre = plus(jointOf(posture, at3), up, HEAD2);
+    const [middle, tip] = [see(centre), see(plus(centre, forward(map, posture), 1.5 * HEAD2))];
+    const ball2 = svgElement("circle", { cx: middle[0], cy: middle[1], r: HEAD2, class: "map-head" });
+    if (tip[2] < middle[2] - 1e-6) return [ball2];
+    return [ball2, svgElement("path", { d: `M${middle[0]} ${middle[1]}L${tip[0]} ${tip[1]}`, "stroke-width": 0.045, class: "map-nose" })];
+  }
+  function figurePicture(map, posture, view4, className = "map-picture") {
+    const fit2 = view4 === "icon";
+    let box2 = [-1, -1.05, 2, 2.1];
+    if (fit2) {
+      const seen3 = [[0, 0, 0], ...map.parents.map((_, j) => jointOf(posture, j))].map(VIEWS.icon);
+      const [xs, ys] = [seen3.map((p) => p[0]), seen3.map((p) => p[1])];
+      const side = Math.max(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys), 1.2) + 0.34;
+      box2 = [(Math.max(...xs) + Math.min(...xs) - side) / 2, (Math.max(...ys) + Math.min(...ys) - side) / 2 - 0.08, side, side];
+    }
+    const svg = svgElement("svg", { viewBox: box2.map((part2) => part2.toFixed(3)).join(" "), class: className, "aria-hidden": "true" });
+    svg.append(drawFigure(map, posture, view4));
+    return svg;
+  }
+
+  // motion_map/bones.mjs
+  function chainOf(map, joint) {
+    const chain = [joint];
+    const trunk = (j) => j < 0 || /^(chest|spine|neck|head)$|_(clavicle|shoulder|hip)$/.test(map.roles[j]);
+    const inTrunk = trunk(joint);
+    for (let j = map.parents[joint]; ; j = map.parents[j]) {
+      chain.push(j);
+      if (j < 0 || !inTrunk && trunk(j)) return chain;
+    }
+  }
+  function dragJoint(map, posture, joint, goal) {
+    const chain = chainOf(map, joint);
+    const at3 = chain.map((j) => [...jointOf(posture, j)]);
+    const bones = chain.slice(0, -1).map((j) => map.lengths[j]);
+    const fixed = [...at3[at3.length - 1]];
+    const toward = (from, to, length, otherwise) => {
+      let way2 = to.map((v, k) => v - from[k]), size = Math.hypot(...way2);
+      if (size < 1e-9) [way2, size] = [otherwise, Math.hypot(...otherwise) || 1];
+      return from.map((v, k) => v + length * way2[k] / size);
+    };
+    const before2 = at3.map((point) => [...point]);
+    for (let round2 = 0; round2 < 12; round2++) {
+      at3[0] = [...goal];
+      for (let k = 1; k < at3.length; k++) at3[k] = toward(at3[k - 1], at3[k], bones[k - 1], [0, 1, 0]);
+      at3[at3.length - 1] = [...fixed];
+      for (let k = at3.length - 2; k >= 0; k--) at3[k] = toward(at3[k + 1], at3[k], bones[k], [0, 1, 0]);
+    }
+    const moved2 = Float64Array.from(posture);
+    const turns = /* @__PURE__ */ new Map();
+    chain.slice(0, -1).forEach((j, k) => {
+      at3[k].forEach((v, d) => moved2[3 * j + d] = v);
+      turns.set(j, turn3(before2[k].map((v, d) => v - before2[k + 1][d]), at3[k].map((v, d) => v - at3[k + 1][d])));
+    });
+    map.parents.forEach((parent, j) => {
+      if (turns.has(j) || !turns.has(parent)) return;
+      turns.set(j, turns.get(parent));
+      const bone = turns.get(parent)([0, 1, 2].map((d) => posture[3 * j + d] - posture[3 * parent + d]));
+      bone.forEach((v, d) => moved2[3 * j + d] = moved2[3 * parent + d] + v);
+    });
+    return map.withBones(moved2);
+  }
+  function turn3(from, to) {
+    const unit2 = (v) => v.map((x) => x / (Math.hypot(...v) || 1));
+    const [a, b] = [unit2(from), unit2(to)];
+    const axis = [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    const cosine = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+    const scale3 = 1 / Math.max(1 + cosine, 1e-6);
+    return (v) => {
+      const cross2 = (p, q) => [p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0]];
+      const once = cross2(axis, v), twice = cross2(axis, once);
+      return v.map((x, k) => x + once[k] + scale3 * twice[k]);
+    };
+  }
+
+  // motion_map/posture_editor.mjs
+  var AXES = { front: [[1, 0, 0], [0, -1, 0]], side: [[0, 0, 1], [0, -1, 0]], top: [[1, 0, 0], [0, 0, 1]] };
+  var BOX = [-1, -1.05, 2, 2.1];
+  var edited = null;
+  var NAMES = (role, name) => (role || name).replace(/_/g, " ");
+  function dialog() {
+    let box2 = document.getElementById("map-editor");
+    if (box2) return box2;
+    box2 = element("dialog", "map-editor card");
+    box2.id = "map-editor";
+    box2.setAttribute("aria-labelledby", "map-editor-title");
+    const title = element("h2", "", "Shape a posture");
+    title.id = "map-editor-title";
+    const hint = element("p", "muted", "Drag a joint in any view, or choose one and use the arrow keys; bones keep their lengths.");
+    const views = element("div", "map-editor-views");
+    for (const view4 of Object.keys(AXES)) {
+      const figure2 = element("figure", "map-view");
+      figure2.dataset.view = view4;
+      figure2.append(svgElement("svg", { viewBox: BOX.join(" "), class: "map-picture map-editor-picture" }), element("figcaption", "muted", view4));
+      views.append(figure2);
+    }
+    const said2 = element("div", "map-editor-said number muted");
+    said2.setAttribute("role", "status");
+    const foot = element("div", "map-editor-foot");
+    const nearest2 = element("div", "map-editor-nearest");
+    const actions4 = element("div", "map-editor-actions");
+    for (const [label, action, main] of [["Cancel", "cancel"], ["As it was", "reset"], ["Use as key", "use", true]]) {
+      const button4 = element("button", main ? "map-button main" : "map-button", label);
+      button4.type = "button";
+      button4.dataset.editor = action;
+      actions4.append(button4);
+    }
+    foot.append(nearest2, said2, actions4);
+    box2.append(title, hint, views, foot);
+    document.getElementById("shell").append(box2);
+    listen(box2);
+    return box2;
+  }
+  function listen(box2) {
+    let held = null;
+    const place6 = (svg, event) => {
+      const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
+      return [x, y];
+    };
+    box2.addEventListener("pointerdown", (event) => {
+      const handle2 = event.target.closest(".map-joint");
+      if (!handle2) return;
+      const svg = handle2.ownerSVGElement;
+      held = { svg, joint: Number(handle2.dataset.joint), view: svg.parentNode.dataset.view, from: place6(svg, event) };
+      held.start = jointOf(edited.posture, held.joint);
+      edited.joint = held.joint;
+      svg.setPointerCapture(event.pointerId);
+      event.preventDefault();
+    });
+    box2.addEventListener("pointermove", (event) => {
+      if (!held) return;
+      const [x, y] = place6(held.svg, event), [right, down] = AXES[held.view];
+      move5(held.joint, held.start.map((v, k) => v + (x - held.from[0]) * right[k] + (y - held.from[1]) * down[k]));
+    });
+    box2.addEventListener("pointerup", () => {
+      held = null;
+    });
+    box2.addEventListener("keydown", (event) => {
+      const handle2 = event.target.closest(".map-joint");
+      const step3 = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
+      if (!handle2 || !step3) return;
+      event.preventDefault();
+      event.stopPropagation();
+      const view4 = handle2.ownerSVGElement.parentNode.dataset.view, joint = Number(handle2.dataset.joint);
+      const [right, down] = AXES[view4], from = jointOf(edited.posture, joint);
+      move5(joint, from.map((v, k) => v + 0.04 * (step3[0] * right[k] + step3[1] * down[k])));
+      box2.querySelector(`[data-view="${view4}"] .map-joint[data-joint="${joint}"]`)?.focus();
+    });
+    box2.addEventListener("click", (event) => {
+      const action = event.target.closest("[data-editor]")?.dataset.editor;
+      if (action === "cancel") box2.close();
+      if (action === "reset") {
+        edited.posture = edited.start;
+        draw5();
+      }
+      if (action === "use") {
+        const { node, key, change } = edited, { keys } = state;
+        box2.close();
+        change(key < 0 ? [...keys, node] : keys.map((old, k) => k === key ? node : old));
+      }
+    });
+  }
+  function move5(joint, goal) {
+    edited.posture = dragJoint(edited.map, edited.posture, joint, goal);
+    draw5();
+  }
+  function draw5() {
+    const { map, posture } = edited, box2 = dialog();
+    for (const figure2 of box2.querySelectorAll("[data-view]")) {
+      const svg = figure2.querySelector("svg"), see = VIEWS[figure2.dataset.view];
+      const handles = map.parents.map((_, j) => {
+        const [x, y] = see(jointOf(posture, j));
+        const handle2 = svgElement("circle", { cx: x.toFixed(3), cy: y.toFixed(3), r: 0.045, class: "map-joint", tabindex: "0", role: "button", "data-joint": j });
+        handle2.setAttribute("aria-label", `${NAMES(map.roles[j], map.joints[j])}, ${figure2.dataset.view}`);
+        const title = svgElement("title");
+        title.textContent = NAMES(map.roles[j], map.joints[j]);
+        handle2.append(title);
+        return handle2;
+      });
+      svg.replaceChildren(drawFigure(map, posture, figure2.dataset.view), ...handles);
+    }
+    const { node, distance } = map.nearest(posture);
+    Object.assign(edited, { node, distance });
+    const far = distance > 2.5 * map.usual;
+    box2.querySelector(".map-editor-said").textContent = `Nearest posture on the map: ${distance.toFixed(2)} m away${far ? ", so nothing there is like this" : ""}`;
+    box2.querySelector(".map-editor-nearest").replaceChildren(figurePicture(map, map.posture(node), "icon"));
+    state.overlay.squares("cursor", [node]);
+  }
+  function editPosture(node, key, change) {
+    const { map } = state;
+    const posture = map.posture(node);
+    edited = { map, posture, start: posture, key, change, joint: -1 };
+    dialog();
+    draw5();
+    dialog().showModal();
+  }
+  var editedPosture = () => edited;
+
+  // motion_map/keys.mjs
+  var MOST_ROWS2 = 60;
+  var AT_ONCE2 = 12;
+  var button3 = (label, symbol, action, className = "map-tool") => {
+    const made = element("button", className);
+    made.type = "button";
+    made.title = label;
+    made.setAttribute("aria-label", label);
+    made.append(icon(symbol));
+    made.addEventListener("click", action);
+    return made;
+  };
+  var short2 = (seconds) => (seconds >= 10 ? seconds.toFixed(0) : seconds.toFixed(1)) + " s";
+  function drawPreview(map, node, facts) {
+    const box2 = document.getElementById("map-preview");
+    if (!box2) return;
+    if (node < 0) {
+      box2.replaceChildren(element("p", "muted map-hint", "Point at the map to see a posture. Click postures in the order in which they should come."));
+      return;
+    }
+    const posture = map.posture(node);
+    const views = ["front", "side", "top"].map((view4) => {
+      const figure2 = element("figure", "map-view");
+      figure2.append(figurePicture(map, posture, view4), element("figcaption", "muted", view4));
+      return figure2;
+    });
+    const row8 = element("div", "map-views");
+    row8.append(...views);
+    const said2 = box2.querySelector(".map-caption") || element("div", "map-caption number");
+    said2.textContent = caption(map, node, facts);
+    box2.replaceChildren(row8, said2);
+  }
+  function caption(map, node, facts) {
+    const [x, y] = map.place(node);
+    const labels2 = (facts && facts.labels || [])[node] || [];
+    const named3 = labels2.filter(([, seconds]) => seconds >= 0.05).slice(0, 3).map(([k, seconds]) => `${facts.names[k]} ${short2(seconds)}`).join(", ");
+    const time = map.seconds[node] > 0 ? `${short2(map.seconds[node])} of motion` : "no motion here";
+    return `Node ${x}, ${y} · region ${map.regions[node]} · ${time}${named3 ? ` · ${named3}` : ""}`;
+  }
+  function drawStrip(map, keys, change) {
+    const box2 = document.getElementById("map-keys");
+    if (!box2) return;
+    const focused = [...box2.children].indexOf(document.activeElement?.closest?.(".map-key-card"));
+    const move6 = (from, to) => {
+      if (to < 0 || to >= keys.length || from === to) return;
+      const next2 = [...keys];
+      next2.splice(to, 0, ...next2.splice(from, 1));
+      change(next2, to);
+    };
+    const remove = (k) => change(keys.filter((_, i) => i !== k), Math.min(k, keys.length - 2));
+    box2.replaceChildren(...keys.map((node, k) => {
+      const card4 = element("div", "map-key-card");
+      card4.tabIndex = 0;
+      card4.draggable = true;
+      card4.setAttribute("role", "listitem");
+      const [x, y] = map.place(node);
+      card4.setAttribute("aria-label", `Key ${k + 1} of ${keys.length}, node ${x}, ${y}. Left and right move it, Delete removes it.`);
+      const tools = element("div", "map-key-tools");
+      tools.append(
+        button3(`Move key ${k + 1} before the one in front`, "left", () => move6(k, k - 1)),
+        button3(`Change the posture of key ${k + 1}`, "edit", () => editPosture(node, k, change)),
+        button3(`Move key ${k + 1} behind the next`, "right", () => move6(k, k + 1)),
+        button3(`Remove key ${k + 1}`, "close", () => remove(k))
+      );
+      tools.children[0].disabled = k === 0;
+      tools.children[2].disabled = k === keys.length - 1;
+      card4.append(element("span", "map-key-number", String(k + 1)), figurePicture(map, map.posture(node), "icon"), tools);
+      card4.addEventListener("keydown", (event) => {
+        if (event.target !== card4) return;
+        if (event.key === "ArrowLeft") move6(k, k - 1);
+        else if (event.key === "ArrowRight") move6(k, k + 1);
+        else if (event.key === "Delete" || event.key === "Backspace") remove(k);
+        else return;
+        event.preventDefault();
+        event.stopPropagation();
+      });
+      card4.addEventListener("dragstart", (event) => event.dataTransfer.setData("text/plain", String(k)));
+      card4.addEventListener("dragover", (event) => event.preventDefault());
+      card4.addEventListener("drop", (event) => {
+        event.preventDefault();
+        const from = Number.parseInt(event.dataTransfer.getData("text/plain"), 10);
+        if (Number.isInteger(from)) move6(from, k);
+      });
+      return card4;
+    }));
+    if (!keys.length) box2.append(element("p", "muted map-hint", "No keys yet: click a posture on the map."));
+    if (focused >= 0) box2.children[Math.min(focused, box2.children.length - 1)]?.focus?.({ preventScroll: true });
+  }
+  var said = (n, keys) => !keys.length ? "" : n === 1 ? "1 hit" : `${n} hits`;
+  function drawCount(n, keys, files) {
+    const box2 = document.getElementById("map-count");
+    if (box2) box2.textContent = said(n, keys) + (n ? ` in ${files} clip${files === 1 ? "" : "s"}` : "");
+  }
+  var later = 0;
+  function drawHits(map, hits, keys, { dataset: dataset2, version, chosen: chosen3 }) {
+    const box2 = document.getElementById("map-hits");
+    if (!box2) return;
+    clearTimeout(later);
+    if (!hits.length) {
+      const hint = keys.length ? "Nothing passes these postures in this order. Let the keys reach farther, or remove one." : "Choose one or more postures on the map: every stretch of motion that passes through them in order is listed here.";
+      box2.replaceChildren(element("p", "muted map-hint", hint));
+      return;
+    }
+    const row8 = (hit, k) => {
+      const segment = map.segment(hit);
+      const { fps } = map.clips[hit.clip];
+      const made = element("button", "motion-row map-hit");
+      made.type = "button";
+      made.dataset.store = "selection";
+      made.dataset.value = JSON.stringify(segment);
+      const on2 = Boolean(chosen3) && chosen3.clip === segment.clip && chosen3.start === segment.start && chosen3.end === segment.end;
+      made.classList.toggle("chosen", on2);
+      made.setAttribute("aria-pressed", String(on2));
+      const when = `${clock(segment.start / fps)} to ${clock(segment.end / fps)}`;
+      made.title = `Play ${segment.clip}, ${when}; postures ${hit.distance.toFixed(2)} m from the keys`;
+      const picture = element("img", "motion-strip");
+      const asked5 = new URLSearchParams({ start: segment.start, end: segment.end, n: 5, v: version });
+      const address2 = `/api/filmstrip/${encodeURIComponent(dataset2)}/${segment.clip.split("/").map(encodeURIComponent).join("/")}?${asked5}`;
+      Object.assign(picture, { loading: "lazy", alt: "", draggable: false, src: address2 });
+      made.append(
+        element("span", "map-rank number muted", String(k + 1)),
+        element("span", "ellipsis motion-clip", segment.clip),
+        element("span", "muted number motion-time", when),
+        picture
+      );
+      return made;
+    };
+    box2.replaceChildren(...hits.slice(0, AT_ONCE2).map(row8));
+    const rest = () => {
+      box2.append(...hits.slice(AT_ONCE2, MOST_ROWS2).map((hit, k) => row8(hit, AT_ONCE2 + k)));
+      if (hits.length > MOST_ROWS2) box2.append(element("div", "muted selection-more", `and ${hits.length - MOST_ROWS2} more`));
+    };
+    if (hits.length > AT_ONCE2) later = setTimeout(rest, 50);
+  }
+  function markHit(chosen3) {
+    for (const row8 of document.querySelectorAll(".map-hit")) {
+      const segment = JSON.parse(row8.dataset.value);
+      const on2 = Boolean(chosen3) && ["clip", "start", "end"].every((key) => segment[key] === chosen3[key]);
+      row8.classList.toggle("chosen", on2);
+      row8.setAttribute("aria-pressed", String(on2));
+    }
+  }
+
+  // motion_map/overlay.mjs
+  var LAYERS = ["lit", "region", "reach", "paths", "drawn", "dots", "keys", "cursor"];
+  var JUMP = 3;
+  var HELP = "Map of postures. Arrow keys move the cursor, Enter adds the posture under it as a key, Backspace takes the last key away.";
+  var Overlay = class {
+    constructor(box2, on2) {
+      this.box = box2;
+      this.on = on2;
+      this.cursor = -1;
+      this.svg = svgElement("svg", { class: "map-overlay", tabindex: "0", role: "application", "aria-label": HELP });
+      this.view = svgElement("svg", { preserveAspectRatio: "none", overflow: "visible" });
+      this.layers = {};
+      for (const name of LAYERS) this.view.append(this.layers[name] = svgElement("g", { class: `map-layer-${name}` }));
+      this.svg.append(this.view);
+      box2.append(this.svg);
+      this.listen();
+    }
+    get plot() {
+      return this.box.querySelector(".js-plotly-plot");
+    }
+    /** Lie exactly over the heatmap. */
+    fit(map) {
+      const layout = this.plot?._fullLayout;
+      if (!layout?.xaxis || !map) return;
+      const { xaxis: x, yaxis: y } = layout;
+      const place6 = { x: x._offset, y: y._offset, width: x._length, height: y._length, viewBox: `-0.5 -0.5 ${map.nx} ${map.ny}` };
+      for (const [key, value] of Object.entries(place6)) this.view.setAttribute(key, value);
+      this.scale = x._length / map.nx;
+    }
+    /** [x, y] in node units of a pointer event; null where it is not over the map. */
+    at(event) {
+      const matrix = this.map && this.view.getScreenCTM();
+      if (!matrix) return null;
+      const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.layers.cursor.getScreenCTM().inverse());
+      return x >= -0.5 && y >= -0.5 && x < this.map.nx - 0.5 && y < this.map.ny - 0.5 ? [x, y] : null;
+    }
+    node(event) {
+      const at3 = this.at(event);
+      return at3 ? this.map.index(Math.round(at3[0]), Math.round(at3[1])) : -1;
+    }
+    listen() {
+      let drawing5 = null;
+      this.svg.addEventListener("pointermove", (event) => {
+        const node = this.node(event);
+        if (drawing5) {
+          const at3 = this.at(event), last2 = drawing5[drawing5.length - 1];
+          if (at3 && Math.hypot(at3[0] - last2[0], at3[1] - last2[1]) > 0.4) drawing5.push(at3);
+          this.drawPath(drawing5);
+        }
+        if (node >= 0 && node !== this.cursor) this.move(node);
+      });
+      this.svg.addEventListener("pointerdown", (event) => {
+        const at3 = this.at(event);
+        if (!at3 || !this.on.draws()) return;
+        drawing5 = [at3];
+        this.svg.setPointerCapture(event.pointerId);
+      });
+      this.svg.addEventListener("pointerup", () => {
+        if (drawing5 && drawing5.length > 2) this.on.path(drawing5);
+        drawing5 = null;
+      });
+      this.svg.addEventListener("click", (event) => {
+        const node = this.node(event);
+        if (node >= 0 && !this.on.draws()) this.on.choose(node);
+      });
+      this.svg.addEventListener("pointerleave", () => !drawing5 && this.on.leave());
+      this.svg.addEventListener("keydown", (event) => this.key(event));
+    }
+    key(event) {
+      if (!this.map || event.ctrlKey || event.metaKey || event.altKey) return;
+      const steps2 = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+      const within = (value, n) => Math.min(Math.max(value, 0), n - 1);
+      const [x, y] = this.cursor < 0 ? this.map.icons[0] : this.map.place(this.cursor);
+      if (steps2[event.key]) {
+        const far = event.shiftKey ? 5 : 1;
+        const [a, b] = this.cursor < 0 ? [0, 0] : steps2[event.key];
+        this.move(this.map.index(within(x + far * a, this.map.nx), within(y + far * b, this.map.ny)));
+      } else if (event.key === "Enter" || event.key === " ") {
+        if (this.cursor >= 0) this.on.choose(this.cursor);
+      } else if (event.key === "Backspace" || event.key === "Delete") this.on.undo();
+      else return;
+      event.preventDefault();
+      event.stopPropagation();
+    }
+    move(node) {
+      this.cursor = node;
+      this.squares("cursor", node < 0 ? [] : [node]);
+      if (node >= 0) this.on.hover(node);
+    }
+    /** Fill a layer with the squares of nodes, as one path. */
+    squares(layer, nodes) {
+      if (!this.map) return;
+      const d = nodes.map((node) => {
+        const [x, y] = this.map.place(node);
+        return `M${x - 0.5} ${y - 0.5}h1v1h-1z`;
+      }).join("");
+      this.layers[layer].replaceChildren(...d ? [svgElement("path", { d, class: `map-${layer}` })] : []);
+    }
+    /** Nodes of every key: [{node, nodes}], numbered. */
+    drawKeys(keys) {
+      const every = new Set(keys.flatMap((key) => key.nodes));
+      this.squares("reach", [...every]);
+      const size = Math.max(0.5, 9 / (this.scale || 18));
+      this.layers.keys.replaceChildren(...keys.map(({ node }, k) => {
+        const [x, y] = this.map.place(node);
+        const mark3 = svgElement("g", { class: "map-key", transform: `translate(${x} ${y}) scale(${size.toFixed(3)})` });
+        const label = svgElement("text", { y: 0.36, "text-anchor": "middle" });
+        label.textContent = String(k + 1);
+        mark3.append(svgElement("circle", { r: 0.9 }), label);
+        return mark3;
+      }));
+    }
+    /** Ways over the map: [{points, colour}], the first drawn last; jumps over a fold of the map are thin and dotted. */
+    drawPaths(paths) {
+      this.layers.paths.replaceChildren(...[...paths].reverse().flatMap(({ points, colour }) => {
+        const [ways, jumps] = [[], []];
+        points.slice(1).forEach((point, k) => {
+          const far = Math.hypot(point[0] - points[k][0], point[1] - points[k][1]) > JUMP;
+          (far ? jumps : ways).push(`M${points[k]}L${point}`);
+        });
+        const made = (d, name) => svgElement("path", { d: d.join(""), class: `map-path ${name}`, style: `--tone: ${colour}` });
+        return [made(jumps, "map-jump"), made(ways, "map-way")];
+      }));
+    }
+    drawPath(points) {
+      const line2 = points?.length > 1 ? [svgElement("polyline", { points: points.map((p) => p.map((v) => v.toFixed(2)).join(",")).join(" "), class: "map-drawn" })] : [];
+      this.layers.drawn.replaceChildren(...line2);
+    }
+    /** Where the playing figures are: [{x, y, colour}]. */
+    drawDots(dots) {
+      const layer = this.layers.dots;
+      while (layer.childElementCount > dots.length) layer.lastChild.remove();
+      while (layer.childElementCount < dots.length) layer.append(svgElement("circle", { class: "map-dot" }));
+      dots.forEach(({ x, y, colour }, k) => {
+        const dot3 = layer.children[k];
+        dot3.setAttribute("cx", x);
+        dot3.setAttribute("cy", y);
+        dot3.setAttribute("r", Math.max(0.3, 5.5 / (this.scale || 18)));
+        dot3.style.setProperty("--tone", colour);
+      });
+    }
+  };
+
+  // motion_map/paths.mjs
+  var TONES = ["#d1495b", "#00798c", "#edae49", "#6a4c93", "#3a7d44", "#c8553d", "#1982c4", "#8a6d3b"];
+  var MOST = 24;
+  var known = /* @__PURE__ */ new Map();
+  var nameOf2 = (map, item) => [map.key, item.dataset, item.clip, item.start, item.end].join("\n");
+  async function pathsOf(map, items) {
+    const missing = items.filter((item) => !known.has(nameOf2(map, item)));
+    for (const dataset2 of new Set(missing.map((item) => item.dataset))) {
+      const mine2 = missing.filter((item) => item.dataset === dataset2);
+      const asked5 = new URLSearchParams({ dataset: dataset2 });
+      for (const { clip, start: start3, end } of mine2) for (const [key, value] of Object.entries({ clip, start: start3, end })) asked5.append(key, value);
+      const answer2 = fetch(`/api/map/${map.key}/paths?${asked5}`).then((response) => response.ok ? response.json() : [], () => []);
+      mine2.forEach((item, k) => known.set(nameOf2(map, item), answer2.then((found) => found[k] || null)));
+    }
+    while (known.size > 600) known.delete(known.keys().next().value);
+    return Promise.all(items.map((item) => known.get(nameOf2(map, item)) ?? null));
+  }
+  function along(path2, frame) {
+    const at3 = Math.min(Math.max((frame - path2.start) / path2.step, 0), path2.points.length - 1);
+    const k = Math.min(Math.floor(at3), path2.points.length - 2);
+    if (k < 0) return path2.points[0];
+    const t = at3 - k;
+    return [0, 1].map((d) => path2.points[k][d] + t * (path2.points[k + 1][d] - path2.points[k][d]));
+  }
+  var Follower = class {
+    constructor(overlay) {
+      this.overlay = overlay;
+      this.items = [];
+      this.paths = [];
+      this.on = true;
+    }
+    /** Take up what the Stage shows. */
+    async take(map, items) {
+      const shown7 = this.on ? items.slice(0, MOST).map(({ dataset: dataset2, clip, start: start3, end, index }) => ({ dataset: dataset2, clip, start: start3, end, index })) : [];
+      const name = JSON.stringify([map.key, shown7]);
+      if (name === this.name) return;
+      this.name = name;
+      const paths = shown7.length ? await pathsOf(map, shown7) : [];
+      if (name !== this.name) return;
+      this.items = shown7;
+      this.paths = paths;
+      this.overlay.drawPaths(paths.flatMap((path2, k) => path2 ? [{ points: path2.points, colour: TONES[k % TONES.length] }] : []));
+      this.step(items);
+    }
+    /** Move the dots to where the figures are. */
+    step(items) {
+      const now6 = new Map(items.map((item) => [item.index, item.frame]));
+      this.dots = this.items.flatMap((item, k) => {
+        const frame = now6.get(item.index), path2 = this.paths[k];
+        if (frame === void 0 || !path2) return [];
+        const [x, y] = along(path2, frame);
+        return [{ x, y, colour: TONES[k % TONES.length] }];
+      });
+      this.overlay.drawDots(this.dots);
+    }
+  };
+
+  // motion_map/map.mjs
+  var USUAL = { colour: "height", click: "keys", pace: "any", way: "any" };
+  var live = 0;
+  var put3 = (change) => changeView({ ...change, at: Date.now() });
+  var page2 = () => document.getElementById("map-plot");
+  var write3 = (keys) => keys.map((node) => state.map.place(node).join("-")).join(",");
+  function read2(text, map) {
+    const found = [];
+    for (const word of String(text || "").split(",")) {
+      const match = /^(\d+)-(\d+)$/.exec(word);
+      if (match && Number(match[1]) < map.nx && Number(match[2]) < map.ny) found.push(map.index(Number(match[1]), Number(match[2])));
+    }
+    return found.slice(0, 20);
+  }
+  var number2 = (text, otherwise) => /^\d+(\.\d+)?$/.test(text ?? "") ? Number(text) : otherwise;
+  function paceOf(view4) {
+    const [low, high] = String(view4.pace || "").split("-").map((word) => number2(word, NaN));
+    const way2 = ["forward", "backward", "left", "right"].includes(view4.way) ? view4.way : "any";
+    const limits2 = Number.isFinite(low) && Number.isFinite(high) && low <= high ? [low, high] : [0, Infinity];
+    return way2 === "any" && limits2[0] === 0 && limits2[1] === Infinity ? null : { slowest: limits2[0], fastest: limits2[1], way: way2 };
+  }
+  function drawKeys() {
+    const { map, keys, reach } = state;
+    state.overlay.drawKeys(keys.map((node) => {
+      const apart = map.distances(node), nodes = [];
+      for (let k = 0; k < map.n; k++) if (k === node || apart[k] < reach) nodes.push(k);
+      return { node, nodes };
+    }));
+  }
+  function search() {
+    const { map, keys, reach, pace, path: path2 } = state;
+    if (!path2) state.hits = map.search(keys, reach, pace);
+    drawCount(state.hits.length, path2 ? [path2] : keys, new Set(state.hits.map((hit) => hit.clip)).size);
+    const all = document.getElementById("map-play-all");
+    if (all) all.disabled = state.hits.length === 0;
+    return state.hits;
+  }
+  function list() {
+    const { dataset: dataset2, version } = state.known;
+    drawHits(state.map, state.hits, state.keys, { dataset: dataset2, version, chosen: state.selection });
+  }
+  function refresh(lists2 = true) {
+    if (!state.map || !state.overlay) return;
+    drawKeys();
+    search();
+    clearTimeout(live);
+    if (lists2) list();
+    else live = setTimeout(list, 120);
+  }
+  async function ask3(address2) {
+    const answer2 = await fetch(address2).catch(() => null);
+    const body2 = await answer2?.json().catch(() => null);
+    return answer2?.ok && body2 ? body2 : { error: body2?.error || "The server does not answer; try again in a moment." };
+  }
+  async function followPath(path2) {
+    const { map } = state;
+    state.path = path2;
+    state.overlay.drawPath(path2.split(",").map((point) => point.split("-").map(Number)));
+    const found = await ask3(`/api/map/${map.key}/drawn?${new URLSearchParams({ path: path2 })}`);
+    if (state.path !== path2 || state.map !== map) return;
+    if (found.error) notify("This path was not followed", found.error);
+    state.hits = found.error ? [] : found;
+    refresh();
+  }
+  function drawn3(points) {
+    const step3 = Math.max(1, Math.ceil(points.length / 24));
+    const few = points.filter((_, k) => k % step3 === 0 || k === points.length - 1);
+    const path2 = few.map((point) => point.map((value) => Math.max(value, 0).toFixed(1)).join("-")).join(",");
+    state.keys = [];
+    drawStrip(state.map, [], setKeys);
+    put3({ drawn: path2, keys: "" });
+    return followPath(path2);
+  }
+  function setKeys(keys, focus2) {
+    if (state.path) {
+      state.path = "";
+      state.overlay.drawPath([]);
+    }
+    state.keys = keys.slice(0, 20);
+    drawStrip(state.map, state.keys, setKeys);
+    if (focus2 !== void 0) document.getElementById("map-keys").children[focus2]?.focus?.();
+    refresh();
+    put3({ keys: write3(state.keys), drawn: "" });
+  }
+  function setReach(reach, done) {
+    state.reach = reach;
+    showReach();
+    refresh(done);
+    if (done) put3({ within: reach ? reach.toFixed(2) : "" });
+  }
+  function showReach() {
+    const slider2 = document.getElementById("map-reach"), label = document.getElementById("map-reach-value");
+    if (!slider2 || !state.map) return;
+    slider2.max = state.map.reach;
+    slider2.value = state.reach;
+    slider2.setAttribute("aria-valuetext", `${state.reach.toFixed(2)} metres`);
+    label.textContent = `${state.reach.toFixed(2)} m`;
+  }
+  function choose3(node) {
+    if (state.mode === "regions") {
+      const region = state.map.regions[node];
+      put3({ region: String(region), below: "region" });
+    } else setKeys([...state.keys, node]);
+  }
+  function mount2() {
+    const box2 = page2();
+    if (!box2 || state.overlay?.box === box2) return Boolean(box2);
+    state.overlay = new Overlay(box2, {
+      hover: (node) => drawPreview(state.map, node, state.facts),
+      leave: () => {
+      },
+      choose: choose3,
+      undo: () => state.keys.length && setKeys(state.keys.slice(0, -1)),
+      draws: () => state.mode === "draw",
+      path: drawn3
+    });
+    state.follower = new Follower(state.overlay);
+    const slider2 = Object.assign(document.createElement("input"), { type: "range", id: "map-reach", className: "map-slider", min: 0, step: 0.01, value: 0 });
+    slider2.setAttribute("aria-labelledby", "map-reach-label");
+    document.getElementById("map-reach-box").replaceChildren(slider2);
+    slider2.addEventListener("input", () => state.map && setReach(Number(slider2.value), false));
+    slider2.addEventListener("change", () => state.map && setReach(Number(slider2.value), true));
+    new ResizeObserver(() => requestAnimationFrame(fit)).observe(box2);
+    return true;
+  }
+  function fit() {
+    if (!state.overlay || !state.map) return;
+    state.overlay.fit(state.map);
+    drawKeys();
+  }
+  function show5(view4) {
+    const { map } = state;
+    if (!map || !mount2()) return;
+    const keys = read2(view4.keys, map), reach = Math.min(number2(view4.within, 0), map.reach), pace = paceOf(view4);
+    state.mode = ["regions", "draw"].includes(view4.click) ? view4.click : "keys";
+    page2().dataset.mode = state.mode;
+    const region = number2(view4.region, -1);
+    state.overlay.squares("region", region < 0 ? [] : [...map.regions.keys()].filter((node) => map.regions[node] === region));
+    const path2 = view4.drawn || "";
+    const shown7 = JSON.stringify([keys, reach, pace, path2]);
+    if (shown7 === JSON.stringify([state.keys, state.reach, state.pace, state.path]) && state.shownOn === map.key) return;
+    const stays = path2 && path2 === state.path && state.shownOn === map.key;
+    Object.assign(state, { keys, reach, pace, shownOn: map.key });
+    showReach();
+    drawStrip(map, keys, setKeys);
+    if (path2 && !stays) followPath(path2);
+    else {
+      state.path = path2;
+      if (!path2) state.overlay.drawPath([]);
+      refresh();
+    }
+  }
+  window.addEventListener("stage-state", (event) => {
+    if (state.map && state.follower && page2()) state.follower.take(state.map, own(event.detail.items));
+  });
+  window.addEventListener("stage-frame", (event) => {
+    if (state.map && state.follower && page2() && event.detail.items) state.follower.step(own(event.detail.items));
+  });
+  var own = (items) => (items || []).map((item) => ({ ...item, dataset: item.dataset || state.known?.dataset }));
+  async function keyFromStage() {
+    const item = player.frameOf(0);
+    if (!item) return notify("Nothing is on the Stage", "Play a clip or a motif first; its current frame then becomes a key.");
+    const asked5 = new URLSearchParams({ dataset: item.dataset || state.known.dataset, clip: item.clip, frame: item.frame });
+    const found = await ask3(`/api/map/${state.map.key}/node?${asked5}`);
+    if (found.error) return notify("That posture cannot be a key", found.error);
+    const node = state.map.index(...found.node);
+    state.overlay.move(node);
+    setKeys([...state.keys, node]);
+    if (found.distance > 2.5 * found.usual) notify("Added, but it fits badly", `No posture of the map is like this one: the nearest is ${found.distance.toFixed(2)} m away, ${found.usual.toFixed(2)} m is usual.`);
+  }
+  function playAll() {
+    const items = state.hits.slice(0, 12).map((hit) => {
+      const segment = state.map.segment(hit);
+      return { ...segment, label: segment.clip };
+    });
+    if (!items.length) return;
+    const { dataset: dataset2, version } = state.known;
+    const title = `${items.length} of ${state.hits.length} hits`;
+    const request5 = { dataset: dataset2, version, items, title, layout: "overlay", sync: "start" };
+    setStore("stage-request", request5);
+    player.show(request5);
+  }
+  document.addEventListener("click", (event) => {
+    const button4 = event.target.closest?.("[data-map-do]");
+    if (!button4 || !state.map) return;
+    const actions4 = {
+      stage: keyFromStage,
+      all: playAll,
+      clear: () => setKeys([]),
+      edit: () => editPosture(state.overlay.cursor >= 0 ? state.overlay.cursor : state.map.index(...state.map.icons[0]), -1, setKeys)
+    };
+    actions4[button4.dataset.mapDo]?.();
+  });
+  register("map", {
+    /** A map has come: fetch it, then show what the link says of it. */
+    async load(known3, view4) {
+      if (!known3 || !known3.key) {
+        state.map = null;
+        return clientside.no_update;
+      }
+      const map = await loadMap(known3.key).catch(() => null);
+      if (!map) return clientside.no_update;
+      Object.assign(state, { map, known: known3, facts: known3.facts });
+      if (!mount2()) return clientside.no_update;
+      state.overlay.map = map;
+      state.overlay.cursor = -1;
+      drawPreview(map, -1);
+      state.shownOn = null;
+      show5(view4 || {});
+      fit();
+      state.overlay.squares("lit", state.lit);
+      const items = [];
+      for (let k = 0; player.frameOf(k); k++) items.push(player.frameOf(k));
+      state.follower.take(map, own(items));
+      return map.key;
+    },
+    view(view4) {
+      show5(view4 || {});
+      return clientside.no_update;
+    },
+    /** The heatmap was drawn anew: lie over it again. */
+    drawn() {
+      requestAnimationFrame(() => requestAnimationFrame(fit));
+      return clientside.no_update;
+    },
+    lit(lit4) {
+      state.lit = lit4 && lit4.nodes || [];
+      if (state.overlay && state.map) state.overlay.squares("lit", state.lit);
+      return clientside.no_update;
+    },
+    selection(selection) {
+      state.selection = selection && selection.clip !== void 0 ? selection : null;
+      markHit(state.selection);
+      return clientside.no_update;
+    },
+    /** A control was used: its choice goes into the link, the usual one leaves it. */
+    chosen(value, view4) {
+      const key = clientside.callback_context.inputs_list[0].id.slice("map-".length);
+      const wanted2 = value === USUAL[key] ? "" : value;
+      if (value && ((view4 || {})[key] || "") !== wanted2) put3({ [key]: wanted2 });
+      return clientside.no_update;
+    },
+    choice(view4, id) {
+      const key = id.slice("map-".length);
+      return (view4 || {})[key] || USUAL[key];
+    },
+    /** Those parts of the view that the server draws by. */
+    look(view4, current2) {
+      const keys = ["colour", "below", "region", "icons"];
+      const next2 = Object.fromEntries(keys.filter((key) => (view4 || {})[key]).map((key) => [key, view4[key]]));
+      return current2 && JSON.stringify(next2) === JSON.stringify(current2) ? clientside.no_update : next2;
+    }
+  });
+
+  // search/state.mjs
+  var now5 = { found: null, view: {}, clips: null, motifs: [], scheme: "light", presets: {}, body: null, engines: [], key: null, selection: {}, active: 0 };
+  var changeSearch = (values) => changeView({ hit: "", ...values });
+  var bytes = new TextEncoder();
+  var escapeName = (name) => [...name].map((c) => /[-0-9A-Za-z._ ]/.test(c) ? c : [...bytes.encode(c)].map((byte) => "~" + byte.toString(16).padStart(2, "0")).join("")).join("");
+  var nodesOf = (leaves) => {
+    const wanted2 = new Set(leaves);
+    const found = [];
+    const left = new Set(leaves);
+    for (const [node, below] of Object.entries(now5.body.nodes)) {
+      if (below.every((leaf) => wanted2.has(leaf)) && below.some((leaf) => left.has(leaf))) {
+        found.push(node);
+        below.forEach((leaf) => left.delete(leaf));
+      }
+    }
+    return found;
+  };
+  var writeQuery = (pieces) => pieces.filter((piece) => piece.leaves.length).map((piece) => [
+    ...piece.leaves.length === now5.body.leaves.length ? [] : [nodesOf(piece.leaves).join("+")],
+    escapeName(piece.clip),
+    `${piece.start}-${piece.end}`,
+    ...piece.dataset ? [escapeName(piece.dataset)] : []
+  ].join(":")).join(",");
+  var copyPieces = () => (now5.found && now5.found.pieces || []).map((piece) => ({ ...piece, leaves: [...piece.leaves] }));
+  var searchFor = (pieces, more2 = {}) => {
+    const query = writeQuery(pieces);
+    if (query !== (now5.view.query || "")) remember3();
+    changeSearch({ query, ...more2 });
+  };
+  var before = [];
+  var remember3 = () => {
+    const { query, parts: weights } = now5.view;
+    if (query && (!before.length || before.at(-1).query !== query)) before.push({ query, parts: weights || "" });
+    if (before.length > 30) before.shift();
+  };
+  var goBack = () => {
+    while (before.length) {
+      const last2 = before.pop();
+      if (last2.query !== now5.view.query) return changeSearch(last2);
+    }
+    return void 0;
+  };
+  var canGoBack = () => before.some((one) => one.query !== now5.view.query);
+  var searchAddress = (hit) => {
+    const pairs2 = new URLSearchParams({ dataset: now5.clips.dataset, v: now5.clips.version.slice(0, 8) });
+    for (const [key, value] of Object.entries(now5.view)) {
+      if (["query", "parts"].includes(key) || key.startsWith("search-")) pairs2.set(key, value);
+    }
+    if (hit) pairs2.set("hit", hit);
+    return pairs2.toString();
+  };
+
+  // search/body.mjs
+  var MOST2 = 50;
+  var EVEN = 10;
+  var SHAPES = {
+    torso: ["M48 44 Q60 39 72 44 L69 74 L71 92 Q60 97 49 92 L51 74 Z"],
+    head: ["M60 8 a12.5 13.500 0 1 1 -.01 0 Z"],
+    left_arm: ["M80 49 L91 76"],
+    left_hand: ["M93.500 84 L97.500 104"],
+    right_arm: ["M40 49 L29 76"],
+    right_hand: ["M26.500 84 L22.500 104"],
+    left_leg: ["M67.500 103 L70.500 144"],
+    left_foot: ["M71.500 154 L72 170 L79 174"],
+    right_leg: ["M52.500 103 L49.500 144"],
+    right_foot: ["M48.500 154 L48 170 L41 174"]
+  };
+  var THICK = { left_arm: 11, right_arm: 11, left_hand: 9, right_hand: 9, left_leg: 14, right_leg: 14, left_foot: 10, right_foot: 10 };
+  var assigning = () => Boolean(now5.found && now5.found.pieces && now5.found.pieces.length > 1) && mode2 === "pieces";
+  var mode2 = "weights";
+  var raw = null;
+  var drawn4 = "";
+  var waiting = 0;
+  var even2 = () => Object.fromEntries(now5.body.leaves.map((leaf) => [leaf, EVEN]));
+  function readWeights(text) {
+    const found = Object.fromEntries(now5.body.leaves.map((leaf) => [leaf, 0]));
+    let total2 = 0;
+    for (const word of (text || "").split(",")) {
+      const [node, weight] = word.split(":");
+      const below = now5.body.nodes[node];
+      if (!below || !(Number(weight) > 0)) continue;
+      for (const leaf of below) found[leaf] += Number(weight) / below.length;
+      total2 += Number(weight);
+    }
+    return total2 ? found : even2();
+  }
+  function writeWeights(weights) {
+    const values = Object.values(weights);
+    if (values.every((value) => value === values[0])) return "";
+    const short3 = (value) => String(Number(value.toFixed(2)));
+    return now5.body.leaves.filter((leaf) => weights[leaf] > 0).map((leaf) => `${leaf}:${short3(weights[leaf])}`).join(",");
+  }
+  var total = () => Object.values(raw).reduce((sum2, value) => sum2 + value, 0);
+  var share = (leaf) => raw[leaf] / Math.max(total(), 1e-9);
+  var percent2 = (value) => value === 0 ? "0 %" : `${(100 * value).toFixed(100 * value < 9.95 ? 1 : 0)} %`.replace(".0 ", " ");
+  function send2() {
+    clearTimeout(waiting);
+    waiting = setTimeout(() => {
+      waiting = 0;
+      if (total() > 0) changeSearch({ parts: writeWeights(raw) });
+    }, 140);
+  }
+  function put4(leaf, value) {
+    raw[leaf] = Math.min(Math.max(value, 0), MOST2);
+    paint();
+    find("search-body").classList.toggle("search-none", total() === 0);
+    send2();
+  }
+  function shape(leaf) {
+    const group = svgElement("g");
+    group.setAttribute("class", "search-part");
+    group.setAttribute("tabindex", "0");
+    group.dataset.part = leaf;
+    for (const d of SHAPES[leaf]) {
+      const path2 = svgElement("path");
+      path2.setAttribute("d", d);
+      if (THICK[leaf]) {
+        path2.setAttribute("fill", "none");
+        path2.setAttribute("stroke-width", THICK[leaf]);
+        path2.setAttribute("class", "search-limb");
+      }
+      group.append(path2);
+    }
+    const title = svgElement("title");
+    group.append(title);
+    return group;
+  }
+  function figure() {
+    const svg = svgElement("svg");
+    svg.setAttribute("viewBox", "10 4 100 178");
+    svg.setAttribute("class", "search-figure");
+    svg.setAttribute("role", "group");
+    svg.setAttribute("aria-label", "Parts of the body, seen from the front");
+    const order = ["torso", ...now5.body.leaves.filter((leaf) => leaf !== "torso")];
+    svg.append(...order.map(shape));
+    for (const [letter, x] of [["R", 17], ["L", 103]]) {
+      const text = svgElement("text");
+      text.setAttribute("x", x);
+      text.setAttribute("y", 40);
+      text.setAttribute("class", "search-side");
+      text.textContent = letter;
+      text.append(Object.assign(svgElement("title"), { textContent: letter === "L" ? "Their left" : "Their right" }));
+      svg.append(text);
+    }
+    return svg;
+  }
+  function slider(leaf) {
+    const input2 = element("input", "search-weight");
+    Object.assign(input2, { type: "range", min: 0, max: MOST2, step: 0.5 });
+    input2.dataset.weight = leaf;
+    input2.setAttribute("aria-label", `Weight of the ${now5.body.words[leaf].toLowerCase()}`);
+    const label = element("span", "search-weight-name", now5.body.words[leaf]);
+    const line2 = element("label", "search-weight-row", label, input2, element("span", "search-weight-share number"));
+    line2.dataset.part = leaf;
+    return line2;
+  }
+  function build(box2) {
+    const presets = element("select", "search-select");
+    presets.id = "search-preset";
+    presets.setAttribute("aria-label", "Ready-made weights");
+    const names2 = Object.keys(now5.presets);
+    presets.append(...names2.map((name) => {
+      const option2 = element("option", "", name[0].toUpperCase() + name.slice(1));
+      option2.value = name;
+      return option2;
+    }), Object.assign(element("option", "", "Weights of your own"), { value: "", hidden: true }));
+    const modes = element("div", "search-modes hidden");
+    modes.setAttribute("role", "radiogroup");
+    modes.setAttribute("aria-label", "What a click in the figure does");
+    for (const [value, words3] of [["weights", "Weigh"], ["pieces", "Assign"]]) {
+      const one = element("button", "search-mode", words3);
+      one.type = "button";
+      one.dataset.mode = value;
+      one.setAttribute("role", "radio");
+      modes.append(one);
+    }
+    const hint = element("p", "muted search-body-hint");
+    const left = element("div", "search-body-left", figure(), modes);
+    const right = element("div", "search-body-right", presets, element("div", "search-weights", ...now5.body.leaves.map(slider)), hint);
+    box2.replaceChildren(left, right);
+  }
+  var sameWeights = (a, b) => {
+    const [sa, sb] = [a, b].map((weights) => Object.values(weights).reduce((sum2, value) => sum2 + value, 0) || 1);
+    return now5.body.leaves.every((leaf) => Math.abs((a[leaf] || 0) / sa - (b[leaf] || 0) / sb) < 2e-3);
+  };
+  function paint() {
+    const box2 = find("search-body");
+    const pieces = now5.found && now5.found.pieces || [];
+    const owner = (leaf) => pieces.findIndex((piece) => piece.leaves.includes(leaf));
+    const several = pieces.length > 1;
+    const most = Math.max(...Object.values(raw), 1e-9);
+    box2.querySelector(".search-modes").classList.toggle("hidden", !several);
+    for (const one of box2.querySelectorAll("[data-mode]")) one.setAttribute("aria-checked", String(one.dataset.mode === mode2));
+    for (const group of box2.querySelectorAll(".search-part")) {
+      const leaf = group.dataset.part;
+      const own2 = owner(leaf);
+      const colour = several ? own2 >= 0 ? pieces[own2].colour : "var(--muted)" : "var(--accent)";
+      const strength = assigning() ? own2 >= 0 ? 0.85 : 0.1 : raw[leaf] > 0 ? 0.25 + 0.75 * Math.sqrt(raw[leaf] / most) : 0;
+      group.style.setProperty("--tone", colour);
+      group.style.setProperty("--strength", `${Math.round(100 * strength)}%`);
+      group.classList.toggle("off", strength === 0);
+      const says = assigning() ? own2 >= 0 ? `from ${"ABCDEF"[own2]}` : "from none" : percent2(share(leaf));
+      group.setAttribute("aria-label", now5.body.words[leaf]);
+      group.setAttribute("role", assigning() ? "button" : "slider");
+      if (assigning()) {
+        for (const name of ["aria-valuenow", "aria-valuemin", "aria-valuemax", "aria-valuetext"]) group.removeAttribute(name);
+        group.setAttribute("aria-label", `${now5.body.words[leaf]}: ${says}`);
+      } else {
+        group.setAttribute("aria-valuemin", 0);
+        group.setAttribute("aria-valuemax", 100);
+        group.setAttribute("aria-valuenow", Math.round(100 * share(leaf)));
+        group.setAttribute("aria-valuetext", says);
+      }
+      group.querySelector("title").textContent = `${now5.body.words[leaf]}: ${says}`;
+    }
+    for (const row8 of box2.querySelectorAll(".search-weight-row")) {
+      const leaf = row8.dataset.part;
+      const input2 = row8.querySelector("input");
+      if (Number(input2.value) !== raw[leaf]) input2.value = raw[leaf];
+      input2.style.setProperty("--share", `${100 * raw[leaf] / MOST2}%`);
+      input2.setAttribute("aria-valuetext", percent2(share(leaf)));
+      row8.querySelector(".search-weight-share").textContent = percent2(share(leaf));
+      row8.classList.toggle("off", raw[leaf] === 0);
+      const own2 = owner(leaf);
+      row8.style.setProperty("--tone", several && own2 >= 0 ? pieces[own2].colour : "var(--accent)");
+    }
+    const named3 = Object.entries(now5.presets).find(([, weights]) => sameWeights(weights, raw));
+    box2.querySelector("#search-preset").value = named3 ? named3[0] : "";
+    box2.querySelector(".search-body-hint").textContent = total() === 0 ? "All parts are off: switch on at least one." : assigning() ? `Click parts to take them from ${"ABCDEF"[now5.active]}. Shift + click: the whole limb.` : "Click a part to switch it on or off, Shift + click for this one alone; arrow keys change its weight.";
+  }
+  var drawBody = () => {
+    const box2 = find("search-body");
+    if (!box2) return;
+    if (!box2.firstChild) {
+      build(box2);
+      drawn4 = "";
+    }
+    const pieces = now5.found && now5.found.pieces || [];
+    if (pieces.length < 2) mode2 = "weights";
+    else if (pieces.length !== Number(box2.dataset.pieces || 0)) mode2 = "pieces";
+    box2.dataset.pieces = pieces.length;
+    const text = now5.view.parts || "";
+    if (!raw || text !== drawn4 && !waiting) {
+      raw = readWeights(text);
+      drawn4 = text;
+    }
+    paint();
+  };
+  var counts = (leaf) => {
+    const weights = readWeights(now5.view.parts);
+    return weights[leaf] > 0 && now5.found.pieces.some((piece) => piece.leaves.includes(leaf));
+  };
+  var lightPart = (leaf) => {
+    for (const one of document.querySelectorAll(".search-page [data-part]")) one.classList.toggle("lit", one.dataset.part === leaf);
+  };
+  var LIMBS = ["head_torso", "left_arm_hand", "right_arm_hand", "left_leg_foot", "right_leg_foot"];
+  var limbOf = (leaf) => now5.body.nodes[LIMBS.find((node) => now5.body.nodes[node].includes(leaf))];
+  function assign(leaves) {
+    const pieces = copyPieces();
+    const taker = pieces[now5.active];
+    if (!taker) return;
+    const has = leaves.every((leaf) => taker.leaves.includes(leaf));
+    for (const piece of pieces) piece.leaves = piece.leaves.filter((leaf) => !leaves.includes(leaf));
+    if (!has) taker.leaves = now5.body.leaves.filter((leaf) => taker.leaves.includes(leaf) || leaves.includes(leaf));
+    if (pieces.every((piece) => !piece.leaves.length)) return;
+    if (pieces.some((piece) => !piece.leaves.length)) now5.active = 0;
+    searchFor(pieces);
+  }
+  function press3(leaf, shift) {
+    if (assigning()) return assign(shift ? limbOf(leaf) : [leaf]);
+    if (shift) {
+      raw = Object.fromEntries(now5.body.leaves.map((one) => [one, one === leaf ? EVEN : 0]));
+      return put4(leaf, EVEN);
+    }
+    return put4(leaf, raw[leaf] > 0 ? 0 : Math.max(...Object.values(raw)) || EVEN);
+  }
+  document.addEventListener("click", (event) => {
+    const part2 = event.target.closest && event.target.closest(".search-part");
+    if (part2) press3(part2.dataset.part, event.shiftKey);
+    const chosen3 = event.target.closest && event.target.closest("[data-mode]");
+    if (chosen3 && chosen3.closest("#search-body")) {
+      mode2 = chosen3.dataset.mode;
+      paint();
+    }
+  });
+  document.addEventListener("keydown", (event) => {
+    const part2 = event.target.closest && event.target.closest(".search-part");
+    if (!part2) return;
+    const leaf = part2.dataset.part;
+    const step3 = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[event.key];
+    if (event.key === "Enter" || event.key === " ") press3(leaf, event.shiftKey);
+    else if (step3 && !assigning()) put4(leaf, raw[leaf] + step3);
+    else if (event.key === "Home" && !assigning()) put4(leaf, 0);
+    else if (event.key === "End" && !assigning()) put4(leaf, MOST2);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  });
+  document.addEventListener("input", (event) => {
+    if (event.target.dataset && event.target.dataset.weight) put4(event.target.dataset.weight, Number(event.target.value));
+  });
+  document.addEventListener("change", (event) => {
+    if (event.target.id !== "search-preset" || !event.target.value) return;
+    const weights = now5.presets[event.target.value];
+    const scale3 = event.target.value === "whole body" ? 100 : Math.min(100, MOST2 / Math.max(...Object.values(weights)));
+    raw = Object.fromEntries(now5.body.leaves.map((leaf) => [leaf, scale3 * (weights[leaf] || 0)]));
+    if (event.target.value === "whole body") raw = even2();
+    paint();
+    send2();
+  });
+  for (const kind of ["pointerover", "focusin"]) {
+    document.addEventListener(kind, (event) => {
+      const page3 = event.target.closest && event.target.closest(".search-page");
+      if (!page3) return;
+      const part2 = event.target.closest("[data-part]");
+      lightPart(part2 ? part2.dataset.part : null);
+    });
+  }
+
+  // search/hits.mjs
+  var MORE = 30;
+  var reasons = /* @__PURE__ */ new Map();
+  var known2 = /* @__PURE__ */ new Map();
+  var reasonOf = (name) => {
+    const address2 = `/api/search/explain?${searchAddress(name)}`;
+    if (!reasons.has(address2)) {
+      const answer2 = fetch(address2).then(async (response) => {
+        const body2 = await response.json().catch(() => ({}));
+        if (!response.ok) throw new Error(body2.error || "The server does not answer.");
+        known2.set(address2, body2);
+        return body2;
+      });
+      answer2.catch(() => reasons.delete(address2));
+      reasons.set(address2, answer2);
+      if (reasons.size > 400) for (const old of [...reasons.keys()].slice(0, 100)) {
+        reasons.delete(old);
+        known2.delete(old);
+      }
+    }
+    return reasons.get(address2);
+  };
+  var reasonNow = (name) => known2.get(`/api/search/explain?${searchAddress(name)}`);
+  function paintStrip(canvas, strip) {
+    const ratio = Math.min(window.devicePixelRatio || 1, 2);
+    const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((size) => Math.max(1, Math.round(size * ratio)));
+    canvas.width = width;
+    canvas.height = height;
+    const context = canvas.getContext("2d");
+    const style = getComputedStyle(canvas);
+    const [full, dull] = [style.getPropertyValue("--strip-full").trim(), style.getPropertyValue("--strip-dull").trim()];
+    const rows2 = strip.rows.length;
+    strip.rows.forEach((cells, r) => {
+      const strength = counts(now5.body.leaves[r]) ? 1 : 0.3;
+      const [top, bottom] = [Math.round(r * height / rows2), Math.round((r + 1) * height / rows2) - Math.max(1, Math.round(ratio / 2))];
+      cells.forEach((value, c) => {
+        if (value < 0) return;
+        const [left, right] = [Math.floor(c * width / cells.length), Math.floor((c + 1) * width / cells.length)];
+        context.globalAlpha = strength;
+        context.fillStyle = dull;
+        context.fillRect(left, top, right - left, bottom - top);
+        context.globalAlpha = strength * (value / 100) ** 1.5;
+        context.fillStyle = full;
+        context.fillRect(left, top, right - left, bottom - top);
+      });
+    });
+  }
+  function drawStrip2(row8) {
+    const canvas = row8.querySelector("canvas");
+    const name = row8.dataset.hit;
+    reasonOf(name).then(({ strip }) => {
+      if (!canvas.isConnected) return;
+      paintStrip(canvas, strip);
+      row8.strip = strip;
+      row8.classList.add("explained");
+      const best = now5.body.leaves.map((leaf, k) => [strip.means[k], now5.body.words[leaf].toLowerCase()]).filter(([mean]) => mean !== null).sort((a, b) => b[0] - a[0]);
+      if (best.length) canvas.setAttribute("aria-label", `Most alike: ${best.slice(0, 3).map(([mean, words3]) => `${words3} ${Math.round(100 * mean)} %`).join(", ")}`);
+    }, (error) => {
+      if (canvas.isConnected) canvas.title = error.message;
+    });
+  }
+  var seen2 = new IntersectionObserver((entries) => {
+    for (const { isIntersecting, target: target2 } of entries) {
+      if (!isIntersecting) continue;
+      seen2.unobserve(target2);
+      drawStrip2(target2);
+    }
+  }, { rootMargin: "120px" });
+  function describe(event) {
+    const row8 = event.target.closest(".search-hit");
+    if (!row8 || !row8.strip) return;
+    const box2 = event.target.getBoundingClientRect();
+    const leaf = Math.min(Math.floor((event.clientY - box2.top) / box2.height * 10), 9);
+    const cells = row8.strip.rows[leaf];
+    const share2 = Math.min(Math.max((event.clientX - box2.left) / box2.width, 0), 0.9999);
+    const value = cells[Math.floor(share2 * cells.length)];
+    const lead = now5.found.pieces[0];
+    const when = `${(share2 * (lead.end - lead.start) / lead.fps).toFixed(1)} s`;
+    event.target.title = `${now5.body.words[now5.body.leaves[leaf]]}, ${when} into the query: ${value < 0 ? "not compared" : `${value} % alike`}`;
+    lightPart(now5.body.leaves[leaf]);
+  }
+  function link(symbol, words3, href) {
+    const made = element("a", "search-tool", icon(symbol));
+    Object.assign(made, { href, title: words3 });
+    made.setAttribute("aria-label", words3);
+    return made;
+  }
+  function hitRow(hit, low, top) {
+    const made = element("div", "search-hit");
+    made.setAttribute("role", "listitem");
+    made.dataset.hit = hit.name;
+    const picture = element("img", "search-strip");
+    Object.assign(picture, { src: hit.strip, alt: "", loading: "lazy", draggable: false });
+    const bar = element("span", "search-score-bar");
+    bar.style.width = `${Math.round(100 * (hit.score - low) / Math.max(top - low, 1e-9))}%`;
+    const score = element("span", "search-score", bar, element("b", "number", hit.score.toFixed(3)));
+    const facts = element("span", "search-facts muted", [hit.when, hit.label].filter(Boolean).join(" · "));
+    const words3 = element("span", "search-words", element("span", "search-name ellipsis", hit.clip), facts, score);
+    const open4 = element("button", "search-open", element("span", "search-rank number", String(hit.rank)), picture, words3);
+    open4.type = "button";
+    open4.title = `Compare with the query on the Stage: ${hit.clip}, frames ${hit.start} to ${hit.end}`;
+    const canvas = element("canvas", "search-why");
+    canvas.setAttribute("role", "img");
+    canvas.setAttribute("aria-label", "Which parts match when");
+    const similar = element("button", "search-tool", icon("search"));
+    similar.type = "button";
+    similar.title = "More like this";
+    similar.setAttribute("aria-label", `More like ${hit.clip}`);
+    similar.dataset.similar = JSON.stringify({ clip: hit.clip, start: hit.start, end: hit.end });
+    const bvh = link(
+      "download",
+      "Save as BVH",
+      `/api/bvh/${encodeURIComponent(now5.clips.dataset)}/${encodeURIComponent(hit.clip)}?start=${hit.start}&end=${hit.end}`
+    );
+    const why = element("div", "search-why-box", element("div", "search-why-names"), canvas, element("div", "search-why-cursor"));
+    made.append(open4, why, element("div", "search-hit-tools", similar, bvh));
+    return made;
+  }
+  var took = (ms) => ms < 10 ? `${ms.toFixed(1)} ms` : ms < 2e3 ? `${Math.round(ms)} ms` : `${(ms / 1e3).toFixed(1)} s`;
+  function head2(box2, found) {
+    const { total: total2, hits, milliseconds } = found;
+    const count = hits.length < total2 ? `${hits.length} of ${total2}` : `${total2}`;
+    const noun = found.level === "clip" ? "clip" : "moment";
+    box2.replaceChildren(
+      element("h2", "", "Hits"),
+      element("span", "muted number", `${count} ${noun}${total2 === 1 ? "" : "s"}, found in ${took(milliseconds)}`),
+      element("span", "spacer"),
+      element("span", "search-key muted", "which parts match when: ", element("i", "search-key-none"), " not at all", element("i", "search-key-full"), " alike")
+    );
+  }
+  var drawn5 = "";
+  var drawHits2 = () => {
+    const [box2, title, error] = ["search-hits", "search-hits-head", "search-error"].map(find);
+    if (!box2) return;
+    const found = now5.found || {};
+    error.textContent = found.error || "";
+    error.classList.toggle("hidden", !found.error);
+    const ready2 = Boolean(found.hits);
+    box2.classList.toggle("hidden", !ready2);
+    title.classList.toggle("hidden", !ready2);
+    if (!ready2) {
+      drawn5 = "";
+      box2.replaceChildren();
+      return;
+    }
+    const mark3 = JSON.stringify([found.asked, now5.scheme]);
+    if (mark3 !== drawn5 || !box2.firstChild) {
+      drawn5 = mark3;
+      head2(title, found);
+      const scores = found.hits.map((hit) => hit.score);
+      const rows2 = found.hits.map((hit) => hitRow(hit, Math.min(0, ...scores), Math.max(...scores)));
+      box2.replaceChildren(...rows2);
+      if (!rows2.length) box2.append(element("p", "muted search-nothing", nothing2(found)));
+      for (const one of rows2) seen2.observe(one);
+      if (found.hits.length < found.total && found.hits.length < 300) box2.append(more(found));
+    }
+    choose4();
+  };
+  var nothing2 = (found) => found.asked.label || found.asked.named || found.asked.lasting ? "Nothing passes these filters. Widen them, or look for moments instead of whole clips." : "Nothing else is there to compare with. Add recordings, or choose another query.";
+  function more(found) {
+    const made = element("button", "search-button search-more", `Show more (${found.total - found.hits.length} left)`);
+    made.type = "button";
+    made.addEventListener("click", () => changeView({ top: String(Math.min(found.hits.length + MORE, 300)) }));
+    return made;
+  }
+  function choose4() {
+    for (const one of document.querySelectorAll(".search-hit")) {
+      const chosen3 = one.dataset.hit === now5.view.hit;
+      if (chosen3 !== one.classList.contains("chosen")) {
+        one.classList.toggle("chosen", chosen3);
+        const names2 = one.querySelector(".search-why-names");
+        names2.replaceChildren(...chosen3 ? now5.body.leaves.map((leaf) => {
+          const name = element("span", "", now5.body.words[leaf]);
+          name.dataset.part = leaf;
+          return name;
+        }) : []);
+        if (one.strip) paintStrip(one.querySelector("canvas"), one.strip);
+      }
+      one.querySelector(".search-open").setAttribute("aria-pressed", String(chosen3));
+    }
+  }
+  var asked4 = "";
+  var playHits = async () => {
+    const { found, view: view4 } = now5;
+    if (!found || !found.request || view4.look && view4.look !== "search") return;
+    const wanted2 = JSON.stringify([found.request, view4.hit || "", view4.parts || ""]);
+    if (wanted2 === asked4 && player.status !== "empty") return;
+    const first = asked4 === "";
+    asked4 = wanted2;
+    if (!view4.hit) return put5(found.request, first);
+    try {
+      const { request: request5 } = reasonNow(view4.hit) || await reasonOf(view4.hit);
+      if (asked4 === wanted2) put5(request5, first);
+    } catch (error) {
+      notify("This hit cannot be shown", error.message);
+      changeView({ hit: "" });
+    }
+  };
+  function put5(request5, first) {
+    const stage2 = player;
+    const paired = (stage2.layout === "side" || stage2.layout === "overlay") && !first && last > 1;
+    const layout = request5.items.length > 1 && paired ? stage2.layout : request5.layout;
+    last = request5.items.length;
+    if (Object.keys(now5.selection).length) setStore("selection", {});
+    setStore("stage-request", { ...request5, layout });
+  }
+  var last = 0;
+  var seekPiece = (index, frame) => {
+    const piece = now5.found.pieces[index];
+    const inside3 = player.seek({ clip: piece.clip, frame, dataset: piece.source });
+    if (!inside3) setStore("stage-request", { ...now5.found.request, at: void 0 });
+  };
+  window.addEventListener("stage-frame", (event) => {
+    if (!find("search-hits") || !now5.found || !now5.found.pieces) return;
+    const { items, time, duration } = event.detail;
+    const share2 = duration ? time / duration : 0;
+    document.querySelectorAll(".search-hit .search-why-cursor").forEach((line2) => {
+      const on2 = line2.closest(".search-hit").classList.contains("chosen") && items.length > 1;
+      line2.style.display = on2 ? "block" : "none";
+      if (on2) line2.style.setProperty("--at", share2);
+    });
+    now5.found.pieces.forEach((piece, k) => {
+      const node = document.querySelector(`.search-source[data-index="${k}"] .search-cursor`);
+      const item = items.find((one) => one.clip === piece.clip && one.index === (now5.found.pieces.length > 1 ? k : 0));
+      const shade = node && node.parentNode.querySelector(".search-selection");
+      if (!node) return;
+      node.style.display = item ? "block" : "none";
+      if (!item) return;
+      const inside3 = (item.frame - piece.start) / Math.max(piece.end - piece.start, 1);
+      node.style.left = `calc(${shade.style.left} + (${shade.style.width}) * ${inside3.toFixed(4)})`;
+    });
+  });
+  document.addEventListener("click", (event) => {
+    const open4 = event.target.closest && event.target.closest(".search-open");
+    if (open4) {
+      const { hit: hit2 } = open4.closest(".search-hit").dataset;
+      changeView({ hit: hit2 === now5.view.hit ? "" : hit2 });
+    }
+    const why = event.target.closest && event.target.closest(".search-why");
+    if (!why) return;
+    const hit = why.closest(".search-hit");
+    const box2 = why.getBoundingClientRect();
+    const share2 = (event.clientX - box2.left) / box2.width;
+    if (!hit.classList.contains("chosen")) changeView({ hit: hit.dataset.hit });
+    else player.seek(share2 * player.duration);
+  });
+  document.addEventListener("pointermove", (event) => {
+    if (event.target.classList && event.target.classList.contains("search-why")) describe(event);
+  });
+  var resting = 0;
+  document.addEventListener("pointerover", (event) => {
+    clearTimeout(resting);
+    const hit = event.target.closest && event.target.closest(".search-hit");
+    if (hit) resting = setTimeout(() => reasonOf(hit.dataset.hit).then(({ request: request5 }) => player.prefetch(request5)).catch(() => {
+    }), 90);
+  });
+  document.addEventListener("keydown", (event) => {
+    const open4 = event.target.classList && event.target.classList.contains("search-open");
+    const way2 = { ArrowDown: "nextElementSibling", ArrowUp: "previousElementSibling" }[event.key];
+    if (!open4 || !way2) return;
+    const next2 = event.target.closest(".search-hit")[way2];
+    event.preventDefault();
+    event.stopPropagation();
+    if (next2) (next2.querySelector(".search-open") || next2).focus();
+  });
+
+  // search/options.mjs
+  var waiting2 = 0;
+  var option = (value, words3) => Object.assign(element("option", "", words3), { value });
+  function labelled(words3, of2, ...controls) {
+    const label = element("label", "search-label", words3);
+    label.htmlFor = of2;
+    return element("div", "search-option", label, ...controls);
+  }
+  function input(id, attributes) {
+    return Object.assign(element("input", "search-text"), { id, autocomplete: "off", ...attributes });
+  }
+  function build2(box2) {
+    const engine = element("select", "search-select", ...now5.engines.map(({ value, label: label2 }) => option(value, label2)));
+    engine.id = "search-engine";
+    const level = element("select", "search-select", option("clip", "Whole clips"), option("interval", "Moments of clips"));
+    level.id = "search-level";
+    const route = Object.assign(element("input", "search-route"), { id: "search-route", type: "range", min: 0, max: 100, step: 5 });
+    const says = element("span", "search-route-says number");
+    const label = element("select", "search-select");
+    label.id = "search-label";
+    const shortest = input("search-shortest", { type: "number", min: 0, step: 0.1, placeholder: "from" });
+    const longest2 = input("search-longest", { type: "number", min: 0, step: 0.1, placeholder: "any" });
+    longest2.setAttribute("aria-label", "At most this many seconds");
+    const path2 = labelled("Path counts", "search-route", route, says);
+    path2.title = "How much the way over the ground counts: turning left or right, forwards or backwards";
+    box2.replaceChildren(
+      labelled("Engine", "search-engine", engine),
+      labelled("Hits are", "search-level", level),
+      path2,
+      labelled("Label", "search-label", label),
+      labelled("Name has", "search-named", input("search-named", { type: "search", placeholder: "any clip" })),
+      labelled("Seconds", "search-shortest", shortest, element("span", "muted", "to"), longest2)
+    );
+  }
+  var drawOptions = () => {
+    const box2 = find("search-options");
+    if (!box2) return;
+    if (!box2.firstChild) build2(box2);
+    const { view: view4, found, clips } = now5;
+    const actions4 = clips && clips.actions || [];
+    const label = find("search-label");
+    const mark3 = JSON.stringify(actions4);
+    if (label.dataset.mark !== mark3) {
+      label.dataset.mark = mark3;
+      label.replaceChildren(option("", "any"), ...actions4.map((action) => option(action, action)));
+    }
+    label.parentNode.classList.toggle("hidden", !actions4.length);
+    const [shortest, longest2] = (view4.lasting || "-").split("-");
+    const values = {
+      "search-engine": view4["search-method"] || "bounded-edit",
+      "search-level": view4.level || found && found.level || "clip",
+      "search-route": view4.route || "0",
+      "search-label": view4.label || "",
+      "search-named": view4.named || "",
+      "search-shortest": shortest,
+      "search-longest": longest2
+    };
+    if (!waiting2) {
+      for (const [id, value] of Object.entries(values)) if (find(id) !== document.activeElement || find(id).tagName === "SELECT") find(id).value = value;
+    }
+    sayRoute();
+    fold();
+  };
+  var folded = null;
+  function fold() {
+    const [button4, box2] = [find("search-counts"), find("search-wanted")];
+    const little = button4.clientWidth < 780;
+    const closed = folded ?? (little && Boolean(now5.view.query));
+    button4.setAttribute("aria-expanded", String(!closed));
+    box2.classList.toggle("hidden", closed);
+    const chosen3 = (id) => find(id).selectedOptions[0]?.textContent;
+    const { view: view4 } = now5;
+    const said2 = [
+      find("search-preset") && chosen3("search-preset"),
+      chosen3("search-engine"),
+      chosen3("search-level"),
+      view4.route && `path ${view4.route} %`,
+      view4.label,
+      view4.named && `“${view4.named}”`,
+      view4.lasting && `${view4.lasting} s`
+    ];
+    find("search-counts-says").textContent = said2.filter(Boolean).join(" · ");
+  }
+  document.addEventListener("click", (event) => {
+    const button4 = event.target.closest && event.target.closest("#search-counts");
+    if (!button4) return;
+    folded = button4.getAttribute("aria-expanded") === "true";
+    fold();
+  });
+  function sayRoute() {
+    const { value, style } = find("search-route");
+    style.setProperty("--share", `${value}%`);
+    document.querySelector(".search-route-says").textContent = `${value} %`;
+  }
+  function lasting() {
+    const [low, high] = ["search-shortest", "search-longest"].map((id) => find(id).value.trim());
+    return low || high ? `${low}-${high}` : "";
+  }
+  function take2(id) {
+    const value = find(id) ? find(id).value : "";
+    if (id === "search-engine") changeSearch({ "search-method": value === "bounded-edit" ? "" : value });
+    else if (id === "search-level") changeSearch({ level: value, top: "" });
+    else if (id === "search-route") changeSearch({ route: value === "0" ? "" : value });
+    else if (id === "search-label") changeSearch({ label: value, top: "" });
+    else if (id === "search-named") changeSearch({ named: value.trim(), top: "" });
+    else changeSearch({ lasting: lasting(), top: "" });
+  }
+  var mine = (target2) => target2.closest && target2.closest("#search-options");
+  document.addEventListener("change", (event) => {
+    if (mine(event.target) && event.target.tagName === "SELECT") take2(event.target.id);
+  });
+  document.addEventListener("input", (event) => {
+    if (!mine(event.target) || event.target.tagName === "SELECT") return;
+    if (event.target.id === "search-route") sayRoute();
+    clearTimeout(waiting2);
+    const { id } = event.target;
+    waiting2 = setTimeout(() => {
+      waiting2 = 0;
+      take2(id);
+    }, 220);
+  });
+
+  // search/upload.mjs
+  var HEADERS2 = { "X-Motionscape": "upload" };
+  var status = () => document.getElementById("search-upload-status");
+  var sending = null;
+  var turn4 = 0;
+  var suffixes = () => document.querySelector(".search-choose").dataset.suffixes.split(",").filter((one) => one !== ".csv");
+  function say(words3, kind = "muted") {
+    const box2 = document.querySelector(".search-sending") || element("span", "search-sending");
+    box2.className = `search-sending ${kind}`;
+    box2.textContent = words3;
+    if (!box2.isConnected) status().before(box2);
+  }
+  var quiet = () => document.querySelectorAll(".search-sending").forEach((one) => one.remove());
+  function put6(token, file, tell3) {
+    return new Promise((resolve, reject) => {
+      const request5 = new XMLHttpRequest();
+      sending = request5;
+      request5.open("PUT", `/api/uploads/${token}/${encodeURIComponent(file.name)}`);
+      request5.setRequestHeader("X-Motionscape", "upload");
+      request5.setRequestHeader("Content-Type", "application/octet-stream");
+      request5.upload.onprogress = (event) => tell3(event.loaded / Math.max(event.total, 1));
+      request5.onloadend = () => {
+        if (request5.status === 200) return resolve();
+        let message2 = request5.status ? "The server refused the file." : "The connection broke; try again.";
+        try {
+          message2 = JSON.parse(request5.responseText).error || message2;
+        } catch {
+        }
+        return reject(new Error(message2));
+      };
+      request5.send(file);
+    });
+  }
+  async function send3(files) {
+    if (!files.length) return;
+    const mine2 = ++turn4;
+    if (sending) sending.abort();
+    setStore("search-upload", null);
+    const wrong = files.find((file) => !suffixes().some((suffix) => file.name.toLowerCase().endsWith(suffix)));
+    if (wrong) return say(`${wrong.name} is not a kind of file we read: choose BVH, or AMC together with its ASF.`, "error-text");
+    let token = null;
+    const still = () => {
+      if (mine2 !== turn4) throw new Error("Other files were chosen meanwhile.");
+    };
+    try {
+      const answer2 = await fetch("/api/uploads", { method: "POST", headers: HEADERS2 }).catch(() => null);
+      if (!answer2?.ok) throw new Error("The server cannot take files now; try again in a moment.");
+      ({ token } = await answer2.json());
+      for (const file of files) {
+        still();
+        await put6(token, file, (share2) => mine2 === turn4 && say(`Sending ${file.name}: ${Math.round(100 * share2)} %`));
+      }
+      still();
+      sending = null;
+      quiet();
+      const main = files.find((file) => !/\.asf(\.gz)?$/i.test(file.name)) || files[0];
+      setStore("search-upload", { token, name: main.name });
+    } catch (error) {
+      if (token) fetch(`/api/uploads/${token}`, { method: "DELETE", headers: HEADERS2 }).catch(() => {
+      });
+      if (mine2 !== turn4) return;
+      sending = null;
+      say(error.message, "error-text");
+    }
+  }
+  var chooseRecording = () => {
+    const chooser = document.createElement("input");
+    chooser.type = "file";
+    chooser.multiple = true;
+    chooser.accept = suffixes().join(",");
+    chooser.onchange = () => send3([...chooser.files]);
+    chooser.click();
+  };
+  document.addEventListener("drop", (event) => {
+    const files = event.dataTransfer && [...event.dataTransfer.files];
+    if (!files || !files.length || !document.querySelector(".search-query")) return;
+    event.preventDefault();
+    send3(files);
+  });
+
+  // search/sources.mjs
+  var PICTURES = 12;
+  var LABELS2 = ["#4e79a7", "#f28e2b", "#59a14f", "#e15759", "#b07aa1", "#9c755f", "#76b7b2", "#d4a720", "#ff9da7", "#79706e"];
+  var windows = /* @__PURE__ */ new Map();
+  var nameOf3 = (piece) => `${piece.dataset} ${piece.clip}`;
+  var shownOf = (piece) => windows.get(nameOf3(piece)) || [0, piece.frames];
+  var clipCalled = (name) => now5.clips && now5.clips.clips.find((clip) => clip[0] === name);
+  function pictures(piece, [from, to]) {
+    const box2 = element("div", "search-pictures");
+    const step3 = (to - from) / PICTURES;
+    for (let k = 0; k < PICTURES; k++) {
+      const start3 = Math.round(from + k * step3);
+      const end = Math.max(Math.round(from + (k + 1) * step3), start3 + 1);
+      const picture = element("img");
+      const pairs2 = new URLSearchParams({ start: start3, end: Math.min(end, piece.frames), n: 1, v: piece.version.slice(0, 8) });
+      picture.src = `/api/filmstrip/${encodeURIComponent(piece.source)}/${encodeURIComponent(piece.clip)}?${pairs2}`;
+      picture.alt = "";
+      picture.draggable = false;
+      box2.append(picture);
+    }
+    return box2;
+  }
+  function labels(piece, [from, to]) {
+    const box2 = element("div", "search-labels");
+    const actions4 = now5.clips ? now5.clips.actions : [];
+    for (const [start3, end, action] of piece.labels) {
+      if (end <= from || start3 >= to) continue;
+      const block2 = element("span", "search-label-block", action);
+      block2.title = `${action}, ${clock(start3 / piece.fps)} to ${clock(end / piece.fps)}. Click to look for it.`;
+      block2.dataset.range = `${start3}-${end}`;
+      block2.style.setProperty("--tone", LABELS2[Math.max(actions4.indexOf(action), 0) % LABELS2.length]);
+      place5(block2, Math.max(start3, from), Math.min(end, to), [from, to]);
+      box2.append(block2);
+    }
+    return box2;
+  }
+  var place5 = (node, start3, end, [from, to]) => {
+    node.style.left = 100 * (start3 - from) / (to - from) + "%";
+    node.style.width = Math.max(100 * (end - start3) / (to - from), 0.3) + "%";
+  };
+  function handle(which, piece) {
+    const made = element("div", "search-handle search-handle-" + which);
+    made.tabIndex = 0;
+    made.setAttribute("role", "slider");
+    made.setAttribute("aria-label", which === "start" ? "First frame of the query" : "End of the query");
+    made.setAttribute("aria-valuemin", 0);
+    made.setAttribute("aria-valuemax", piece.frames);
+    made.dataset.end = which;
+    return made;
+  }
+  function tool(symbol, label, action) {
+    const made = element("button", "search-tool", icon(symbol, 14));
+    made.type = "button";
+    made.title = label;
+    made.setAttribute("aria-label", label);
+    made.dataset.piece = action;
+    return made;
+  }
+  function row7(piece, index, several) {
+    const made = element("div", "search-source");
+    made.dataset.index = index;
+    made.style.setProperty("--own", piece.colour);
+    const badge = element("button", "search-badge", "ABCDEF"[index]);
+    badge.type = "button";
+    badge.dataset.piece = "active";
+    badge.title = `Parts one clicks in the figure come from ${"ABCDEF"[index]}`;
+    const name = element("input", "search-clip");
+    name.setAttribute("list", "search-clip-names");
+    name.setAttribute("aria-label", "Clip that is looked for");
+    name.placeholder = "Choose a clip";
+    name.value = piece.dataset ? piece.clip : piece.clip;
+    name.title = piece.dataset.startsWith("~upload~") ? "An uploaded recording" : piece.dataset ? `From ${piece.source}` : piece.clip;
+    const gives = element("span", "search-gives muted", several ? piece.gives : piece.dataset.startsWith("~upload~") ? "uploaded" : "");
+    const head3 = element(
+      "div",
+      "search-source-head",
+      several ? badge : null,
+      name,
+      gives,
+      element("span", "search-span number"),
+      element("span", "spacer"),
+      tool("minus", "Show more of the clip", "out"),
+      tool("plus", "Zoom in on the range", "in"),
+      tool("fit", "Take the whole clip", "whole"),
+      several ? tool("close", "Leave this piece out", "remove") : null
+    );
+    const track = element("div", "search-track");
+    const range = shownOf(piece);
+    const box2 = element("div", "search-selection", handle("start", piece), handle("end", piece));
+    track.append(
+      pictures(piece, range),
+      labels(piece, range),
+      element("div", "search-shade search-shade-left"),
+      element("div", "search-shade search-shade-right"),
+      box2,
+      element("div", "search-cursor")
+    );
+    made.append(head3, track);
+    return made;
+  }
+  function settle(node, piece) {
+    const range = shownOf(piece);
+    const { start: start3, end, fps, frames } = piece;
+    place5(node.querySelector(".search-selection"), Math.max(start3, range[0]), Math.min(end, range[1]), range);
+    place5(node.querySelector(".search-shade-left"), range[0], Math.max(start3, range[0]), range);
+    place5(node.querySelector(".search-shade-right"), Math.min(end, range[1]), range[1], range);
+    node.querySelector(".search-shade-left").style.minWidth = 0;
+    for (const [which, value] of [["start", start3], ["end", end]]) {
+      const one = node.querySelector(".search-handle-" + which);
+      one.setAttribute("aria-valuenow", value);
+      one.setAttribute("aria-valuetext", clock(value / fps));
+    }
+    const whole3 = start3 === 0 && end === frames;
+    node.querySelector(".search-span").textContent = whole3 ? `whole clip, ${(frames / fps).toFixed(1)} s` : `${clock(start3 / fps)} to ${clock(end / fps)}, ${((end - start3) / fps).toFixed(1)} s`;
+  }
+  function empty() {
+    const name = element("input", "search-clip");
+    name.setAttribute("list", "search-clip-names");
+    name.setAttribute("aria-label", "Clip that is looked for");
+    name.placeholder = now5.clips ? "Choose a clip" : "No dataset yet";
+    const hint = element("span", "muted search-hint", "What motion do you look for? Choose a clip, then drag over the part that matters.");
+    const made = element("div", "search-source search-source-empty", element("div", "search-source-head", name, hint));
+    made.dataset.index = 0;
+    return made;
+  }
+  var drawn6 = "";
+  var dragged = null;
+  var drawSources = () => {
+    const box2 = find("search-sources");
+    const pieces = now5.found && now5.found.pieces || [];
+    const mark3 = JSON.stringify([now5.clips && [now5.clips.dataset, now5.clips.version, now5.clips.clips.length], pieces.map((p) => [p.dataset, p.clip, p.version, p.gives, p.labels.length, shownOf(p)])]);
+    if (mark3 !== drawn6 || !box2.firstChild) {
+      const focus2 = document.activeElement && box2.contains(document.activeElement) ? [document.activeElement.closest(".search-source")?.dataset.index, document.activeElement.className] : null;
+      drawn6 = mark3;
+      now5.active = Math.min(now5.active, Math.max(pieces.length - 1, 0));
+      box2.replaceChildren(...pieces.length ? pieces.map((piece, k) => row7(piece, k, pieces.length > 1)) : [empty()]);
+      const again = focus2 && focus2[1] && [...box2.querySelectorAll(`[data-index="${focus2[0]}"] *`)].find((one) => one.className === focus2[1]);
+      if (again) again.focus();
+      names();
+    }
+    pieces.forEach((piece, k) => {
+      if (!dragged || dragged.index !== k) settle(box2.children[k], piece);
+    });
+    box2.querySelectorAll(".search-source").forEach((one, k) => one.classList.toggle("active", k === now5.active && pieces.length > 1));
+    drawMotifs();
+    const back = document.querySelector("[data-search='back']");
+    if (back) back.classList.toggle("hidden", !canGoBack());
+    const combineButton = document.querySelector("[data-search='combine']");
+    if (combineButton) combineButton.disabled = !pieces.length || pieces.length >= 6;
+    const warning = find("search-warning");
+    const doubt = now5.found && now5.found.doubt || "";
+    warning.classList.toggle("hidden", !doubt);
+    warning.textContent = doubt;
+  };
+  var named2 = null;
+  function names() {
+    const list2 = find("search-clip-names");
+    if (!list2 || named2 === now5.clips && list2.firstChild) return;
+    named2 = now5.clips;
+    list2.replaceChildren(...(now5.clips ? now5.clips.clips : []).slice(0, 5e3).map(([name]) => {
+      const option2 = element("option");
+      option2.value = name;
+      return option2;
+    }));
+  }
+  function drawMotifs() {
+    const select2 = find("search-motif");
+    const mark3 = JSON.stringify(now5.motifs);
+    if (!select2 || select2.dataset.mark === mark3) return;
+    select2.dataset.mark = mark3;
+    const first = element("option", "", "From a motif …");
+    first.value = "";
+    select2.replaceChildren(first, ...now5.motifs.map(({ name, motions, query }) => {
+      const option2 = element("option", "", `${name} (${motions} motions)`);
+      option2.value = query;
+      return option2;
+    }));
+    select2.classList.toggle("hidden", !now5.motifs.length);
+  }
+  function takeClip(index, name) {
+    const clip = clipCalled(name);
+    if (!clip) return false;
+    const pieces = copyPieces();
+    const leaves = pieces[index] ? pieces[index].leaves : [...now5.body.leaves];
+    pieces[index] = { clip: name, dataset: "", start: 0, end: clip[1], leaves };
+    searchFor(pieces);
+    return true;
+  }
+  function setRange(index, start3, end) {
+    const pieces = copyPieces();
+    const piece = pieces[index];
+    if (!piece) return;
+    piece.start = Math.max(0, Math.min(start3, piece.frames - 1));
+    piece.end = Math.max(piece.start + 1, Math.min(end, piece.frames));
+    now5.found.pieces[index] = { ...now5.found.pieces[index], start: piece.start, end: piece.end };
+    drawSources();
+    searchFor(pieces);
+  }
+  function zoom3(index, action) {
+    const piece = now5.found.pieces[index];
+    const [from, to] = shownOf(piece);
+    const wanted2 = action === "in" ? Math.max((piece.end - piece.start) * 1.6, (to - from) / 3, 16) : (to - from) * 2;
+    const middle = (piece.start + piece.end) / 2;
+    const width = Math.min(wanted2, piece.frames);
+    const start3 = Math.round(Math.min(Math.max(middle - width / 2, 0), piece.frames - width));
+    if (width >= piece.frames) windows.delete(nameOf3(piece));
+    else windows.set(nameOf3(piece), [start3, Math.round(start3 + width)]);
+    drawSources();
+  }
+  function combine() {
+    const pieces = copyPieces();
+    const most = pieces.reduce((a, b) => b.leaves.length > a.leaves.length ? b : a);
+    const limbs = ["lower_body", "left_arm_hand", "right_arm_hand", "left_leg_foot", "right_leg_foot", "head_torso", ...now5.body.leaves];
+    const node = limbs.find((one) => now5.body.nodes[one].every((leaf) => most.leaves.includes(leaf)) && now5.body.nodes[one].length < most.leaves.length);
+    if (!node) return;
+    const given2 = now5.body.nodes[node];
+    most.leaves = most.leaves.filter((leaf) => !given2.includes(leaf));
+    pieces.push({ ...most, leaves: [...given2] });
+    now5.active = pieces.length - 1;
+    searchFor(pieces);
+  }
+  function fromStage() {
+    const item = player.frameOf(0);
+    if (!item) return notify("Nothing is on the Stage", "Play a clip, a motif or a walk first; what the Stage shows can then be looked for.");
+    const here3 = !item.dataset || item.dataset === now5.clips.dataset;
+    const piece = { clip: item.clip, start: item.start, end: item.end, dataset: here3 ? "" : item.dataset, leaves: [...now5.body.leaves] };
+    return searchFor([piece]);
+  }
+  document.addEventListener("change", (event) => {
+    if (event.target.id === "search-motif" && event.target.value) {
+      remember3();
+      changeSearch({ query: event.target.value });
+      event.target.value = "";
+    } else if (event.target.classList.contains("search-clip")) {
+      const index = Number(event.target.closest(".search-source").dataset.index);
+      const piece = now5.found && now5.found.pieces && now5.found.pieces[index];
+      if (!takeClip(index, event.target.value) && event.target.value) {
+        notify("No clip of this name", `“${event.target.value}” is not in this dataset.`);
+        event.target.value = piece ? piece.clip : "";
+      }
+    }
+  });
+  document.addEventListener("input", (event) => {
+    if (event.target.classList.contains("search-clip") && event.inputType === void 0 && clipCalled(event.target.value)) {
+      takeClip(Number(event.target.closest(".search-source").dataset.index), event.target.value);
+    }
+  });
+  document.addEventListener("click", (event) => {
+    const button4 = event.target.closest && event.target.closest("[data-search]");
+    if (button4) {
+      const act2 = { stage: fromStage, combine, back: goBack, upload: chooseRecording }[button4.dataset.search];
+      if (act2) act2();
+      return;
+    }
+    const on2 = event.target.closest && event.target.closest("[data-piece]");
+    if (!on2) return;
+    const index = Number(on2.closest(".search-source").dataset.index);
+    const piece = now5.found.pieces[index];
+    if (on2.dataset.piece === "active") {
+      now5.active = index;
+      drawSources();
+      drawBody();
+    } else if (on2.dataset.piece === "whole") {
+      windows.delete(nameOf3(piece));
+      setRange(index, 0, piece.frames);
+    } else if (on2.dataset.piece === "remove") {
+      const pieces = copyPieces();
+      const [gone] = pieces.splice(index, 1);
+      pieces[0].leaves = now5.body.leaves.filter((leaf) => pieces[0].leaves.includes(leaf) || gone.leaves.includes(leaf));
+      now5.active = 0;
+      searchFor(pieces);
+    } else zoom3(index, on2.dataset.piece);
+  });
+  var frameAt2 = (track, piece, x) => {
+    const box2 = track.getBoundingClientRect();
+    const [from, to] = shownOf(piece);
+    return Math.round(from + Math.min(Math.max((x - box2.left) / box2.width, 0), 1) * (to - from));
+  };
+  document.addEventListener("pointerdown", (event) => {
+    const track = event.target.closest && event.target.closest(".search-track");
+    if (!track || event.button) return;
+    const index = Number(track.closest(".search-source").dataset.index);
+    const piece = now5.found.pieces[index];
+    const at3 = frameAt2(track, piece, event.clientX);
+    const end = event.target.dataset.end;
+    dragged = { index, track, at: at3, piece: { ...piece }, mode: end || "new", moved: false, id: event.pointerId, label: event.target.dataset.range };
+    track.setPointerCapture(event.pointerId);
+    event.preventDefault();
+    if (end) event.target.focus();
+  });
+  document.addEventListener("pointermove", (event) => {
+    if (!dragged || event.pointerId !== dragged.id) return;
+    const { piece, track, mode: mode3 } = dragged;
+    const frame = frameAt2(track, piece, event.clientX);
+    if (Math.abs(frame - dragged.at) > 0) dragged.moved = true;
+    if (!dragged.moved) return;
+    let [start3, end] = [piece.start, piece.end];
+    if (mode3 === "start") start3 = Math.min(frame, end - 1);
+    else if (mode3 === "end") end = Math.max(frame, start3 + 1);
+    else [start3, end] = [Math.min(frame, dragged.at), Math.max(frame, dragged.at)];
+    dragged.start = start3;
+    dragged.end = Math.max(end, start3 + 1);
+    settle(track.closest(".search-source"), { ...piece, start: start3, end: dragged.end });
+  });
+  var release = (event) => {
+    if (!dragged || event.pointerId !== dragged.id) return;
+    const { index, moved: moved2, start: start3, end, label, piece, track } = dragged;
+    const least = Math.max(2, Math.round(0.1 * piece.fps));
+    dragged = null;
+    if (event.type === "pointercancel") return drawSources();
+    if (label && !moved2) return setRange(index, ...label.split("-").map(Number));
+    if (!moved2) return seekPiece(index, frameAt2(track, piece, event.clientX));
+    if (end - start3 < least) return drawSources();
+    return setRange(index, start3, end);
+  };
+  document.addEventListener("pointerup", release);
+  document.addEventListener("pointercancel", release);
+  document.addEventListener("keydown", (event) => {
+    if (!event.target.classList || !event.target.classList.contains("search-handle")) return;
+    const index = Number(event.target.closest(".search-source").dataset.index);
+    const piece = now5.found.pieces[index];
+    const step3 = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageUp: 10, PageDown: -10 }[event.key];
+    const by = event.shiftKey ? 10 * (step3 || 0) : step3;
+    const home = event.key === "Home" ? -piece.frames : event.key === "End" ? piece.frames : by;
+    if (!home) return;
+    event.preventDefault();
+    event.stopPropagation();
+    if (event.target.dataset.end === "start") setRange(index, Math.min(piece.start + home, piece.end - 1), piece.end);
+    else setRange(index, piece.start, Math.max(piece.end + home, piece.start + 1));
+  });
+
+  // search/search.mjs
+  register("search", {
+    draw(found, view4, clips, motifs2, scheme, presets, body2, engines, key, selection) {
+      if (!document.getElementById("search-sources") || !body2) return clientside.no_update;
+      Object.assign(now5, { found, view: view4 || {}, clips, motifs: motifs2 || [], scheme, presets, body: body2, engines, key, selection: selection || {} });
+      const page3 = document.querySelector(".search-page");
+      page3.dataset.look = now5.view.look || "search";
+      page3.classList.toggle("without-dataset", !clips);
+      const fits = found && clips && found.asked && found.asked.dataset === clips.dataset;
+      if (!fits) now5.found = null;
+      drawSources();
+      drawBody();
+      drawOptions();
+      drawHits2();
+      playHits();
+      return clientside.no_update;
+    }
+  });
+  document.addEventListener("click", (event) => {
+    const button4 = event.target.closest && event.target.closest("[data-similar]");
+    if (!button4 || button4.disabled) return;
+    const { clip, start: start3, end, dataset: dataset2 } = JSON.parse(button4.dataset.similar);
+    const query = [escapeName(clip), `${start3}-${end}`, ...dataset2 ? [escapeName(dataset2)] : []].join(":");
+    remember3();
+    changeSearch({ query, look: "" });
+    if (!location.pathname.endsWith("/search")) clientside.set_props("url", { pathname: "/search", search: "" });
+    else document.querySelector(".page").scrollTo({ top: 0, behavior: "smooth" });
+  });
+
+  // main.mjs
+  window.motionscape = {
+    stage: player,
+    drawings,
+    clip: { at, plot: chartPlot },
+    map: { state, setKeys, edited: editedPosture },
+    search: { now: now5 }
+  };
+})();

@@ -1,0 +1,43 @@
+/* The Grammar page: which part draws what, and when. */
+import { changeView, clientside, register } from "../shared/dash.mjs";
+import { find } from "../shared/dom.mjs";
+import { drawActions, drawOccurrences } from "./actions.mjs";
+import { drawCompose } from "./compose.mjs";
+import { drawOthers } from "./others.mjs";
+import { drawRoutines } from "./routines.mjs";
+import { drawRules } from "./rules.mjs";
+import { state } from "./state.mjs";
+import { drawString, markChosen } from "./strings.mjs";
+
+register("grammar", {
+  draw(data, selection, order, _place) {
+    if (!data || !find("grammar-string")) return clientside.no_update;
+    state.data = data;
+    drawString(data);
+    drawActions(data, order);
+    drawOccurrences(data, selection);
+    drawRules(data);
+    markChosen(selection);
+    return clientside.no_update;
+  },
+  /** A point of a chart over the number of actions: its result comes on the page. */
+  open(click) {
+    const change = click?.points?.[0]?.customdata;
+    if (typeof change === "string") changeView(JSON.parse(change));
+    return clientside.no_update;
+  },
+  routine(shown, data, view) {
+    if (data) state.data = data;
+    drawRoutines(shown, data, view || {});
+    return clientside.no_update;
+  },
+  compose(made, view, data, selection) {
+    if (data) state.data = data;
+    drawCompose(made, view, selection);
+    return clientside.no_update;
+  },
+  others(data, view) {
+    drawOthers(data, view || {});
+    return clientside.no_update;
+  },
+});

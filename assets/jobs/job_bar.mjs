@@ -1,0 +1,68 @@
+/* The rows of the job bar. Plain elements changed in place: a row that comes anew with every percent would take a click
+   that has begun, and the keyboard's focus, away with it. */
+import { clientside, register } from "../shared/dash.mjs";
+import { element, icon } from "../shared/dom.mjs";
+
+/** A button that asks for something to be done with the job (assets/actions.js, webapp/components/job_bar.py). */
+function button(action, job, className, ...children) {
+  const made = element("button", "job-button " + className, ...children);
+  made.type = "button";
+  made.dataset.store = "job-action";
+  made.dataset.value = JSON.stringify({ action, job });
+  made.dataset.stamp = "yes";
+  return made;
+}
+
+function alive({ id, title }) {
+  const spinner = element("span", "spinner");
+  spinner.setAttribute("aria-hidden", "true");
+  const progress = element("div", "job-progress", element("div", ""));
+  progress.setAttribute("role", "progressbar");
+  progress.setAttribute("aria-label", `Progress of ${title}`);
+  const percent = element("span", "job-percent");
+  percent.setAttribute("aria-hidden", "true"); // the progress bar says it
+  return element("div", "job", spinner, element("span", "job-title ellipsis", title), progress,
+    element("span", "job-stage number", element("span", "job-words"), percent),
+    element("div", "job-actions", button("cancel", id, "job-cancel", "Cancel")));
+}
+
+/** Of a row, or of the place in a page where the job's outcome is awaited (webapp/components/running.py). */
+function update(row, { stage, percent, stopping }) {
+  const progress = row.querySelector(".job-progress"), known = percent !== null;
+  progress.classList.toggle("waiting", !known);
+  progress.firstChild.style.width = (percent || 0) + "%";
+  if (known) progress.setAttribute("aria-valuenow", percent);
+  else progress.removeAttribute("aria-valuenow");
+  const words = row.querySelector(".job-words"); // announced when they change, so written only then
+  if (words.textContent !== stage) words.textContent = stage;
+  const number = row.querySelector(".job-percent");
+  if (number) number.textContent = percent ? ` ${percent} %` : "";
+  row.querySelector(".job-cancel").disabled = stopping;
+}
+
+function failed({ id, title, error }) {
+  const sign = element("span", "job-mark-failed", icon("error", 18));
+  const dismiss = button("dismiss", id, "job-button-plain", icon("close", 16));
+  dismiss.setAttribute("aria-label", "Dismiss");
+  return element("div", "job job-failed", sign, element("span", "job-title ellipsis", title), element("span", "job-message", error),
+    element("div", "job-actions", button("retry", id, "", "Try again"), dismiss));
+}
+
+register("jobs", {
+  show(jobs) {
+    const box = document.getElementById("job-list");
+    const wanted = (jobs || []).map((job) => [job.error ? `${job.id} failed` : String(job.id), job]);
+    const names = new Set(wanted.map(([name]) => name));
+    for (const row of [...box.children]) if (!names.has(row.dataset.job)) row.remove();
+    wanted.forEach(([name, job], k) => {
+      let row = box.children[k];
+      if (!row || row.dataset.job !== name) { // jobs stand in order of their numbers: those that stay need not move
+        row = job.error ? failed(job) : alive(job);
+        row.dataset.job = name;
+        box.insertBefore(row, box.children[k] || null);
+      }
+      if (!job.error) document.querySelectorAll(`[data-job="${name}"]`).forEach((place) => update(place, job));
+    });
+    return clientside.no_update;
+  },
+});

@@ -1,0 +1,179 @@
+/* The motif graph: selection, faint rare edges, zoom and pictures. Classes change, elements never do. */
+import { clientside, register, setStore } from "../shared/dash.mjs";
+import { save } from "../shared/save.mjs";
+import { ahead } from "../stage/ahead.mjs";
+import { walking } from "./walk_state.mjs";
+
+const ID = "motif-graph";
+
+// Cytoscape leaves itself on its container; it comes a little after the component does
+export async function graphReady(tries = 100) {
+  for (let i = 0; i < tries; i++) {
+    const box = document.getElementById(ID);
+    const cy = box && box._cyreg && box._cyreg.cy;
+    if (cy && !cy.destroyed() && cy.elements().length) return cy;
+    await new Promise((resolve) => setTimeout(resolve, 30));
+  }
+  return null;
+}
+
+function chosenIn(cy, selection) {
+  if (!selection) return cy.collection();
+  if (selection.motif !== undefined) return cy.getElementById("m" + selection.motif);
+  if (selection.motifs !== undefined) return cy.nodes().filter((node) => selection.motifs.split("-").includes(String(node.data("motif"))));
+  if (selection.edge !== undefined) return cy.getElementById("e" + selection.edge);
+  return cy.collection();
+}
+
+const selectionOf = (element) => (element.isNode() ? { motif: element.data("motif") } : { edge: element.data("edge") });
+
+const watched = new WeakSet();
+function watch(cy) {
+  if (watched.has(cy)) return;
+  watched.add(cy);
+  const box = cy.container();
+  box.tabIndex = 0;
+  box.setAttribute("role", "application");
+  box.setAttribute("aria-label", "Motif graph. Arrow keys move, plus and minus zoom, 0 shows all. The table below lists the same motifs.");
+  box.addEventListener("keydown", (event) => {
+    const step = { ArrowLeft: [60, 0], ArrowRight: [-60, 0], ArrowUp: [0, 60], ArrowDown: [0, -60] }[event.key];
+    if (step) cy.panBy({ x: step[0], y: step[1] });
+    else if (event.key === "+" || event.key === "=") zoom(cy, 1.25);
+    else if (event.key === "-") zoom(cy, 0.8);
+    else if (event.key === "0") cy.fit(undefined, 26);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  });
+  let touched = false;
+  cy.on("pan zoom", (event) => { if (event.target === cy && cy._byHand) touched = true; });
+  box.addEventListener("wheel", () => { touched = true; }, { passive: true });
+  box.addEventListener("pointerdown", () => { touched = true; });
+  new ResizeObserver(() => {
+    if (cy.destroyed()) return;
+    cy.resize();
+    if (!touched) cy.fit(undefined, 26);
+  }).observe(box);
+  cy.on("mouseover", "node, edge", (event) => {
+    box.style.cursor = "pointer";
+    event.target.addClass("pointed");
+    readable(cy);
+    ahead.prepare(selectionOf(event.target), true);
+  });
+  cy.on("mouseout", "node, edge", (event) => {
+    box.style.cursor = "";
+    event.target.removeClass("pointed");
+    readable(cy);
+    ahead.leave();
+  });
+  // the end of a tap comes before the tap, and that before all that Dash does with it
+  let pressed = null;
+  cy.on("tapstart", "node, edge", (event) => {
+    pressed = event;
+    ahead.prepare(selectionOf(event.target));
+  });
+  cy.on("tapend", "node, edge", (event) => {
+    const [a, b] = [pressed?.renderedPosition, event.renderedPosition];
+    const tapped = pressed?.target === event.target && Math.hypot(a.x - b.x, a.y - b.y) < 6;
+    if (tapped && !walking.on) ahead.play(selectionOf(event.target));
+  });
+  cy.on("zoom", () => cy.elements(".readable").data("letters", letters(cy)));
+  const looks = new MutationObserver(() => (cy.destroyed() ? looks.disconnect() : rasterise(cy)));
+  looks.observe(document.documentElement, { attributes: true, attributeFilter: ["data-mantine-color-scheme"] });
+  cy.autoungrabify(true);
+  cy.fit(undefined, 26);
+}
+
+// Far away most labels are too small to read; those that matter now keep their size on the screen.
+const letters = (cy) => Math.max(12, 11 / cy.zoom());
+function readable(cy) {
+  const wanted = cy.elements(".pointed, .chosen, edge.near");
+  cy.batch(() => {
+    cy.elements(".readable").difference(wanted).removeClass("readable");
+    wanted.data("letters", letters(cy)).addClass("readable");
+  });
+}
+
+// A canvas draws a vector image anew at every repaint, a hundred of them take a quarter of a second: make them pixels
+// once. They get short addresses: with each change of a style Cytoscape reads every letter of an image's address.
+const SHARPNESS = 3;
+const drawn = new Map();
+function pixels(address, width, height) {
+  const key = `${width}x${height} ${address}`;
+  if (!drawn.has(key)) {
+    drawn.set(key, new Promise((resolve) => {
+      const image = new Image();
+      image.onload = () => {
+        const scale = SHARPNESS * Math.min(width / image.width, height / image.height);
+        const canvas = document.createElement("canvas");
+        canvas.width = Math.max(1, Math.round(image.width * scale));
+        canvas.height = Math.max(1, Math.round(image.height * scale));
+        canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
+        canvas.toBlob((blob) => resolve(blob ? URL.createObjectURL(blob) : address));
+      };
+      image.onerror = () => resolve(address);
+      image.src = address;
+    }));
+  }
+  return drawn.get(key);
+}
+
+async function rasterise(cy) {
+  const field = "icon_" + (document.documentElement.dataset.mantineColorScheme || "light");
+  const vector = cy.nodes().filter((node) => (node.data(field) || "").startsWith("data:image/svg"));
+  const images = await Promise.all(vector.map((node) => pixels(node.data(field), node.data("width"), node.data("height"))));
+  if (!cy.destroyed()) cy.batch(() => vector.forEach((node, i) => { node.data(field, images[i]); }));
+}
+
+function zoom(cy, factor) {
+  const box = cy.container().getBoundingClientRect();
+  cy.zoom({ level: cy.zoom() * factor, renderedPosition: { x: box.width / 2, y: box.height / 2 } });
+}
+
+let taps = 0;
+register("graph", {
+  async tapped(node, edge) {
+    if (walking.on) return clientside.no_update;
+    const which = clientside.callback_context.triggered.map((item) => item.prop_id).join(" ");
+    const mine = ++taps;
+    await ahead.settled(); // first the Stage, then all else that follows from a selection
+    if (mine !== taps) return clientside.no_update;
+    if (which.includes("tapNodeData") && node) setStore("selection", { motif: node.motif });
+    else if (which.includes("tapEdgeData") && edge) setStore("selection", { edge: edge.edge });
+    return clientside.no_update;
+  },
+  async mark(selection, threshold) {
+    const cy = await graphReady();
+    if (!cy) return clientside.no_update;
+    watch(cy);
+    rasterise(cy);
+    const label = document.getElementById("edge-filter-label");
+    if (label) label.textContent = `Successions seen at least ${threshold || 1}×`;
+    cy.batch(() => {
+      cy.elements().removeClass("chosen near faded rare");
+      const chosen = chosenIn(cy, selection);
+      const near = chosen.length === 1 && chosen.isNode() ? chosen.closedNeighborhood() : chosen.union(chosen.connectedNodes());
+      cy.edges().forEach((edge) => {
+        if (edge.data("count") < (threshold || 1) && !near.contains(edge)) edge.addClass("rare");
+      });
+      if (chosen.nonempty()) {
+        cy.elements().difference(near).addClass("faded");
+        near.difference(chosen).addClass("near");
+        chosen.addClass("chosen");
+      }
+      readable(cy);
+    });
+    return clientside.no_update;
+  },
+  async tool(request, dataset) {
+    const cy = request && (await graphReady(10));
+    if (!cy) return clientside.no_update;
+    const background = getComputedStyle(document.documentElement).getPropertyValue("--surface").trim();
+    const name = (dataset || "motifs") + "-graph";
+    if (request.graph === "in") zoom(cy, 1.3);
+    else if (request.graph === "out") zoom(cy, 1 / 1.3);
+    else if (request.graph === "fit") cy.animate({ fit: { padding: 26 }, duration: 200 });
+    else if (request.graph === "png") save(await cy.png({ output: "blob-promise", full: true, scale: 2, bg: background, maxWidth: 8000, maxHeight: 8000 }), name + ".png");
+    return clientside.no_update;
+  },
+});

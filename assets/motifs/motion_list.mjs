@@ -1,0 +1,34 @@
+/* The motions of what is selected: plain elements, because each Dash component costs the browser milliseconds to take in. */
+import { clientside, register } from "../shared/dash.mjs";
+import { element, icon } from "../shared/dom.mjs";
+
+/** A button that puts its selection into the store (assets/actions.js): play mark, clip, time, key poses. */
+function row({ clip, brief, when, strip, selection, chosen }) {
+  const button = element("button", "motion-row" + (chosen ? " chosen" : ""));
+  button.type = "button";
+  button.title = `Play ${clip}, ${when}, alone`;
+  button.dataset.store = "selection";
+  button.dataset.value = JSON.stringify(selection);
+  button.setAttribute("aria-pressed", String(chosen));
+  const picture = element("img", "motion-strip");
+  Object.assign(picture, { loading: "lazy", alt: "", draggable: false, src: strip });
+  button.append(icon("play"), element("span", "ellipsis motion-clip", brief), element("span", "muted number motion-time", when), picture);
+  return button;
+}
+
+register("motions", {
+  list(motions) {
+    const box = document.getElementById("motion-list");
+    if (!box) return clientside.no_update; // it has gone with its page
+    const { name = "", rows = [], more = 0 } = motions || {};
+    const same = box.dataset.name === name;
+    const top = same ? box.scrollTop : 0;
+    const focused = same ? [...box.children].indexOf(document.activeElement) : -1;
+    box.dataset.name = name;
+    box.replaceChildren(...rows.map(row));
+    if (more) box.append(element("div", "muted selection-more", `and ${more} more`));
+    box.scrollTop = top;
+    if (focused >= 0) box.children[focused]?.focus({ preventScroll: true });
+    return clientside.no_update;
+  },
+});

@@ -1,0 +1,286 @@
+/* A walk through the motif graph: what the link says of it, what the server made of that, and how it plays.
+   walk_path.js draws the path, walk_graph.js marks the graph. */
+import { changeView, clientside, register, setStore } from "../shared/dash.mjs";
+import { find, setLink } from "../shared/dom.mjs";
+import { ahead } from "../stage/ahead.mjs";
+import { player } from "../stage/player.mjs";
+import { lightMotif, markWalk } from "./walk_graph.mjs";
+import { drawPath, lightVisit } from "./walk_path.mjs";
+import { walking } from "./walk_state.mjs";
+
+const KEYS = ["walk", "extra", "gaps", "ends", "feet"];
+const OURS = "~walk~";
+const LONGEST = 300; // letters of a path that a link can hold
+const MOST_NAMED = 12; // dead ends that are listed by number
+const BEFORE = 0.5; // seconds played before a motif that was just added
+
+let now = {}; // the server's last word
+let view = {};
+let played = ""; // name of the walk that was last given to the Stage
+let added = false; // the path was just made longer: play its end
+let lit = -1;
+
+const asked = (shown) => Object.fromEntries(KEYS.filter((key) => shown?.[key]).map((key) => [key, shown[key]]));
+const same = (a, b) => KEYS.every((key) => (a?.[key] || "") === (b?.[key] || ""));
+const onStage = () => Boolean(player.frameOf(0)?.dataset?.startsWith(OURS));
+
+/** The motifs as one sees them: of the walk, or of the path that cannot be walked. */
+const motifs = () => now.path || [];
+
+function write(ids, more = {}) {
+  const text = ids.join("-");
+  if (text.length > LONGEST) return problem({ error: "This path is too long for a link; about a hundred motifs fit." });
+  changeView({ walk: text, ...more });
+}
+
+/** The next motif of the path: a click on a box, or the list of all motifs. */
+function add(motif) {
+  added = true;
+  write([...motifs(), motif]);
+}
+
+function request(data) {
+  const shown = data.path.slice(0, 8).join(" → ") + (data.path.length > 8 ? " …" : "");
+  return {
+    dataset: data.name, title: `Walk: ${shown}`, layout: "overlay", sync: "start",
+    items: [{ clip: "walk", start: 0, end: data.frames, label: "Walk", colours: data.bands }],
+  };
+}
+
+async function play(data, fromEnd) {
+  played = data.name;
+  await player.show(request(data));
+  if (!fromEnd || data.path.length < 2) return;
+  const back = Math.round((BEFORE * data.frames) / data.seconds);
+  player.seek({ clip: "walk", frame: Math.max(0, data.visits.at(-1)[0] - back) });
+}
+
+/** Another walk of the same length in time: kept feet or sliding ones, seen at the same moment. */
+const swap = (data) => {
+  played = data.name;
+  player.replace(request(data));
+};
+
+function problem({ error, gap, detour }) {
+  const box = find("walk-error");
+  box.replaceChildren();
+  box.classList.toggle("hidden", !error);
+  if (!error) return;
+  const text = document.createElement("p");
+  text.textContent = error;
+  box.append(text);
+  const offer = (label, act) => {
+    const button = Object.assign(document.createElement("button"), { type: "button", className: "walk-button", textContent: label });
+    button.addEventListener("click", act);
+    box.append(button);
+  };
+  if (gap && detour?.length) offer(`Go by way of ${detour.slice(1, -1).join(", ")}`, () => write(filled(gap, detour)));
+  if (gap) offer("Bridge the gap by a blend", () => changeView({ gaps: "bridge" }));
+  if (gap && motifs().length) offer(`Take ${gap[1]} away`, () => write(without(gap)));
+}
+
+/** The path with the way round put into the gap, wherever it occurs. */
+const filled = ([a, b], detour) => motifs().flatMap((motif, i, all) => (i && all[i - 1] === a && motif === b ? detour.slice(1) : [motif]));
+const without = ([a, b]) => motifs().filter((motif, i, all) => !(i && all[i - 1] === a && motif === b));
+
+const cm = (metres) => `${(100 * metres).toFixed(1)} cm/s`;
+
+function meters(data) {
+  const box = find("walk-meters");
+  box.classList.toggle("hidden", !data.name);
+  if (!data.name) return;
+  const [source, plain, kept] = data.skate;
+  const most = Math.max(source, plain, kept, 1e-6);
+  const rows = [["This walk", kept], ["Blending alone", plain], ["Recordings", source]];
+  const heading = Object.assign(document.createElement("div"), {
+    className: "walk-meter-title", textContent: "Foot skate", title: "How far standing feet slide, in centimetres per second of contact",
+  });
+  box.replaceChildren(heading, ...rows.map(([label, value], i) => {
+    const row = document.createElement("div");
+    row.className = "walk-meter" + (i ? "" : " walk-meter-own");
+    const name = Object.assign(document.createElement("span"), { textContent: label });
+    const bar = Object.assign(document.createElement("span"), { className: "walk-bar" });
+    bar.style.setProperty("--share", value / most);
+    const number = Object.assign(document.createElement("span"), { className: "number", textContent: cm(value) });
+    row.append(name, bar, number);
+    return row;
+  }));
+  const speed = document.createElement("div");
+  speed.className = "walk-speed" + (data.jump ? " walk-jump" : "");
+  const [seams, sources] = data.speeds;
+  speed.textContent = data.blends
+    ? `${data.jump ? "A blend jumps" : "No jump"}: fastest joint ${seams} m/s in the blends, ${sources} m/s in the recordings.`
+    : "Recorded as it is: nothing had to be blended.";
+  box.append(speed);
+}
+
+/** Dead ends, parts and further links of the graph, in words. */
+function waysText(data) {
+  if (!data.parts) return "";
+  const total = data.motifs.length;
+  const words = [];
+  if (data.parts.length > 1) words.push(`From ${data.parts[0]} of ${total} motifs one can come back to each other; ${data.parts.length - 1} more such part${data.parts.length > 2 ? "s" : ""}.`);
+  const dead = data.dead.length > MOST_NAMED ? `${data.dead.length} motifs` : data.dead.join(", ");
+  if (data.dead.length) words.push(`Dead ends, where nothing leads on: ${dead} (marked in the graph).`);
+  if (data.asked.extra) words.push(data.further.length ? `${data.further.length} further transitions (dashed).` : "No further transition points are good enough.");
+  return words.join(" ");
+}
+
+function show() {
+  const busy = !same(now.asked, asked(view));
+  find("walk-path").classList.toggle("busy", busy);
+  if (busy) {
+    find("walk-hint").textContent = view.walk ? "Making the walk …" : "";
+    return;
+  }
+  const walks = Boolean(now.name);
+  find("walk-path").dataset.shown = now.asked.walk || "";
+  find("walk-length").textContent = walks ? `${now.path.length} motif${now.path.length > 1 ? "s" : ""}, ${now.seconds.toFixed(1)} s` : "";
+  find("walk-hint").textContent = walks || now.error ? "" : "Click motifs in the graph one after the other, or let chance choose.";
+  find("walk-notes").replaceChildren(...(now.warnings || []).map((text) => Object.assign(document.createElement("p"), { textContent: text })));
+  find("walk-ways").textContent = waysText(now);
+  drawPath(find("walk-path"), now, { write, jump: seekTo });
+  problem(now);
+  meters(now);
+  for (const button of document.querySelectorAll("[data-walk='play']")) button.disabled = !walks;
+  for (const button of document.querySelectorAll("[data-walk='clear']")) button.disabled = !view.walk;
+  setLink("walk-bvh", walks && `/api/bvh/${encodeURIComponent(now.name)}/walk`);
+  const recipes = Object.values((walks && now.recipes) || {});
+  document.querySelectorAll(".walk-recipe").forEach((button, i) => {
+    button.disabled = !recipes[i];
+    button.title = `Copy the walk as ${i ? "a Python script" : "commands"}`;
+    button.dataset.copy = recipes[i] || "";
+  });
+  setLink("walk-json", walks && `/api/walk/${now.name.slice(OURS.length)}.json`);
+  lists();
+  markWalk(now, walking.on, steps);
+}
+
+/** The lists of all motifs, filled once a graph. */
+function lists() {
+  for (const [id, first] of [["walk-add", "a motif …"], ["walk-from", "motif"], ["walk-to", "motif"]]) {
+    const list = find(id);
+    const stamp = `${now.key} ${JSON.stringify(now.motifs)}`;
+    if (list.dataset.stamp === stamp) continue;
+    list.dataset.stamp = stamp;
+    const chosen = list.value;
+    list.replaceChildren(new Option(first, ""), ...now.motifs.map(({ id: motif, name }) => new Option(name ? `${motif} ${name}` : motif, motif)));
+    list.value = chosen;
+  }
+}
+
+/** From the path to the Stage: the moment at which a motif begins. */
+function seekTo(visit) {
+  if (!now.name) return;
+  const frame = now.visits[visit][0];
+  if (!onStage() || played !== now.name) play(now).then(() => player.seek({ clip: "walk", frame }));
+  else player.seek({ clip: "walk", frame });
+}
+
+// the motif that plays is lit in the graph and on the path
+window.addEventListener("stage-frame", (event) => {
+  const item = event.detail.items[0];
+  const ours = walking.on && now.name && item?.dataset === now.name;
+  const visit = ours ? now.visits.findIndex(([a, b]) => item.frame >= a && item.frame < b) : -1;
+  if (visit === lit) return;
+  lit = visit;
+  lightVisit(find("walk-path"), visit);
+  lightMotif(visit < 0 ? null : now.path[visit]);
+});
+
+const actions = {
+  play: () => now.name && play(now),
+  clear: () => changeView({ walk: "" }),
+  fewest: () => between("fewest"),
+  used: () => between("used"),
+  random() {
+    const whole = (id, low, high) => Math.min(Math.max(Math.round(Number(find(id).value) || low), low), high);
+    const seconds = whole("walk-seconds", 1, Number(find("walk-seconds").max));
+    let seed = whole("walk-seed", 0, 999999999);
+    if (view.walk === `random:${seconds}:${seed}`) seed += 1;
+    changeView({ walk: `random:${seconds}:${seed}` });
+  },
+};
+
+function between(by) {
+  const [from, to] = ["walk-from", "walk-to"].map((id) => find(id).value);
+  const missing = ["walk-from", "walk-to"].find((id) => !find(id).value);
+  if (missing) return find(missing).focus();
+  changeView({ walk: `${by}:${from}:${to}` });
+}
+
+document.addEventListener("click", (event) => {
+  const button = event.target.closest?.("[data-walk]");
+  if (button && !button.disabled && walking.on) actions[button.dataset.walk]();
+});
+document.addEventListener("change", (event) => {
+  if (event.target.id !== "walk-add" || !event.target.value) return;
+  add(Number(event.target.value));
+  event.target.value = "";
+});
+
+function leave(selection) {
+  if (!walking.on) return;
+  walking.on = false;
+  lit = -1;
+  markWalk({}, false, steps);
+  if (onStage() && selection && Object.keys(selection).length) setStore("selection", { ...selection });
+}
+
+/** What clicks in the graph do. */
+const steps = {
+  add,
+  /** A click on an edge: on to its target, if the path has come to its source. */
+  follow(source, target) {
+    const last = motifs().at(-1);
+    if (last === source) add(target);
+    else if (last === undefined) {
+      added = true;
+      write([source, target]);
+    }
+  },
+};
+
+// boxes and arrows are then steps of the walk, not selections to be played
+ahead.unless((selection) => walking.on && (selection.edge !== undefined || (selection.motif !== undefined && selection.motion === undefined)));
+
+const OPTIONS = { extra: "walk-extra", gaps: "walk-bridge", ends: "walk-stop", feet: "walk-feet" };
+const checkedFor = { extra: (v) => v === "1", gaps: (v) => v === "bridge", ends: (v) => v === "stop", feet: (v) => v !== "0" };
+
+register("walk", {
+  draw(data, shown, _id, _elements, selection) {
+    view = shown || {};
+    if (view.side !== "walk") return leave(selection), clientside.no_update;
+    if (!find("walk-path")) return clientside.no_update;
+    const entered = !walking.on;
+    walking.on = true;
+    for (const [key, id] of Object.entries(OPTIONS)) clientside.set_props(id, { checked: checkedFor[key](view[key]) });
+    const [, seconds, seed] = /^random:([\d.]+):(\d+)/.exec(view.walk || "") || [];
+    if (seed) {
+      clientside.set_props("walk-seconds", { value: Number(seconds) });
+      clientside.set_props("walk-seed", { value: Number(seed) });
+    }
+    if (!data) return clientside.no_update;
+    const before = now;
+    now = data;
+    show();
+    if (!now.name || !same(now.asked, asked(view))) return clientside.no_update;
+    const chosen = selection && Object.keys(selection).length > 0;
+    if (entered && chosen && !before.key) return clientside.no_update; // the link is of the selection
+    if (entered && chosen) setStore("selection", {});
+    if (now.name !== played || (entered && !onStage())) {
+      const feet = before.name && before.frames === now.frames && String(before.path) === String(now.path) && onStage();
+      if (feet) swap(now);
+      else play(now, added && !entered);
+    }
+    added = false;
+    return clientside.no_update;
+  },
+  // One of the switches: it goes into the link, where it differs.
+  option(extra, bridge, stop, feet, shown) {
+    if (!walking.on) return clientside.no_update;
+    const wanted = { extra: extra ? "1" : "", gaps: bridge ? "bridge" : "", ends: stop ? "stop" : "", feet: feet ? "" : "0" };
+    if (Object.entries(wanted).some(([key, value]) => ((shown || {})[key] || "") !== value)) changeView(wanted);
+    return clientside.no_update;
+  },
+});

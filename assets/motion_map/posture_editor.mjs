@@ -1,0 +1,134 @@
+/* A posture shaped by hand: joints are dragged in three views, bones keep their lengths, and the nearest node follows. */
+import { element, svgElement } from "../shared/dom.mjs";
+import { dragJoint } from "./bones.mjs";
+import { drawFigure, figurePicture, jointOf, VIEWS } from "./figure.mjs";
+import { state } from "./state.mjs";
+
+// what a drag in a view does: [right, down] of the screen as directions of the body
+const AXES = { front: [[1, 0, 0], [0, -1, 0]], side: [[0, 0, 1], [0, -1, 0]], top: [[1, 0, 0], [0, 0, 1]] };
+const BOX = [-1, -1.05, 2, 2.1];
+let edited = null; // {map, posture, start, key, joint, change}
+
+const NAMES = (role, name) => (role || name).replace(/_/g, " ");
+
+function dialog() {
+  let box = document.getElementById("map-editor");
+  if (box) return box;
+  box = element("dialog", "map-editor card");
+  box.id = "map-editor";
+  box.setAttribute("aria-labelledby", "map-editor-title");
+  const title = element("h2", "", "Shape a posture");
+  title.id = "map-editor-title";
+  const hint = element("p", "muted", "Drag a joint in any view, or choose one and use the arrow keys; bones keep their lengths.");
+  const views = element("div", "map-editor-views");
+  for (const view of Object.keys(AXES)) {
+    const figure = element("figure", "map-view");
+    figure.dataset.view = view;
+    figure.append(svgElement("svg", { viewBox: BOX.join(" "), class: "map-picture map-editor-picture" }), element("figcaption", "muted", view));
+    views.append(figure);
+  }
+  const said = element("div", "map-editor-said number muted");
+  said.setAttribute("role", "status");
+  const foot = element("div", "map-editor-foot");
+  const nearest = element("div", "map-editor-nearest");
+  const actions = element("div", "map-editor-actions");
+  for (const [label, action, main] of [["Cancel", "cancel"], ["As it was", "reset"], ["Use as key", "use", true]]) {
+    const button = element("button", main ? "map-button main" : "map-button", label);
+    button.type = "button";
+    button.dataset.editor = action;
+    actions.append(button);
+  }
+  foot.append(nearest, said, actions);
+  box.append(title, hint, views, foot);
+  document.getElementById("shell").append(box);
+  listen(box);
+  return box;
+}
+
+function listen(box) {
+  let held = null;
+  const place = (svg, event) => {
+    const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
+    return [x, y];
+  };
+  box.addEventListener("pointerdown", (event) => {
+    const handle = event.target.closest(".map-joint");
+    if (!handle) return;
+    const svg = handle.ownerSVGElement;
+    held = { svg, joint: Number(handle.dataset.joint), view: svg.parentNode.dataset.view, from: place(svg, event) };
+    held.start = jointOf(edited.posture, held.joint);
+    edited.joint = held.joint;
+    svg.setPointerCapture(event.pointerId);
+    event.preventDefault();
+  });
+  box.addEventListener("pointermove", (event) => {
+    if (!held) return;
+    const [x, y] = place(held.svg, event), [right, down] = AXES[held.view];
+    move(held.joint, held.start.map((v, k) => v + (x - held.from[0]) * right[k] + (y - held.from[1]) * down[k]));
+  });
+  box.addEventListener("pointerup", () => { held = null; });
+  box.addEventListener("keydown", (event) => {
+    const handle = event.target.closest(".map-joint");
+    const step = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
+    if (!handle || !step) return;
+    event.preventDefault();
+    event.stopPropagation();
+    const view = handle.ownerSVGElement.parentNode.dataset.view, joint = Number(handle.dataset.joint);
+    const [right, down] = AXES[view], from = jointOf(edited.posture, joint);
+    move(joint, from.map((v, k) => v + 0.04 * (step[0] * right[k] + step[1] * down[k])));
+    box.querySelector(`[data-view="${view}"] .map-joint[data-joint="${joint}"]`)?.focus();
+  });
+  box.addEventListener("click", (event) => {
+    const action = event.target.closest("[data-editor]")?.dataset.editor;
+    if (action === "cancel") box.close();
+    if (action === "reset") {
+      edited.posture = edited.start;
+      draw();
+    }
+    if (action === "use") {
+      const { node, key, change } = edited, { keys } = state;
+      box.close();
+      change(key < 0 ? [...keys, node] : keys.map((old, k) => (k === key ? node : old)));
+    }
+  });
+}
+
+function move(joint, goal) {
+  edited.posture = dragJoint(edited.map, edited.posture, joint, goal);
+  draw();
+}
+
+function draw() {
+  const { map, posture } = edited, box = dialog();
+  for (const figure of box.querySelectorAll("[data-view]")) {
+    const svg = figure.querySelector("svg"), see = VIEWS[figure.dataset.view];
+    const handles = map.parents.map((_, j) => {
+      const [x, y] = see(jointOf(posture, j));
+      const handle = svgElement("circle", { cx: x.toFixed(3), cy: y.toFixed(3), r: 0.045, class: "map-joint", tabindex: "0", role: "button", "data-joint": j });
+      handle.setAttribute("aria-label", `${NAMES(map.roles[j], map.joints[j])}, ${figure.dataset.view}`);
+      const title = svgElement("title");
+      title.textContent = NAMES(map.roles[j], map.joints[j]);
+      handle.append(title);
+      return handle;
+    });
+    svg.replaceChildren(drawFigure(map, posture, figure.dataset.view), ...handles);
+  }
+  const { node, distance } = map.nearest(posture);
+  Object.assign(edited, { node, distance });
+  const far = distance > 2.5 * map.usual;
+  box.querySelector(".map-editor-said").textContent = `Nearest posture on the map: ${distance.toFixed(2)} m away${far ? ", so nothing there is like this" : ""}`;
+  box.querySelector(".map-editor-nearest").replaceChildren(figurePicture(map, map.posture(node), "icon"));
+  state.overlay.squares("cursor", [node]);
+}
+
+/** Open the editor on a node's posture; `change(keys)` gets the keys with it in place of number `key`, or added where that is -1. */
+export function editPosture(node, key, change) {
+  const { map } = state;
+  const posture = map.posture(node);
+  edited = { map, posture, start: posture, key, change, joint: -1 };
+  dialog();
+  draw();
+  dialog().showModal();
+}
+
+export const editedPosture = () => edited;

@@ -1,0 +1,298 @@
+/* The body diagram: parts are clicked and weighted; of a query in pieces, given to the piece that is active. */
+import { element, find, svgElement } from "../shared/dom.mjs";
+import { changeSearch, copyPieces, now, searchFor } from "./state.mjs";
+
+const MOST = 50; // of a slider; only ratios count
+const EVEN = 10; // of each part of the whole body
+
+// A person who faces us: their left is on our right. Lines are limbs, thick enough to hit.
+const SHAPES = {
+  torso: ["M48 44 Q60 39 72 44 L69 74 L71 92 Q60 97 49 92 L51 74 Z"],
+  head: ["M60 8 a12.5 13.500 0 1 1 -.01 0 Z"],
+  left_arm: ["M80 49 L91 76"], left_hand: ["M93.500 84 L97.500 104"],
+  right_arm: ["M40 49 L29 76"], right_hand: ["M26.500 84 L22.500 104"],
+  left_leg: ["M67.500 103 L70.500 144"], left_foot: ["M71.500 154 L72 170 L79 174"],
+  right_leg: ["M52.500 103 L49.500 144"], right_foot: ["M48.500 154 L48 170 L41 174"],
+};
+const THICK = { left_arm: 11, right_arm: 11, left_hand: 9, right_hand: 9, left_leg: 14, right_leg: 14, left_foot: 10, right_foot: 10 };
+
+const assigning = () => Boolean(now.found && now.found.pieces && now.found.pieces.length > 1) && mode === "pieces";
+let mode = "weights";
+let raw = null; // leaf -> weight, as the sliders stand
+let drawn = "";
+let waiting = 0;
+
+const even = () => Object.fromEntries(now.body.leaves.map((leaf) => [leaf, EVEN]));
+
+/** Weights of the link, leaf by leaf. */
+function readWeights(text) {
+  const found = Object.fromEntries(now.body.leaves.map((leaf) => [leaf, 0]));
+  let total = 0;
+  for (const word of (text || "").split(",")) {
+    const [node, weight] = word.split(":");
+    const below = now.body.nodes[node];
+    if (!below || !(Number(weight) > 0)) continue;
+    for (const leaf of below) found[leaf] += Number(weight) / below.length;
+    total += Number(weight);
+  }
+  return total ? found : even();
+}
+
+function writeWeights(weights) {
+  const values = Object.values(weights);
+  if (values.every((value) => value === values[0])) return ""; // the whole body alike
+  const short = (value) => String(Number(value.toFixed(2)));
+  return now.body.leaves.filter((leaf) => weights[leaf] > 0).map((leaf) => `${leaf}:${short(weights[leaf])}`).join(",");
+}
+
+const total = () => Object.values(raw).reduce((sum, value) => sum + value, 0);
+const share = (leaf) => raw[leaf] / Math.max(total(), 1e-9);
+const percent = (value) => (value === 0 ? "0 %" : `${(100 * value).toFixed(100 * value < 9.95 ? 1 : 0)} %`.replace(".0 ", " "));
+
+function send() {
+  clearTimeout(waiting);
+  waiting = setTimeout(() => {
+    waiting = 0;
+    if (total() > 0) changeSearch({ parts: writeWeights(raw) });
+  }, 140);
+}
+
+function put(leaf, value) {
+  raw[leaf] = Math.min(Math.max(value, 0), MOST);
+  paint();
+  find("search-body").classList.toggle("search-none", total() === 0);
+  send();
+}
+
+// ---- drawing ----
+function shape(leaf) {
+  const group = svgElement("g");
+  group.setAttribute("class", "search-part");
+  group.setAttribute("tabindex", "0");
+  group.dataset.part = leaf;
+  for (const d of SHAPES[leaf]) {
+    const path = svgElement("path");
+    path.setAttribute("d", d);
+    if (THICK[leaf]) {
+      path.setAttribute("fill", "none");
+      path.setAttribute("stroke-width", THICK[leaf]);
+      path.setAttribute("class", "search-limb");
+    }
+    group.append(path);
+  }
+  const title = svgElement("title");
+  group.append(title);
+  return group;
+}
+
+function figure() {
+  const svg = svgElement("svg");
+  svg.setAttribute("viewBox", "10 4 100 178");
+  svg.setAttribute("class", "search-figure");
+  svg.setAttribute("role", "group");
+  svg.setAttribute("aria-label", "Parts of the body, seen from the front");
+  const order = ["torso", ...now.body.leaves.filter((leaf) => leaf !== "torso")];
+  svg.append(...order.map(shape));
+  for (const [letter, x] of [["R", 17], ["L", 103]]) {
+    const text = svgElement("text");
+    text.setAttribute("x", x);
+    text.setAttribute("y", 40);
+    text.setAttribute("class", "search-side");
+    text.textContent = letter;
+    text.append(Object.assign(svgElement("title"), { textContent: letter === "L" ? "Their left" : "Their right" }));
+    svg.append(text);
+  }
+  return svg;
+}
+
+function slider(leaf) {
+  const input = element("input", "search-weight");
+  Object.assign(input, { type: "range", min: 0, max: MOST, step: 0.5 });
+  input.dataset.weight = leaf;
+  input.setAttribute("aria-label", `Weight of the ${now.body.words[leaf].toLowerCase()}`);
+  const label = element("span", "search-weight-name", now.body.words[leaf]);
+  const line = element("label", "search-weight-row", label, input, element("span", "search-weight-share number"));
+  line.dataset.part = leaf;
+  return line;
+}
+
+function build(box) {
+  const presets = element("select", "search-select");
+  presets.id = "search-preset";
+  presets.setAttribute("aria-label", "Ready-made weights");
+  const names = Object.keys(now.presets);
+  presets.append(...names.map((name) => {
+    const option = element("option", "", name[0].toUpperCase() + name.slice(1));
+    option.value = name;
+    return option;
+  }), Object.assign(element("option", "", "Weights of your own"), { value: "", hidden: true }));
+  const modes = element("div", "search-modes hidden");
+  modes.setAttribute("role", "radiogroup");
+  modes.setAttribute("aria-label", "What a click in the figure does");
+  for (const [value, words] of [["weights", "Weigh"], ["pieces", "Assign"]]) {
+    const one = element("button", "search-mode", words);
+    one.type = "button";
+    one.dataset.mode = value;
+    one.setAttribute("role", "radio");
+    modes.append(one);
+  }
+  const hint = element("p", "muted search-body-hint");
+  const left = element("div", "search-body-left", figure(), modes);
+  const right = element("div", "search-body-right", presets, element("div", "search-weights", ...now.body.leaves.map(slider)), hint);
+  box.replaceChildren(left, right);
+}
+
+const sameWeights = (a, b) => {
+  const [sa, sb] = [a, b].map((weights) => Object.values(weights).reduce((sum, value) => sum + value, 0) || 1);
+  return now.body.leaves.every((leaf) => Math.abs((a[leaf] || 0) / sa - (b[leaf] || 0) / sb) < 2e-3);
+};
+
+function paint() {
+  const box = find("search-body");
+  const pieces = (now.found && now.found.pieces) || [];
+  const owner = (leaf) => pieces.findIndex((piece) => piece.leaves.includes(leaf));
+  const several = pieces.length > 1;
+  const most = Math.max(...Object.values(raw), 1e-9);
+  box.querySelector(".search-modes").classList.toggle("hidden", !several);
+  for (const one of box.querySelectorAll("[data-mode]")) one.setAttribute("aria-checked", String(one.dataset.mode === mode));
+  for (const group of box.querySelectorAll(".search-part")) {
+    const leaf = group.dataset.part;
+    const own = owner(leaf);
+    const colour = several ? (own >= 0 ? pieces[own].colour : "var(--muted)") : "var(--accent)";
+    const strength = assigning() ? (own >= 0 ? 0.85 : 0.1) : raw[leaf] > 0 ? 0.25 + 0.75 * Math.sqrt(raw[leaf] / most) : 0;
+    group.style.setProperty("--tone", colour);
+    group.style.setProperty("--strength", `${Math.round(100 * strength)}%`);
+    group.classList.toggle("off", strength === 0);
+    const says = assigning() ? (own >= 0 ? `from ${"ABCDEF"[own]}` : "from none") : percent(share(leaf));
+    group.setAttribute("aria-label", now.body.words[leaf]);
+    group.setAttribute("role", assigning() ? "button" : "slider");
+    if (assigning()) {
+      for (const name of ["aria-valuenow", "aria-valuemin", "aria-valuemax", "aria-valuetext"]) group.removeAttribute(name);
+      group.setAttribute("aria-label", `${now.body.words[leaf]}: ${says}`);
+    } else {
+      group.setAttribute("aria-valuemin", 0);
+      group.setAttribute("aria-valuemax", 100);
+      group.setAttribute("aria-valuenow", Math.round(100 * share(leaf)));
+      group.setAttribute("aria-valuetext", says);
+    }
+    group.querySelector("title").textContent = `${now.body.words[leaf]}: ${says}`;
+  }
+  for (const row of box.querySelectorAll(".search-weight-row")) {
+    const leaf = row.dataset.part;
+    const input = row.querySelector("input");
+    if (Number(input.value) !== raw[leaf]) input.value = raw[leaf];
+    input.style.setProperty("--share", `${(100 * raw[leaf]) / MOST}%`);
+    input.setAttribute("aria-valuetext", percent(share(leaf)));
+    row.querySelector(".search-weight-share").textContent = percent(share(leaf));
+    row.classList.toggle("off", raw[leaf] === 0);
+    const own = owner(leaf);
+    row.style.setProperty("--tone", several && own >= 0 ? pieces[own].colour : "var(--accent)");
+  }
+  const named = Object.entries(now.presets).find(([, weights]) => sameWeights(weights, raw));
+  box.querySelector("#search-preset").value = named ? named[0] : "";
+  box.querySelector(".search-body-hint").textContent = total() === 0 ? "All parts are off: switch on at least one."
+    : assigning() ? `Click parts to take them from ${"ABCDEF"[now.active]}. Shift + click: the whole limb.`
+    : "Click a part to switch it on or off, Shift + click for this one alone; arrow keys change its weight.";
+}
+
+export const drawBody = () => {
+  const box = find("search-body");
+  if (!box) return;
+  if (!box.firstChild) {
+    build(box);
+    drawn = "";
+  }
+  const pieces = (now.found && now.found.pieces) || [];
+  if (pieces.length < 2) mode = "weights";
+  else if (pieces.length !== Number(box.dataset.pieces || 0)) mode = "pieces"; // a new piece wants its parts
+  box.dataset.pieces = pieces.length;
+  const text = now.view.parts || "";
+  if (!raw || (text !== drawn && !waiting)) {
+    raw = readWeights(text);
+    drawn = text;
+  }
+  paint();
+};
+
+/** Whether a part counts in what is shown: it has a weight, and a piece gives it. */
+export const counts = (leaf) => {
+  const weights = readWeights(now.view.parts);
+  return weights[leaf] > 0 && now.found.pieces.some((piece) => piece.leaves.includes(leaf));
+};
+
+/** Lights a part up, here and in the hits. */
+export const lightPart = (leaf) => {
+  for (const one of document.querySelectorAll(".search-page [data-part]")) one.classList.toggle("lit", one.dataset.part === leaf);
+};
+
+// ---- what one does to it ----
+const LIMBS = ["head_torso", "left_arm_hand", "right_arm_hand", "left_leg_foot", "right_leg_foot"];
+const limbOf = (leaf) => now.body.nodes[LIMBS.find((node) => now.body.nodes[node].includes(leaf))];
+
+function assign(leaves) {
+  const pieces = copyPieces();
+  const taker = pieces[now.active];
+  if (!taker) return;
+  const has = leaves.every((leaf) => taker.leaves.includes(leaf));
+  for (const piece of pieces) piece.leaves = piece.leaves.filter((leaf) => !leaves.includes(leaf));
+  if (!has) taker.leaves = now.body.leaves.filter((leaf) => taker.leaves.includes(leaf) || leaves.includes(leaf));
+  if (pieces.every((piece) => !piece.leaves.length)) return; // something must be left to look for
+  if (pieces.some((piece) => !piece.leaves.length)) now.active = 0;
+  searchFor(pieces);
+}
+
+function press(leaf, shift) {
+  if (assigning()) return assign(shift ? limbOf(leaf) : [leaf]);
+  if (shift) {
+    raw = Object.fromEntries(now.body.leaves.map((one) => [one, one === leaf ? EVEN : 0]));
+    return put(leaf, EVEN);
+  }
+  return put(leaf, raw[leaf] > 0 ? 0 : Math.max(...Object.values(raw)) || EVEN);
+}
+
+document.addEventListener("click", (event) => {
+  const part = event.target.closest && event.target.closest(".search-part");
+  if (part) press(part.dataset.part, event.shiftKey);
+  const chosen = event.target.closest && event.target.closest("[data-mode]");
+  if (chosen && chosen.closest("#search-body")) {
+    mode = chosen.dataset.mode;
+    paint();
+  }
+});
+
+document.addEventListener("keydown", (event) => {
+  const part = event.target.closest && event.target.closest(".search-part");
+  if (!part) return;
+  const leaf = part.dataset.part;
+  const step = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[event.key];
+  if (event.key === "Enter" || event.key === " ") press(leaf, event.shiftKey);
+  else if (step && !assigning()) put(leaf, raw[leaf] + step);
+  else if (event.key === "Home" && !assigning()) put(leaf, 0);
+  else if (event.key === "End" && !assigning()) put(leaf, MOST);
+  else return;
+  event.preventDefault();
+  event.stopPropagation();
+});
+
+document.addEventListener("input", (event) => {
+  if (event.target.dataset && event.target.dataset.weight) put(event.target.dataset.weight, Number(event.target.value));
+});
+
+document.addEventListener("change", (event) => {
+  if (event.target.id !== "search-preset" || !event.target.value) return;
+  const weights = now.presets[event.target.value];
+  const scale = event.target.value === "whole body" ? 100 : Math.min(100, MOST / Math.max(...Object.values(weights)));
+  raw = Object.fromEntries(now.body.leaves.map((leaf) => [leaf, scale * (weights[leaf] || 0)]));
+  if (event.target.value === "whole body") raw = even();
+  paint();
+  send();
+});
+
+for (const kind of ["pointerover", "focusin"]) {
+  document.addEventListener(kind, (event) => {
+    const page = event.target.closest && event.target.closest(".search-page");
+    if (!page) return;
+    const part = event.target.closest("[data-part]");
+    lightPart(part ? part.dataset.part : null);
+  });
+}

@@ -1,0 +1,288 @@
+/* The ranked hits: a row each with its pictures and score, and the strip that shows which parts match when. */
+import { changeView, notify, setStore } from "../shared/dash.mjs";
+import { element, find, icon } from "../shared/dom.mjs";
+import { player } from "../stage/player.mjs";
+import { counts, lightPart } from "./body.mjs";
+import { now, searchAddress } from "./state.mjs";
+
+const MORE = 30;
+const reasons = new Map(); // address -> promise of why a hit is one
+const known = new Map(); // the same, once it is there
+
+/** Why a hit is one, and what the Stage plays of it; asked once. */
+export const reasonOf = (name) => {
+  const address = `/api/search/explain?${searchAddress(name)}`;
+  if (!reasons.has(address)) {
+    const answer = fetch(address).then(async (response) => {
+      const body = await response.json().catch(() => ({}));
+      if (!response.ok) throw new Error(body.error || "The server does not answer.");
+      known.set(address, body);
+      return body;
+    });
+    answer.catch(() => reasons.delete(address));
+    reasons.set(address, answer);
+    if (reasons.size > 400) for (const old of [...reasons.keys()].slice(0, 100)) { reasons.delete(old); known.delete(old); }
+  }
+  return reasons.get(address);
+};
+const reasonNow = (name) => known.get(`/api/search/explain?${searchAddress(name)}`);
+
+// ---- the strip ----
+/** Cells from dull (nothing alike) to full colour (equal); parts that do not count are pale. */
+function paintStrip(canvas, strip) {
+  const ratio = Math.min(window.devicePixelRatio || 1, 2);
+  const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((size) => Math.max(1, Math.round(size * ratio)));
+  canvas.width = width;
+  canvas.height = height;
+  const context = canvas.getContext("2d");
+  const style = getComputedStyle(canvas);
+  const [full, dull] = [style.getPropertyValue("--strip-full").trim(), style.getPropertyValue("--strip-dull").trim()];
+  const rows = strip.rows.length;
+  strip.rows.forEach((cells, r) => {
+    const strength = counts(now.body.leaves[r]) ? 1 : 0.3;
+    const [top, bottom] = [Math.round((r * height) / rows), Math.round(((r + 1) * height) / rows) - Math.max(1, Math.round(ratio / 2))];
+    cells.forEach((value, c) => {
+      if (value < 0) return;
+      const [left, right] = [Math.floor((c * width) / cells.length), Math.floor(((c + 1) * width) / cells.length)];
+      context.globalAlpha = strength;
+      context.fillStyle = dull;
+      context.fillRect(left, top, right - left, bottom - top);
+      context.globalAlpha = strength * (value / 100) ** 1.5;
+      context.fillStyle = full;
+      context.fillRect(left, top, right - left, bottom - top);
+    });
+  });
+}
+
+function drawStrip(row) {
+  const canvas = row.querySelector("canvas");
+  const name = row.dataset.hit;
+  reasonOf(name).then(({ strip }) => {
+    if (!canvas.isConnected) return;
+    paintStrip(canvas, strip);
+    row.strip = strip;
+    row.classList.add("explained");
+    const best = now.body.leaves.map((leaf, k) => [strip.means[k], now.body.words[leaf].toLowerCase()]).filter(([mean]) => mean !== null)
+      .sort((a, b) => b[0] - a[0]);
+    if (best.length) canvas.setAttribute("aria-label", `Most alike: ${best.slice(0, 3).map(([mean, words]) => `${words} ${Math.round(100 * mean)} %`).join(", ")}`);
+  }, (error) => { if (canvas.isConnected) canvas.title = error.message; });
+}
+
+const seen = new IntersectionObserver((entries) => {
+  for (const { isIntersecting, target } of entries) {
+    if (!isIntersecting) continue;
+    seen.unobserve(target);
+    drawStrip(target);
+  }
+}, { rootMargin: "120px" });
+
+/** What the cell under the pointer means, in words. */
+function describe(event) {
+  const row = event.target.closest(".search-hit");
+  if (!row || !row.strip) return;
+  const box = event.target.getBoundingClientRect();
+  const leaf = Math.min(Math.floor(((event.clientY - box.top) / box.height) * 10), 9);
+  const cells = row.strip.rows[leaf];
+  const share = Math.min(Math.max((event.clientX - box.left) / box.width, 0), 0.9999);
+  const value = cells[Math.floor(share * cells.length)];
+  const lead = now.found.pieces[0];
+  const when = `${((share * (lead.end - lead.start)) / lead.fps).toFixed(1)} s`;
+  event.target.title = `${now.body.words[now.body.leaves[leaf]]}, ${when} into the query: ${value < 0 ? "not compared" : `${value} % alike`}`;
+  lightPart(now.body.leaves[leaf]);
+}
+
+// ---- rows ----
+function link(symbol, words, href) {
+  const made = element("a", "search-tool", icon(symbol));
+  Object.assign(made, { href, title: words });
+  made.setAttribute("aria-label", words);
+  return made;
+}
+
+function hitRow(hit, low, top) {
+  const made = element("div", "search-hit");
+  made.setAttribute("role", "listitem");
+  made.dataset.hit = hit.name;
+  const picture = element("img", "search-strip");
+  Object.assign(picture, { src: hit.strip, alt: "", loading: "lazy", draggable: false });
+  const bar = element("span", "search-score-bar");
+  bar.style.width = `${Math.round((100 * (hit.score - low)) / Math.max(top - low, 1e-9))}%`;
+  const score = element("span", "search-score", bar, element("b", "number", hit.score.toFixed(3)));
+  const facts = element("span", "search-facts muted", [hit.when, hit.label].filter(Boolean).join(" · "));
+  const words = element("span", "search-words", element("span", "search-name ellipsis", hit.clip), facts, score);
+  const open = element("button", "search-open", element("span", "search-rank number", String(hit.rank)), picture, words);
+  open.type = "button";
+  open.title = `Compare with the query on the Stage: ${hit.clip}, frames ${hit.start} to ${hit.end}`;
+  const canvas = element("canvas", "search-why");
+  canvas.setAttribute("role", "img");
+  canvas.setAttribute("aria-label", "Which parts match when");
+  const similar = element("button", "search-tool", icon("search"));
+  similar.type = "button";
+  similar.title = "More like this";
+  similar.setAttribute("aria-label", `More like ${hit.clip}`);
+  similar.dataset.similar = JSON.stringify({ clip: hit.clip, start: hit.start, end: hit.end });
+  const bvh = link("download", "Save as BVH",
+    `/api/bvh/${encodeURIComponent(now.clips.dataset)}/${encodeURIComponent(hit.clip)}?start=${hit.start}&end=${hit.end}`);
+  const why = element("div", "search-why-box", element("div", "search-why-names"), canvas, element("div", "search-why-cursor"));
+  made.append(open, why, element("div", "search-hit-tools", similar, bvh));
+  return made;
+}
+
+const took = (ms) => (ms < 10 ? `${ms.toFixed(1)} ms` : ms < 2000 ? `${Math.round(ms)} ms` : `${(ms / 1000).toFixed(1)} s`);
+
+function head(box, found) {
+  const { total, hits, milliseconds } = found;
+  const count = hits.length < total ? `${hits.length} of ${total}` : `${total}`;
+  const noun = found.level === "clip" ? "clip" : "moment";
+  box.replaceChildren(element("h2", "", "Hits"),
+    element("span", "muted number", `${count} ${noun}${total === 1 ? "" : "s"}, found in ${took(milliseconds)}`),
+    element("span", "spacer"), element("span", "search-key muted", "which parts match when: ", element("i", "search-key-none"), " not at all", element("i", "search-key-full"), " alike"));
+}
+
+let drawn = "";
+export const drawHits = () => {
+  const [box, title, error] = ["search-hits", "search-hits-head", "search-error"].map(find);
+  if (!box) return;
+  const found = now.found || {};
+  error.textContent = found.error || "";
+  error.classList.toggle("hidden", !found.error);
+  const ready = Boolean(found.hits);
+  box.classList.toggle("hidden", !ready);
+  title.classList.toggle("hidden", !ready);
+  if (!ready) {
+    drawn = "";
+    box.replaceChildren();
+    return;
+  }
+  const mark = JSON.stringify([found.asked, now.scheme]);
+  if (mark !== drawn || !box.firstChild) {
+    drawn = mark;
+    head(title, found);
+    const scores = found.hits.map((hit) => hit.score);
+    const rows = found.hits.map((hit) => hitRow(hit, Math.min(0, ...scores), Math.max(...scores)));
+    box.replaceChildren(...rows);
+    if (!rows.length) box.append(element("p", "muted search-nothing", nothing(found)));
+    for (const one of rows) seen.observe(one);
+    if (found.hits.length < found.total && found.hits.length < 300) box.append(more(found));
+  }
+  choose();
+};
+
+const nothing = (found) => (found.asked.label || found.asked.named || found.asked.lasting
+  ? "Nothing passes these filters. Widen them, or look for moments instead of whole clips."
+  : "Nothing else is there to compare with. Add recordings, or choose another query.");
+
+function more(found) {
+  const made = element("button", "search-button search-more", `Show more (${found.total - found.hits.length} left)`);
+  made.type = "button";
+  made.addEventListener("click", () => changeView({ top: String(Math.min(found.hits.length + MORE, 300)) }));
+  return made;
+}
+
+function choose() {
+  for (const one of document.querySelectorAll(".search-hit")) {
+    const chosen = one.dataset.hit === now.view.hit;
+    if (chosen !== one.classList.contains("chosen")) {
+      one.classList.toggle("chosen", chosen);
+      const names = one.querySelector(".search-why-names");
+      names.replaceChildren(...(chosen ? now.body.leaves.map((leaf) => {
+        const name = element("span", "", now.body.words[leaf]);
+        name.dataset.part = leaf;
+        return name;
+      }) : []));
+      if (one.strip) paintStrip(one.querySelector("canvas"), one.strip);
+    }
+    one.querySelector(".search-open").setAttribute("aria-pressed", String(chosen));
+  }
+}
+
+// ---- the Stage ----
+let asked = "";
+/** Plays the query, or the query and the chosen hit in step. */
+export const playHits = async () => {
+  const { found, view } = now;
+  if (!found || !found.request || (view.look && view.look !== "search")) return;
+  const wanted = JSON.stringify([found.request, view.hit || "", view.parts || ""]);
+  if (wanted === asked && player.status !== "empty") return;
+  const first = asked === "";
+  asked = wanted;
+  if (!view.hit) return put(found.request, first);
+  try {
+    const { request } = reasonNow(view.hit) || (await reasonOf(view.hit));
+    if (asked === wanted) put(request, first);
+  } catch (error) {
+    notify("This hit cannot be shown", error.message);
+    changeView({ hit: "" });
+  }
+};
+
+function put(request, first) {
+  const stage = player;
+  const paired = (stage.layout === "side" || stage.layout === "overlay") && !first && last > 1;
+  const layout = request.items.length > 1 && paired ? stage.layout : request.layout;
+  last = request.items.length;
+  if (Object.keys(now.selection).length) setStore("selection", {});
+  setStore("stage-request", { ...request, layout });
+}
+let last = 0; // figures that were shown before
+
+export const seekPiece = (index, frame) => {
+  const piece = now.found.pieces[index];
+  const inside = player.seek({ clip: piece.clip, frame, dataset: piece.source });
+  if (!inside) setStore("stage-request", { ...now.found.request, at: undefined });
+};
+
+window.addEventListener("stage-frame", (event) => {
+  if (!find("search-hits") || !now.found || !now.found.pieces) return;
+  const { items, time, duration } = event.detail;
+  const share = duration ? time / duration : 0;
+  document.querySelectorAll(".search-hit .search-why-cursor").forEach((line) => {
+    const on = line.closest(".search-hit").classList.contains("chosen") && items.length > 1;
+    line.style.display = on ? "block" : "none";
+    if (on) line.style.setProperty("--at", share);
+  });
+  now.found.pieces.forEach((piece, k) => {
+    const node = document.querySelector(`.search-source[data-index="${k}"] .search-cursor`);
+    const item = items.find((one) => one.clip === piece.clip && one.index === (now.found.pieces.length > 1 ? k : 0));
+    const shade = node && node.parentNode.querySelector(".search-selection");
+    if (!node) return;
+    node.style.display = item ? "block" : "none";
+    if (!item) return;
+    const inside = (item.frame - piece.start) / Math.max(piece.end - piece.start, 1);
+    node.style.left = `calc(${shade.style.left} + (${shade.style.width}) * ${inside.toFixed(4)})`;
+  });
+});
+
+// ---- pointer and keys ----
+document.addEventListener("click", (event) => {
+  const open = event.target.closest && event.target.closest(".search-open");
+  if (open) {
+    const { hit } = open.closest(".search-hit").dataset;
+    changeView({ hit: hit === now.view.hit ? "" : hit });
+  }
+  const why = event.target.closest && event.target.closest(".search-why");
+  if (!why) return;
+  const hit = why.closest(".search-hit");
+  const box = why.getBoundingClientRect();
+  const share = (event.clientX - box.left) / box.width;
+  if (!hit.classList.contains("chosen")) changeView({ hit: hit.dataset.hit });
+  else player.seek(share * player.duration);
+});
+document.addEventListener("pointermove", (event) => {
+  if (event.target.classList && event.target.classList.contains("search-why")) describe(event);
+});
+let resting = 0;
+document.addEventListener("pointerover", (event) => {
+  clearTimeout(resting);
+  const hit = event.target.closest && event.target.closest(".search-hit");
+  if (hit) resting = setTimeout(() => reasonOf(hit.dataset.hit).then(({ request }) => player.prefetch(request)).catch(() => {}), 90);
+});
+document.addEventListener("keydown", (event) => {
+  const open = event.target.classList && event.target.classList.contains("search-open");
+  const way = { ArrowDown: "nextElementSibling", ArrowUp: "previousElementSibling" }[event.key];
+  if (!open || !way) return;
+  const next = event.target.closest(".search-hit")[way];
+  event.preventDefault();
+  event.stopPropagation();
+  if (next) (next.querySelector(".search-open") || next).focus();
+});

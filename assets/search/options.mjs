@@ -1,0 +1,120 @@
+/* The options of a search: engine, kind of hits, path, filters. Written once, then kept in step with the view. */
+import { element, find } from "../shared/dom.mjs";
+import { changeSearch, now } from "./state.mjs";
+
+let waiting = 0;
+
+const option = (value, words) => Object.assign(element("option", "", words), { value });
+
+function labelled(words, of, ...controls) {
+  const label = element("label", "search-label", words);
+  label.htmlFor = of;
+  return element("div", "search-option", label, ...controls);
+}
+
+function input(id, attributes) {
+  return Object.assign(element("input", "search-text"), { id, autocomplete: "off", ...attributes });
+}
+
+function build(box) {
+  const engine = element("select", "search-select", ...now.engines.map(({ value, label }) => option(value, label)));
+  engine.id = "search-engine";
+  const level = element("select", "search-select", option("clip", "Whole clips"), option("interval", "Moments of clips"));
+  level.id = "search-level";
+  const route = Object.assign(element("input", "search-route"), { id: "search-route", type: "range", min: 0, max: 100, step: 5 });
+  const says = element("span", "search-route-says number");
+  const label = element("select", "search-select");
+  label.id = "search-label";
+  const shortest = input("search-shortest", { type: "number", min: 0, step: 0.1, placeholder: "from" });
+  const longest = input("search-longest", { type: "number", min: 0, step: 0.1, placeholder: "any" });
+  longest.setAttribute("aria-label", "At most this many seconds");
+  const path = labelled("Path counts", "search-route", route, says);
+  path.title = "How much the way over the ground counts: turning left or right, forwards or backwards";
+  box.replaceChildren(
+    labelled("Engine", "search-engine", engine),
+    labelled("Hits are", "search-level", level),
+    path,
+    labelled("Label", "search-label", label),
+    labelled("Name has", "search-named", input("search-named", { type: "search", placeholder: "any clip" })),
+    labelled("Seconds", "search-shortest", shortest, element("span", "muted", "to"), longest),
+  );
+}
+
+export const drawOptions = () => {
+  const box = find("search-options");
+  if (!box) return;
+  if (!box.firstChild) build(box);
+  const { view, found, clips } = now;
+  const actions = (clips && clips.actions) || [];
+  const label = find("search-label");
+  const mark = JSON.stringify(actions);
+  if (label.dataset.mark !== mark) {
+    label.dataset.mark = mark;
+    label.replaceChildren(option("", "any"), ...actions.map((action) => option(action, action)));
+  }
+  label.parentNode.classList.toggle("hidden", !actions.length);
+  const [shortest, longest] = (view.lasting || "-").split("-");
+  const values = {
+    "search-engine": view["search-method"] || "bounded-edit", "search-level": view.level || (found && found.level) || "clip",
+    "search-route": view.route || "0", "search-label": view.label || "", "search-named": view.named || "",
+    "search-shortest": shortest, "search-longest": longest,
+  };
+  if (!waiting) for (const [id, value] of Object.entries(values)) if (find(id) !== document.activeElement || find(id).tagName === "SELECT") find(id).value = value;
+  sayRoute();
+  fold();
+};
+
+// ---- all of what counts can be folded away: where there is little room it is, once there is a query ----
+let folded = null;
+function fold() {
+  const [button, box] = [find("search-counts"), find("search-wanted")];
+  const little = button.clientWidth < 780;
+  const closed = folded ?? (little && Boolean(now.view.query));
+  button.setAttribute("aria-expanded", String(!closed));
+  box.classList.toggle("hidden", closed);
+  const chosen = (id) => find(id).selectedOptions[0]?.textContent;
+  const { view } = now;
+  const said = [find("search-preset") && chosen("search-preset"), chosen("search-engine"), chosen("search-level"),
+    view.route && `path ${view.route} %`, view.label, view.named && `“${view.named}”`, view.lasting && `${view.lasting} s`];
+  find("search-counts-says").textContent = said.filter(Boolean).join(" · ");
+}
+document.addEventListener("click", (event) => {
+  const button = event.target.closest && event.target.closest("#search-counts");
+  if (!button) return;
+  folded = button.getAttribute("aria-expanded") === "true";
+  fold();
+});
+
+function sayRoute() {
+  const { value, style } = find("search-route");
+  style.setProperty("--share", `${value}%`);
+  document.querySelector(".search-route-says").textContent = `${value} %`;
+}
+
+function lasting() {
+  const [low, high] = ["search-shortest", "search-longest"].map((id) => find(id).value.trim());
+  return low || high ? `${low}-${high}` : "";
+}
+
+function take(id) {
+  const value = find(id) ? find(id).value : "";
+  if (id === "search-engine") changeSearch({ "search-method": value === "bounded-edit" ? "" : value });
+  else if (id === "search-level") changeSearch({ level: value, top: "" });
+  else if (id === "search-route") changeSearch({ route: value === "0" ? "" : value });
+  else if (id === "search-label") changeSearch({ label: value, top: "" });
+  else if (id === "search-named") changeSearch({ named: value.trim(), top: "" });
+  else changeSearch({ lasting: lasting(), top: "" });
+}
+
+const mine = (target) => target.closest && target.closest("#search-options");
+document.addEventListener("change", (event) => { if (mine(event.target) && event.target.tagName === "SELECT") take(event.target.id); });
+document.addEventListener("input", (event) => {
+  if (!mine(event.target) || event.target.tagName === "SELECT") return;
+  if (event.target.id === "search-route") sayRoute();
+  clearTimeout(waiting);
+  const { id } = event.target;
+  waiting = setTimeout(() => {
+    waiting = 0;
+    take(id);
+  }, 220);
+});

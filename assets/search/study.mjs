@@ -1,0 +1,267 @@
+/* Do people agree? Pairs and duels on the Stage, answered by keys; nothing here knows which engine found what. */
+import { changeView, clientside, register, setStore } from "../shared/dash.mjs";
+import { element, find, icon } from "../shared/dom.mjs";
+import { player } from "../stage/player.mjs";
+
+const SCALE = ["completely different", "", "", "", "", "", "", "", "", "identical"];
+const CHOICES = { left: ["A", "#3a9b7a", "A"], same: ["No difference", "", "S"], right: ["B", "#d2762b", "B"] };
+const VALUES = { A: "left", S: "same", B: "right" };
+
+let data = null;
+let view = {};
+const at = { rate: 0, vote: 0 }; // which pair is asked about
+let shown = ""; // what is on the Stage
+
+const mode = () => (view.study === "vote" ? "vote" : view.study === "results" ? "results" : "rate");
+// The order of the pairs is each person's own: until that of who answers is here, nothing is asked.
+const awaited = () => data.asked[2] !== (person.name || person.id);
+const rows = () => (awaited() ? [] : (mode() === "vote" ? data.duels : data.pairs) || []);
+const visible = () => Boolean(find("study-setup")?.offsetParent) && data && !data.error;
+const button = (words, name, className = "search-button") => {
+  const made = element("button", className, ...[words].flat());
+  made.type = "button";
+  made.dataset.study = name;
+  return made;
+};
+
+// ---- the setup: queries, engines, who answers ----
+function setup() {
+  const queries = data.queries.map(({ name, clip, when, strip }) => {
+    const picture = element("img", "study-strip");
+    Object.assign(picture, { src: strip, alt: "", draggable: false });
+    const away = button(icon("close", 12), "remove", "search-tool");
+    away.dataset.name = name;
+    away.title = `Leave ${clip} out`;
+    away.setAttribute("aria-label", away.title);
+    return element("div", "study-query", picture, element("span", "study-query-words", element("b", "ellipsis", clip), element("span", "muted", when)), away);
+  });
+  const engines = data.engines.map(({ method, label, ready }) => {
+    if (ready) return element("span", "study-engine", icon("check", 13), label);
+    const build = button(`Build ${label}`, "build");
+    build.dataset.method = method;
+    build.title = "Its index has not been built yet; then it takes part";
+    return build;
+  });
+  const name = element("input", "search-text");
+  Object.assign(name, { id: "study-name", placeholder: "optional", maxLength: 60, value: person.name || "", autocomplete: "off" });
+  const label = element("label", "search-label", "Your name");
+  label.htmlFor = "study-name";
+  const add = button([icon("plus", 13), "The query of the search"], "add");
+  add.disabled = !whole();
+  add.title = whole() ? "" : "Choose a query of this dataset, for the whole body, under Search first";
+  find("study-setup").replaceChildren(
+    element("div", "study-line", element("span", "search-label", "Queries"), ...queries, add, button([icon("dice", 15), "Draw three"], "draw")),
+    element("div", "study-line", element("span", "search-label", "Engines"), ...engines),
+    element("div", "study-line", label, name),
+  );
+}
+
+/** The query of the search, where it can be one of the study's. */
+function whole() {
+  const text = view.query || "";
+  return text && !text.includes(",") && text.split(":").length === 2 ? text : "";
+}
+
+// ---- what is asked ----
+function nothing(words) {
+  return element("p", "muted study-nothing", words);
+}
+
+function draw() {
+  const which = mode();
+  if (which === "results") return;
+  const box = find(which === "vote" ? "study-vote" : "study-rate");
+  const all = rows();
+  if (awaited()) return box.replaceChildren(nothing(`Fetching the pairs for ${person.name || "you"} …`));
+  if (!data.queries.length) return box.replaceChildren(nothing("Choose queries above: the one of the search, or three drawn by chance."));
+  if (!all.length) {
+    const built = data.engines.filter((engine) => engine.ready).length;
+    return box.replaceChildren(nothing(!built ? "Build the index of at least one engine first."
+      : which === "vote" ? "There are too few hits to compare." : "The engines found nothing for these queries."));
+  }
+  at[which] = Math.min(at[which], all.length - 1);
+  const row = all[at[which]];
+  const done = all.filter((one) => one.value).length;
+  const bar = element("div", "job-progress", element("div"));
+  bar.firstChild.style.width = `${(100 * done) / all.length}%`;
+  const walk = element("div", "study-walk", move("Back", -1, "back"), element("span", "muted number", `${at[which] + 1} of ${all.length}, ${done} answered`), move("Skip", 1, "next"));
+  box.replaceChildren(...[
+    element("div", "study-progress", bar),
+    element("h2", "study-question", which === "vote" ? "Which is more like the query: A or B?" : "How alike are the two motions on the Stage?"),
+    which === "vote" ? choices(row) : scale(row),
+    walk,
+    done === all.length ? element("p", "study-thanks", "All pairs are answered. Thank you! Results shows what came of it.") : null,
+  ].filter(Boolean));
+  play(row);
+  return undefined;
+}
+
+function move(words, by, symbol) {
+  const made = button([icon(symbol, 13), words], "move");
+  made.dataset.by = by;
+  return made;
+}
+
+function scale(row) {
+  const buttons = SCALE.map((words, k) => {
+    const one = button([element("b", "", String(k + 1)), element("span", "", words)], "answer", "study-value");
+    one.dataset.value = k + 1;
+    one.setAttribute("aria-label", `${k + 1}${words ? `: ${words}` : ""}`);
+    one.setAttribute("aria-pressed", String(row.value === k + 1));
+    return one;
+  });
+  const keys = element("p", "muted study-keys", "Keys 1 to 9, and 0 for 10; Backspace goes back, N skips.");
+  return element("div", "", element("div", "study-scale", ...buttons), keys);
+}
+
+function choices(row) {
+  const buttons = Object.entries(CHOICES).map(([value, [words, colour, key]]) => {
+    const dot = element("span", "study-dot");
+    dot.style.background = colour;
+    const one = button([...(colour ? [dot] : []), element("b", "", words), element("kbd", "", key)], "answer", "study-choice");
+    one.dataset.value = value;
+    one.setAttribute("aria-pressed", String(row.value === value));
+    return one;
+  });
+  return element("div", "study-choices", ...buttons);
+}
+
+function play(row) {
+  const wanted = JSON.stringify([row.query, row.hit, row.left, row.right]);
+  if (wanted === shown && player.status !== "empty") return;
+  shown = wanted;
+  setStore("selection", {});
+  setStore("stage-request", { ...row.request, at: wanted });
+  const next = rows()[at[mode()] + 1];
+  if (next) setTimeout(() => player.prefetch(next.request), 600);
+}
+
+function answer(value) {
+  const which = mode();
+  const row = rows()[at[which]];
+  if (!row) return;
+  row.value = value;
+  given.set(nameOf(row), value);
+  const told = which === "vote" ? { kind: "vote", query: row.query, left: row.left, right: row.right, choice: value }
+    : { kind: "rating", query: row.query, hit: row.hit, value };
+  pending.push({ ...told, person: person.name || person.id, id: `${Date.now()} ${Math.random()}` });
+  send();
+  step(1);
+}
+
+/** Tells the server what it has not confirmed: one message at a time, as two under way may overtake each other. */
+function send() {
+  if (!pending.length || !find("study-rate") || (sent && Date.now() - sent < PATIENCE)) return;
+  sent = Date.now();
+  setStore("study-answer", { answers: [...pending], at: sent });
+  setTimeout(send, PATIENCE); // where no answer came: the server was away
+}
+
+function step(by) {
+  const which = mode();
+  at[which] = Math.min(Math.max(at[which] + by, 0), Math.max(rows().length - 1, 0));
+  draw();
+}
+
+// Answers given here: data that was on its way meanwhile does not know them yet.
+const given = new Map();
+const nameOf = (row) => JSON.stringify([person.name || person.id, row.query, row.hit, row.left, row.right]);
+
+/** Where to go on: at the question one was at, where the order is the same, else at the first without an answer. */
+function place(number, before, all) {
+  const same = before[number] && before.length === all.length && nameOf(before[number]) === nameOf(all[number]);
+  return same ? number : Math.max(all.findIndex((row) => !row.value), 0);
+}
+
+const PATIENCE = 20000; // milliseconds
+const pending = []; // answers the server has not confirmed
+let sent = 0; // when the message under way was sent, 0 where none is
+
+let person = {};
+function who(stored) {
+  person = stored || {};
+  if (!person.id) {
+    person = { ...person, id: `someone-${Math.random().toString(36).slice(2, 8)}` };
+    setStore("study-person", person);
+  }
+}
+
+register("study", {
+  kept(confirmed) {
+    if (!confirmed || !confirmed.kept) return clientside.no_update;
+    for (const id of confirmed.kept) {
+      const number = pending.findIndex((one) => one.id === id);
+      if (number >= 0) pending.splice(number, 1);
+    }
+    sent = 0;
+    send();
+    return clientside.no_update;
+  },
+  draw(found, seen, stored) {
+    view = seen || {};
+    if (!found || view.look !== "agree" || !find("study-setup")) {
+      shown = "";
+      return clientside.no_update;
+    }
+    if (!stored || !stored.id) who(stored);
+    else person = stored;
+    const fresh = found !== data;
+    const before = data && data.asked[2] === found.asked[2] ? data : null;
+    data = found;
+    if (data.error) {
+      find("study-setup").replaceChildren(nothing(data.error));
+      for (const id of ["study-rate", "study-vote"]) find(id).replaceChildren();
+      return clientside.no_update;
+    }
+    if (fresh) for (const row of [...data.pairs, ...data.duels]) row.value = given.get(nameOf(row)) ?? row.value;
+    if (fresh) for (const [which, all] of [["rate", "pairs"], ["vote", "duels"]]) at[which] = place(at[which], (before && before[all]) || [], data[all]);
+    setup();
+    draw();
+    return clientside.no_update;
+  },
+});
+
+// ---- what one does ----
+const ACTS = {
+  add: () => asks([...data.queries.map((query) => query.name), whole()]),
+  remove: (on) => asks(data.queries.map((query) => query.name).filter((name) => name !== on.dataset.name)),
+  draw: () => setStore("study-wish", { draw: 1 + Math.floor(Math.random() * 1e6) }),
+  build: (on) => setStore("study-wish", { build: on.dataset.method, at: Date.now() }),
+  clear() {
+    if (!window.confirm("Remove all ratings and votes about this dataset, of all people?")) return;
+    given.clear();
+    pending.length = 0;
+    for (const row of [...data.pairs, ...data.duels]) row.value = null;
+    setStore("study-wish", { clear: true, at: Date.now() });
+  },
+  move: (on) => step(Number(on.dataset.by)),
+  answer: (on) => answer(mode() === "vote" ? on.dataset.value : Number(on.dataset.value)),
+};
+const asks = (names) => changeView({ asks: [...new Set(names.filter(Boolean))].join(",") });
+
+document.addEventListener("click", (event) => {
+  const on = event.target.closest && event.target.closest("[data-study]");
+  if (on && !on.disabled) ACTS[on.dataset.study](on);
+});
+document.addEventListener("change", (event) => {
+  if (event.target.id !== "study-name") return;
+  who({ ...person, name: event.target.value.trim() });
+  setStore("study-person", person);
+  draw();
+});
+
+// Digits belong to the answers while pairs are shown, wherever the focus is but in a field.
+document.addEventListener("keydown", (event) => {
+  if (!visible() || mode() === "results" || !rows().length || event.ctrlKey || event.metaKey || event.altKey) return;
+  if (event.target.closest && event.target.closest("input:not([type='radio']), textarea, select")) return;
+  const key = event.key.toUpperCase();
+  let done = true;
+  if (mode() === "rate" && /^[0-9]$/.test(key)) answer(key === "0" ? 10 : Number(key));
+  else if (mode() === "vote" && VALUES[key]) answer(VALUES[key]);
+  else if (key === "BACKSPACE") step(-1);
+  else if (key === "N") step(1);
+  else done = false;
+  if (!done) return;
+  event.preventDefault();
+  event.stopPropagation();
+}, true);

@@ -1,0 +1,27 @@
+// What Dash gives to the browser: functions it may call, the stores it keeps, and its notices.
+
+/** Dash's own object: `set_props`, `no_update`, `callback_context`, and the functions of our callbacks by namespace. */
+export const clientside = (window.dash_clientside ||= {});
+
+/** Let Dash call `functions` as ClientsideFunction(namespace, name). */
+export function register(namespace, functions) {
+  clientside[namespace] = functions;
+}
+
+/** Put data into a dcc.Store. */
+export const setStore = (store, data) => clientside.set_props(store, { data });
+
+/** Change keys of the store "view", and so of the link; an empty value takes the key away. */
+export const changeView = (values) => setStore("view-change", values);
+
+/** Show a notice in the header. */
+export function notify(title, message, color = "orange") {
+  clientside.set_props("notices", { sendNotifications: [{ action: "show", title, message, color }] });
+}
+
+/** Open another page without loading the app again, as dcc.Link does; `stores` are its data by store. */
+export function openPage(pathname, stores = {}) {
+  history.pushState({}, "", pathname);
+  for (const [store, data] of Object.entries(stores)) setStore(store, data);
+  window.dispatchEvent(new CustomEvent("_dashprivate_pushstate"));
+}

@@ -1,0 +1,89 @@
+// From a request to figures: asks for the motions, tells what could not be loaded, lets the newest request win.
+import { Figure } from "./figure.mjs";
+import { MotionCache } from "./motion.mjs";
+
+const MOST_FIGURES = 48;
+
+export class Requests {
+  constructor(stage) {
+    this.stage = stage;
+    this.cache = new MotionCache();
+    this.turn = 0; // counts the requests to show
+  }
+
+  /** Fetch what a request needs, so that showing it later costs nothing. */
+  prefetch(request) {
+    const items = (request?.items ?? []).slice(0, MOST_FIGURES);
+    return this.cache.load(this.api, request, items);
+  }
+
+  get api() {
+    return this.stage.root.dataset.api || "/api";
+  }
+
+  /** Show a request from its start. */
+  async show(request) {
+    const { stage } = this;
+    const turn = ++this.turn;
+    this.next = null;
+    stage.request = request;
+    if (!request?.items?.length) {
+      stage.setFigures([]);
+      return stage.setStatus("empty");
+    }
+    const n = Math.min(request.items.length, MOST_FIGURES);
+    stage.setStatus("loading", n > 1 ? `Loading ${n} motions …` : "Loading …");
+    const { figures, failed } = await this.figures(request);
+    if (turn !== this.turn || stage.closed) return undefined;
+    if (!figures.length) {
+      stage.setFigures([]);
+      return stage.setStatus("error", failed[0].message);
+    }
+    stage.begin(figures, request);
+    return this.notice(request, n, failed);
+  }
+
+  /**
+   * Put other motions in place of those that are shown; time (as a share), camera, layout and what plays stay. While
+   * one is being loaded only the newest waits, so that a slider may call this for every step.
+   */
+  replace(request) {
+    const { stage } = this;
+    if (stage.status !== "ready" || !request?.items?.length) return this.show(request);
+    this.next = request;
+    return (this.replacing ??= this.replaceAll().finally(() => (this.replacing = null)));
+  }
+
+  async replaceAll() {
+    const { stage, turn } = this;
+    while (this.next && turn === this.turn && !stage.closed) {
+      const request = this.next;
+      this.next = null;
+      const { figures, failed } = await this.figures(request);
+      if (turn !== this.turn || stage.closed) return;
+      stage.request = request;
+      if (figures.length) stage.exchange(figures);
+      this.notice(request, Math.min(request.items.length, MOST_FIGURES), failed);
+    }
+  }
+
+  async figures(request) {
+    const items = request.items.slice(0, MOST_FIGURES);
+    const motions = await this.cache.load(this.api, request, items);
+    return {
+      figures: items.flatMap((item, k) => (motions[k] instanceof Error ? [] : [new Figure(
+        { ...item, dataset: item.dataset ?? request.dataset }, motions[k], k)])),
+      failed: motions.filter((motion) => motion instanceof Error),
+    };
+  }
+
+  /** Tell what is missing, without hiding what is there. */
+  notice(request, n, failed) {
+    const missing = failed.length ? `${failed.length} of ${n} motions could not be loaded: ${failed[0].message}` : "";
+    const cut = request.items.length > n ? `Showing ${n} of ${request.items.length} motions.` : "";
+    const note = this.stage.root.querySelector(".ms-stage-note");
+    note.querySelector("span").textContent = [missing, cut].filter(Boolean).join(" ");
+    note.hidden = !missing && !cut;
+    note.querySelector("button").hidden = !missing;
+  }
+}

@@ -1,0 +1,342 @@
+// The Stage: a 3D player of stick figures on a 2D canvas. Time comes from the browser; the server is asked for motions
+// once. This file runs before the other stage_*.js: they fill `parts`, which is used only once the page holds a stage.
+import { Camera } from "./camera.mjs";
+import { figureColours, readTheme, shades } from "./colours.mjs";
+import { Controls } from "./controls.mjs";
+import { groundCentre, homeView, measureStage, placeFigures } from "./layout.mjs";
+import { nameFigures } from "./names.mjs";
+import { Requests } from "./requests.mjs";
+import { Scene } from "./scene.mjs";
+import { SpanBands } from "./spans.mjs";
+import { calm, LAYOUTS, restoreState, standing, takeState, timeOf } from "./state.mjs";
+import { Clock, makeTimeline } from "./timeline.mjs";
+import { Traces } from "./traces.mjs";
+import { WarpStrip } from "./warp.mjs";
+
+const STATE_EVERY = 400; // milliseconds between "stage-state" events
+const LAYOUT_WORDS = { overlay: "Laid over one another", side: "Side by side", pose: "Stills in rows" };
+
+export class Stage {
+  constructor(root) {
+    this.root = root;
+    this.clock = new Clock();
+    this.camera = new Camera();
+    this.traces = new Traces();
+    this.scene = new Scene(root.querySelector("#stage-canvas"));
+    this.warpStrip = new WarpStrip(root.querySelector(".ms-warp"));
+    this.bands = new SpanBands(root.querySelector(".ms-bands"));
+    this.requests = new Requests(this);
+    this.figures = [];
+    this.timeline = { reference: 0, warped: false, fps: 30, duration: 0 };
+    this.layout = "overlay";
+    this.sync = "warp";
+    this.status = "empty";
+    this.followed = [0, 0];
+    this.chosen = -1;
+    this.fps = 0;
+    this.controls = new Controls(this, root);
+    this.watchLooks();
+    this.setStatus("empty");
+    this.frame = (now) => this.tick(now);
+    requestAnimationFrame(this.frame);
+  }
+
+  /** Follow changes of size, theme and screen. */
+  watchLooks() {
+    const looks = () => {
+      this.scene.setTheme(readTheme(this.root));
+      this.colour();
+    };
+    looks();
+    this.observers = [new ResizeObserver(() => this.resized()), new MutationObserver(looks)];
+    this.observers[0].observe(this.scene.canvas);
+    for (const node of [document.documentElement, document.body]) {
+      this.observers[1].observe(node, { attributes: true, attributeFilter: ["data-mantine-color-scheme", "class", "style"] });
+    }
+  }
+
+  resized() {
+    if (this.scene.resize()) this.fit();
+    this.warpStrip.paint();
+    this.draw();
+  }
+
+  close() {
+    this.closed = true;
+    this.observers.forEach((observer) => observer.disconnect());
+  }
+
+  /** Show figures from their start, as a request wants it. */
+  begin(figures, request) {
+    this.layout = LAYOUTS.includes(request.layout) ? request.layout : "overlay";
+    this.sync = request.sync === "start" ? "start" : "warp";
+    this.clock.time = 0;
+    this.camera.reset(homeView(figures, this.layout));
+    this.traces.suit(figures);
+    this.setFigures(figures);
+    this.setStatus("ready");
+    this.clock.playing = false;
+    if (this.layout === "pose") this.standStill();
+    else if (!calm()) this.clock.play();
+    if (this.waiting) this.restore(this.waiting);
+    this.touch(true);
+  }
+
+  /** Put other figures in place of those that are shown; what a person has set, and the share of time, stay. */
+  exchange(figures) {
+    if (figures.length === this.figures.length) figures.forEach((figure, k) => (figure.visible = this.figures[k].visible));
+    this.keepingShare(() => this.setFigures(figures, true));
+    this.setStatus("ready");
+    this.touch();
+  }
+
+  /** Stills show the middle of each motion, until one moves them. */
+  standStill() {
+    this.clock.playing = false;
+    this.clock.seek(this.clock.duration / 2);
+  }
+
+  setFigures(figures, keepView = false) {
+    this.figures = figures;
+    nameFigures(figures);
+    this.prepare(keepView);
+  }
+
+  /** Do what changes the length of time; the clock goes on at the same share of it. */
+  keepingShare(change) {
+    const { clock } = this;
+    const share = clock.duration ? clock.time / clock.duration : 0;
+    change();
+    clock.seek(share * clock.duration);
+  }
+
+  /** Everything that depends on which figures there are, how they are laid out and kept in step. */
+  prepare(keepView = false) {
+    this.timeline = makeTimeline(this.figures, this.sync, this.layout);
+    this.clock.duration = this.timeline.duration;
+    this.clock.seek(this.clock.time);
+    this.showStrips();
+    this.place(keepView); // in the room that the strips leave
+    this.controls.listFigures();
+    this.colour();
+  }
+
+  /** The strips above the time bar: how fast each motion is, and its coloured spans. */
+  showStrips() {
+    this.warpStrip.show(this.figures, this.timeline);
+    this.warpStrip.paint();
+    this.bands.show(this.figures, this.timeline.duration);
+  }
+
+  place(keepView = false) {
+    this.scene.resize();
+    const aspect = this.scene.width / Math.max(this.scene.height, 1);
+    this.scene.ground.shelves = placeFigures(this.figures, this.layout, aspect, this.clock.duration);
+    this.scene.bodies.collect(this.figures, this.layout === "overlay");
+    if (!keepView) this.fit();
+    this.clock.jumped = true;
+    this.draw();
+  }
+
+  /** Frame all figures, unless the person has chosen a distance already. */
+  fit() {
+    if (!this.figures.length) return;
+    const { cloud, radius } = measureStage(this.figures, this.clock.duration);
+    this.camera.fit(cloud, this.scene.width / Math.max(this.scene.height, 1));
+    this.scene.ground.radius = Math.max(2.2, radius * 1.5 + 0.6);
+  }
+
+  colour() {
+    const { theme } = this.scene;
+    this.figures.forEach((figure, k) => {
+      figure.colours = figureColours(theme, k, this.figures.length, figure.item.colour);
+      figure.shades = shades(theme, figure.colours, this.chosen >= 0 && this.chosen !== k ? 0.72 : 0);
+    });
+    this.controls.colourChips();
+    this.warpStrip.paint();
+    this.draw();
+  }
+
+  highlight(k) {
+    this.chosen = k;
+    this.colour();
+  }
+
+  /** Say which figure is under the pointer. */
+  pointAt(x, y) {
+    const { canvas, ratio } = this.scene;
+    const figure = this.figures.length > 1 ? this.scene.figureAt(this.figures, x * ratio, y * ratio) : undefined;
+    const title = figure ? `${figure.label}, frame ${figure.recordedFrame(this.clock.time)}` : "";
+    if (canvas.title !== title) canvas.title = title;
+  }
+
+  setVisible(k, visible) {
+    this.figures[k].visible = visible;
+    this.place();
+    this.showStrips();
+    this.touch(true);
+  }
+
+  setLayout(layout) {
+    if (this.figures.length < 2) return;
+    this.layout = layout;
+    this.camera.reset(homeView(this.figures, layout));
+    this.keepingShare(() => this.prepare());
+    if (layout === "pose") this.standStill();
+    this.say(LAYOUT_WORDS[layout]);
+  }
+
+  setSync(sync) {
+    if (!this.figures.some((figure) => figure.warp)) return;
+    this.sync = sync;
+    this.keepingShare(() => this.prepare());
+    this.say(this.timeline.warped ? "In step" : "Each at its own pace");
+  }
+
+  play() {
+    this.clock.play();
+    this.touch(true);
+  }
+
+  pause() {
+    this.clock.playing = false;
+    this.touch(true);
+  }
+
+  /** To a time in seconds, or to a frame of a clip: {clip, frame, dataset?, index?}. False where that is not shown. */
+  seek(to) {
+    const time = typeof to === "number" ? to : to ? timeOf(this.figures, to) : null;
+    if (!Number.isFinite(time)) return false;
+    this.clock.seek(time);
+    this.touch();
+    return true;
+  }
+
+  step(frames) {
+    this.clock.playing = false;
+    const { fps } = this.timeline;
+    this.seek(Math.round(this.clock.time * fps + frames) / fps);
+    this.controls.update();
+  }
+
+  resetCamera() {
+    this.camera.reset(homeView(this.figures, this.layout));
+    this.place();
+    this.say("View reset");
+  }
+
+  /** Something changed: draw, bring the buttons in line (`byHand`: the person did it), tell the app. */
+  touch(byHand) {
+    if (byHand) this.controls.update();
+    this.draw();
+    this.tell();
+  }
+
+  draw() {
+    this.dirty = true;
+  }
+
+  tell() {
+    if (this.telling || this.status !== "ready") return;
+    this.telling = setTimeout(() => {
+      this.telling = 0;
+      window.dispatchEvent(new CustomEvent("stage-state", { detail: { ...this.state(), items: this.standing() } }));
+    }, STATE_EVERY);
+  }
+
+  /** Where every figure stands now. */
+  standing() {
+    return this.figures.map((figure) => standing(figure, this.clock.time));
+  }
+
+  /** For what follows every frame: a cursor in a chart, a lit node. */
+  tellFrame() {
+    const { time, duration, playing } = this.clock;
+    if (this.status !== "ready" || (time === this.told?.time && this.figures === this.told.figures)) return;
+    this.told = { time, figures: this.figures };
+    window.dispatchEvent(new CustomEvent("stage-frame", { detail: { time, duration, playing, items: this.standing() } }));
+    if (playing) this.tell();
+  }
+
+  tick(now) {
+    if (this.closed) return;
+    requestAnimationFrame(this.frame);
+    const seconds = Math.min(Math.max((now - (this.before ?? now)) / 1000, 0), 0.25);
+    this.before = now;
+    if (this.status !== "ready" && !this.dirty) return;
+    const playing = this.clock.playing;
+    if (playing) {
+      this.clock.advance(seconds);
+      this.fps += ((seconds > 0 ? 1 / seconds : 60) - this.fps) * 0.05;
+      if (!this.clock.playing) this.touch(true);
+    }
+    if (!playing && !this.dirty) return;
+    this.dirty = false;
+    this.paint(seconds);
+  }
+
+  paint(seconds) {
+    for (const figure of this.figures) if (figure.visible) figure.pose(this.clock.time);
+    if (this.figures.length) {
+      const [x, z] = groundCentre(this.figures, this.followed);
+      const { camera } = this;
+      if (camera.follow) camera.track(x, z, seconds, this.clock.jumped || !this.clock.playing);
+      this.clock.jumped = false;
+    }
+    this.scene.paint(this.camera, this.figures, this.traces, this.clock, this.layout === "overlay");
+    this.warpStrip.refresh(this.scene.theme);
+    this.controls.tick(this.figures.length ? this.readout() : "");
+    this.tellFrame();
+  }
+
+  readout() {
+    const { time, duration } = this.clock;
+    const figure = this.figures[this.timeline.reference];
+    const frame = figure.recordedFrame(time);
+    const span = figure.spanAt(frame)?.label;
+    const moment = this.layout === "pose" ? `${Math.round((100 * time) / (duration || 1))} % of each`
+      : `${time.toFixed(2)} / ${duration.toFixed(2)} s`;
+    return `${moment} · frame ${frame}${span ? ` · ${span}` : ""}`;
+  }
+
+  setStatus(status, message = "") {
+    this.status = status;
+    this.root.dataset.status = status;
+    this.root.querySelector(".ms-stage-title").textContent = this.request?.title || (status === "empty" ? "" : this.request?.items[0]?.label || "");
+    this.root.querySelector(".ms-message-text").textContent = message;
+    this.root.querySelector(".ms-stage-note").hidden = true;
+    const n = this.figures.length;
+    this.scene.canvas.setAttribute("aria-label", status === "ready"
+      ? `${n === 1 ? "One figure" : `${n} figures`} moving: ${this.figures.slice(0, 6).map((f) => f.label).join(", ")}`
+      : "Stage for moving figures");
+    this.controls.update();
+    this.draw();
+  }
+
+  say(text) {
+    const toast = this.root.querySelector(".ms-toast");
+    toast.textContent = text;
+    toast.classList.add("ms-shown");
+    clearTimeout(this.quiet);
+    this.quiet = setTimeout(() => toast.classList.remove("ms-shown"), 1100);
+  }
+
+  /** Open or close the list of keys; true when it was open. */
+  toggleHelp(open) {
+    const help = this.root.querySelector(".ms-help");
+    const was = !help.hidden;
+    help.hidden = open === undefined ? was : !open;
+    return was;
+  }
+
+  state() {
+    return takeState(this);
+  }
+
+  restore(state) {
+    this.waiting = this.status === "ready" ? undefined : state;
+    if (this.status !== "ready") return;
+    restoreState(this, state);
+    this.touch(true);
+  }
+}

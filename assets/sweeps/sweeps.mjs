@@ -1,0 +1,43 @@
+/* A point of a sweep, in a chart or in the table, opens its result on the Motifs page. */
+import { clientside, openPage, register, setStore } from "../shared/dash.mjs";
+import { cellRenderers, reactElement } from "../shared/grid.mjs";
+
+// Like dcc.Link: another page without loading the app again. The link's parameters become those that are shown.
+function open(address) {
+  const { pathname, searchParams } = new URL(address, location.origin);
+  searchParams.delete("dataset"); // it stays the same
+  setStore("selection", {});
+  openPage(pathname, { parameters: Object.fromEntries(searchParams) });
+  document.getElementById("page").scrollTo(0, 0);
+}
+
+const plain = (event) => !(event.button || event.metaKey || event.ctrlKey || event.shiftKey || event.altKey);
+
+cellRenderers.PointLink = (props) =>
+  props.data ? reactElement("a", { className: "text-link point-link", href: props.data.href, tabIndex: -1 }, props.value) : null;
+
+document.addEventListener("click", (event) => {
+  const link = event.target.closest && event.target.closest("a.point-link");
+  if (!link || !plain(event)) return;
+  event.preventDefault();
+  event.stopPropagation();
+  open(link.href);
+}, true);
+
+// In the table Enter opens the row's result, whichever cell has the focus.
+document.addEventListener("keydown", (event) => {
+  const row = event.key === "Enter" && event.target.closest && event.target.closest("#sweep-table .ag-row");
+  const link = row && row.querySelector("a.point-link");
+  if (!link) return;
+  event.preventDefault();
+  event.stopPropagation();
+  open(link.href);
+}, true);
+
+register("sweeps", {
+  open(click) {
+    const address = click && click.points && click.points[0] && click.points[0].customdata;
+    if (typeof address === "string" && address) open(address);
+    return clientside.no_update;
+  },
+});
