@@ -306,7 +306,7 @@ def _is_refusal(error: Exception) -> bool:
     if type(error) is not ValueError or error.__traceback__ is None:
         return False
     *_, (innermost, _) = traceback.walk_tb(error.__traceback__)
-    return innermost.f_globals.get("__name__", "").startswith("core.")
+    return str(innermost.f_globals.get("__name__", "")).startswith("core.")
 
 
 def _trace(error: Exception) -> str:

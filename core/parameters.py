@@ -19,7 +19,7 @@ def parameter(
     low: float | None = None,
     high: float | None = None,
     step: float | None = None,
-    choices: tuple = (),
+    choices: tuple[Any, ...] = (),
     advanced: bool = False,
 ) -> Any:
     """A field of a parameters' dataclass, with the metadata that this module reads."""

@@ -59,7 +59,7 @@ def perform(name: str, performer: Performer, rng: np.random.Generator) -> Clip:
     action = RECORDED[name]
     mirrored = action.mirror and rng.uniform() < 0.5
     amplitude = performer.amplitude * rng.uniform(0.9, 1.1)
-    clip = None
+    clip: Clip | None = None
     for _ in range(int(rng.integers(action.repeats[0], action.repeats[1] + 1))):
         motion = sample(action.source, _times(action, performer, rng))
         motion = motion.mirrored() if mirrored else motion
@@ -67,6 +67,7 @@ def perform(name: str, performer: Performer, rng: np.random.Generator) -> Clip:
         # a loop does not close by itself: its passes are cross-faded like any two actions
         again = to_clip(_run_on(motion), performer, name)
         clip = again if clip is None else join(_inner(clip, tail=True), _inner(again, head=True), _LOOP, steps=False)[0]
+    assert clip is not None  # every action is repeated at least once
     return clip
 
 

@@ -18,7 +18,8 @@ def make_demo(minutes: float = 6, seed: int = 0, report: Report = silent) -> Dat
 
     Same seed, same data set. Raises ValueError where minutes is not positive.
     """
-    clips, labels = [], []
+    clips: list[Clip] = []
+    labels: list[Label] = []
     for clip, clip_labels in _checked(minutes, seed, report):
         clips.append(clip)
         labels.extend(clip_labels)

@@ -34,7 +34,9 @@ class Cycle:
     seconds: float
 
 
-def gait(stages: list[tuple[str, float]], turn: float, performer: Performer, rng: np.random.Generator) -> tuple:
+def gait(
+    stages: list[tuple[str, float]], turn: float, performer: Performer, rng: np.random.Generator
+) -> tuple[Clip, list[int]]:
     """Walk and run: ``stages`` of (``"walk"`` or ``"run"``, seconds), turning by ``turn`` radians over all.
 
     Returns the clip, facing Z at its start, and the first frame of each stage.
@@ -63,7 +65,8 @@ def smooth_noise(rng: np.random.Generator, n: int, columns: int, seconds: float)
     sigma = seconds * FPS / 2
     pad = int(4 * sigma)
     noise = gaussian_filter1d(rng.standard_normal((n + 2 * pad, columns)), sigma, axis=0)[pad : pad + n]
-    return noise * np.sqrt(2 * sigma * np.sqrt(np.pi))
+    scaled: np.ndarray = noise * np.sqrt(2 * sigma * np.sqrt(np.pi))
+    return scaled
 
 
 def _share_of_running(stages: list[tuple[str, float]], ends: np.ndarray, t: np.ndarray) -> np.ndarray:

@@ -43,7 +43,10 @@ class Motion:
 @lru_cache(maxsize=1)
 def sources() -> dict[str, tuple[np.ndarray, Motion]]:
     """All recorded motions: name -> (times ``(n,)`` in seconds, motion as recorded)."""
-    with np.load(files("core").joinpath("data", "demo_motions.npz"), allow_pickle=False) as data:
+    with (
+        files("core").joinpath("data", "demo_motions.npz").open("rb") as file,
+        np.load(file, allow_pickle=False) as data,
+    ):
         names, starts, differences = data["names"], data["starts"], data["rows"]
     rows = np.cumsum(differences, axis=0, dtype=np.int16)
     found = {}

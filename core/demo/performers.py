@@ -10,21 +10,22 @@ import numpy as np
 from core.mocap.skeleton import Skeleton
 
 # joint, parent, offset in metres of a person of 1.62 m, which measure scales it; left side only, x is mirrored
-_TRUNK = [
+_Row = tuple[str, str | None, tuple[float, float, float], str]
+_TRUNK: list[_Row] = [
     ("Hips", None, (0, 0, 0), "legs"),
     ("Chest", "Hips", (0, 0.236151, 0), "trunk"),
     ("Neck", "Chest", (0, 0.223894, 0), "trunk"),
     ("Head", "Neck", (0, 0.105, 0), "trunk"),
     ("Head_end", "Head", (0, 0.1725, 0), "trunk"),
 ]
-_ARM = [
+_ARM: list[tuple[str, str, tuple[float, float, float], str]] = [
     ("Shoulder", "Chest", (0.03, 0.205, -0.01), "shoulders"),
     ("Arm", "Shoulder", (0.15311, 0.0385, -0.01405), "shoulders"),
     ("ForeArm", "Arm", (0, -0.274788, 0), "arms"),
     ("Hand", "ForeArm", (0, -0.258947, 0), "arms"),
     ("Hand_end", "Hand", (0, -0.1, 0), "arms"),
 ]
-_LEG = [
+_LEG: list[tuple[str, str, tuple[float, float, float], str]] = [
     ("UpLeg", "Hips", (0.084887, 0, 0), "legs"),
     ("Leg", "UpLeg", (0, -0.421546, 0), "legs"),
     ("Foot", "Leg", (0, -0.40987, 0), "legs"),
@@ -54,7 +55,8 @@ class Performer:
 
     def measure(self, part: str) -> float:
         """Scale of ``legs``, ``trunk``, ``arms`` or ``shoulders`` against the source's person."""
-        return self.size * getattr(self, part)
+        measure: float = getattr(self, part)
+        return self.size * measure
 
 
 PERFORMERS = (
@@ -72,7 +74,7 @@ def skeleton_of(performer: Performer) -> Skeleton:
         for side, x in (("Left", 1), ("Right", -1)):
             for joint, parent, offset, measure in limb:
                 parent = parent if parent in ("Chest", "Hips") else side + parent
-                rows.append((side + joint, parent, (x * offset[0], *offset[1:]), measure))
+                rows.append((side + joint, parent, (x * offset[0], offset[1], offset[2]), measure))
     index = {row[0]: k for k, row in enumerate(rows)}
     return Skeleton(
         names=tuple(index),

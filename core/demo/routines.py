@@ -93,7 +93,9 @@ def perform_sentence(
         offset = frames - seam.n_frames - way.entry
         marks += [(middle if k == 0 else at + offset, action) for k, (at, action) in enumerate(take.labels)]
         # never empty: every take outlasts the latest entry and the longest cross-fade together
+        assert after is not None
         current = replace(take, clip=after)
+    assert current is not None  # the sentence is not empty
     clip = concatenate([*done, current.clip], name)
     ends = [at for at, _ in marks[1:]] + [clip.n_frames]
     labels = tuple(Label(name, at, end, action) for (at, action), end in zip(marks, ends, strict=True))

@@ -24,7 +24,7 @@ def settle(clip: Clip) -> Clip:
     upright = clip.root_positions[:, 1] > _UPRIGHT * find_anatomy(clip.skeleton).body_height
     contacts = foot_contacts(clip, 0.0) & upright[:, None]
     clip = lift_from_floor(lock_feet(clip, contacts, 0.0), 0.0)
-    return replace(clip, root_positions=clip.root_positions - clip.root_positions[0] * np.float32([1, 0, 1]))
+    return replace(clip, root_positions=clip.root_positions - clip.root_positions[0] * np.array([1, 0, 1], np.float32))
 
 
 def bend_toes(clip: Clip) -> Clip:
@@ -33,11 +33,11 @@ def bend_toes(clip: Clip) -> Clip:
     positions, world = forward_kinematics(clip)
     for side in ("Left", "Right"):
         ball, tip = (clip.skeleton.index(f"{side}ToeBase{end}") for end in ("", "_end"))
-        ahead = quat.rotate(world[:, ball], np.float32([0, 0, 1]))
+        ahead = quat.rotate(world[:, ball], np.array([0, 0, 1], np.float32))
         steep = np.arcsin(np.clip(-ahead[:, 1], -1, 1))
         near = np.clip((0.12 - positions[:, [ball, tip], 1].min(1)) / 0.08, 0, 1)
         angle = np.clip(steep, 0, np.radians(50)) * near * near * (3 - 2 * near)
-        rotations[:, ball] = quat.from_rotvec(-angle[:, None] * np.float32([1, 0, 0]))
+        rotations[:, ball] = quat.from_rotvec(-angle[:, None] * np.array([1, 0, 0], np.float32))
     return replace(clip, rotations=rotations)
 
 

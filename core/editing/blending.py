@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from core.arrays import FloatArray
 from core.editing.legs import smooth_step
 from core.editing.steps import step_across
 from core.mocap import quaternions as quat
@@ -36,7 +37,9 @@ class Transition:
     cost: float
 
 
-def ground_fit(a: np.ndarray, b: np.ndarray, weights: np.ndarray | None = None, yaw: np.ndarray | None = None) -> tuple:
+def ground_fit(
+    a: np.ndarray, b: np.ndarray, weights: np.ndarray | None = None, yaw: np.ndarray | None = None
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """The turn about the vertical and the shift on the ground that lay ``b`` best upon ``a``.
 
     a, b: point clouds ``(..., n_points, 3)``, metres; weights ``(n_points,)``, alike for all where None.
@@ -58,7 +61,7 @@ def ground_fit(a: np.ndarray, b: np.ndarray, weights: np.ndarray | None = None, 
     return yaw, centre_a - turn_about_y(yaw, centre_b), left
 
 
-def turn_about_y(yaw: np.ndarray, points: np.ndarray) -> np.ndarray:
+def turn_about_y(yaw: np.ndarray | float, points: np.ndarray) -> np.ndarray:
     """Points ``(..., 3)`` turned about the vertical by ``yaw`` ``(...)``, radians, broadcast."""
     c, s = np.cos(yaw), np.sin(yaw)
     x, y, z = np.moveaxis(np.asarray(points), -1, 0)
@@ -196,8 +199,9 @@ def pieces(
     b = place(b.cut(way.entry, b.n_frames), way.yaw, way.translation)
     first, second = a.cut(way.exit, way.exit + n), b.cut(0, n)
     if registration != "linear":
-        flat = [joint_positions(part).reshape(n, -1) for part in (first, second)]
-        first, second = (at_frames(c, k) for c, k in zip((first, second), register(*flat, registration), strict=True))
+        flat = joint_positions(first).reshape(n, -1), joint_positions(second).reshape(n, -1)
+        in_first, in_second = register(*flat, method=registration)
+        first, second = at_frames(first, in_first), at_frames(second, in_second)
     seam = blend(first, second, crossfade_weights(first.n_frames))
     if steps:
         seam = step_across(first, second, seam, floor)
@@ -235,5 +239,6 @@ def joint_weights(skeleton: Skeleton) -> np.ndarray:
     return weights
 
 
-def _mean_angle(angles: np.ndarray) -> np.ndarray:
-    return np.arctan2(np.sin(angles).mean(-1), np.cos(angles).mean(-1))
+def _mean_angle(angles: FloatArray) -> np.ndarray:
+    mean: np.ndarray = np.arctan2(np.sin(angles).mean(-1), np.cos(angles).mean(-1))
+    return mean

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from core.arrays import FloatArray
 from core.mocap.anatomy import SIDES, find_anatomy
 from core.mocap.clip import Clip
 from core.mocap.kinematics import joint_positions
@@ -103,7 +104,8 @@ def heights(clip: Clip, positions: np.ndarray, points: list[int], floor: float) 
         np.percentile(h[s], 10) if s.sum() > 0.1 * clip.fps else np.percentile(h, 5)
         for h, s in zip(above.T, slow.T, strict=True)
     ]
-    return above - np.clip(rest, 0, 0.08 * body)
+    height: np.ndarray = above - np.clip(rest, 0, 0.08 * body)
+    return height
 
 
 def runs(mask: np.ndarray) -> np.ndarray:
@@ -127,8 +129,9 @@ def ground_speeds(points: np.ndarray, fps: float) -> np.ndarray:
     """
     n, half = len(points), max(1, round(_SPEED_SPAN * fps / 2))
     after, before = np.minimum(np.arange(n) + half, n - 1), np.maximum(np.arange(n) - half, 0)
-    way = np.linalg.norm((points[after] - points[before])[..., [0, 2]], axis=-1)
-    return way * fps / np.maximum(after - before, 1)[:, None]
+    way: FloatArray = np.linalg.norm((points[after] - points[before])[..., [0, 2]], axis=-1)
+    speed: np.ndarray = way * fps / np.maximum(after - before, 1)[:, None]
+    return speed
 
 
 def _hysteresis(begins: np.ndarray, lasts: np.ndarray) -> np.ndarray:

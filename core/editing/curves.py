@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from core.arrays import FloatArray
 from core.editing.contacts import floor_height, foot_contacts, heights, sole_points
 from core.editing.gait import Gait, find_gait
 from core.mocap.anatomy import SIDES, find_anatomy
@@ -172,8 +173,9 @@ def speed(places: np.ndarray, fps: float) -> np.ndarray:
     """Speed ``(n_frames,)`` of a point ``(n_frames, d)``, units a second, over :data:`SPEED_SPAN` around each frame."""
     n, half = len(places), max(1, round(fps * SPEED_SPAN / 2))
     after, before = np.minimum(np.arange(n) + half, n - 1), np.maximum(np.arange(n) - half, 0)
-    way = np.linalg.norm(places[after] - places[before], axis=-1)
-    return (way * fps / np.maximum(after - before, 1)).astype(np.float32)
+    way: FloatArray = np.linalg.norm(places[after] - places[before], axis=-1)
+    speed: np.ndarray = way * fps / np.maximum(after - before, 1)
+    return speed.astype(np.float32)
 
 
 def csv_blocks(clip: Clip, curves: Sequence[Curve], start: int = 0, end: int | None = None) -> Iterator[str]:

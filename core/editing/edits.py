@@ -82,7 +82,8 @@ def split(clip: Clip, labels: Sequence[Label], cuts: Iterable[int]) -> tuple[Edi
     short = next((start for start, end in pairwise(edges) if end - start < FEWEST_FRAMES), None)
     if short is not None:
         raise ValueError(f"The part from frame {short} would have a single frame; cut elsewhere")
-    parts, names = [], set()
+    parts: list[Edited] = []
+    names: set[str] = set()
     for number, (start, end) in enumerate(pairwise(edges), 1):
         whole = next(
             (lab.action for lab in labels if lab.clip == clip.name and lab.start <= start and lab.end >= end), ""

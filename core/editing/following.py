@@ -34,7 +34,8 @@ class Placements(NamedTuple):
 
     def of(self, points: np.ndarray) -> np.ndarray:
         """Points ``(n, 3)``, one a frame, where they are placed."""
-        return turn_about_y(self.yaw, points) + self.shift
+        placed: np.ndarray = turn_about_y(self.yaw, points) + self.shift
+        return placed
 
     def after(self, other: Placements) -> Placements:
         """First ``other``, then this one."""
@@ -64,8 +65,8 @@ def lay_once(a: Clip, b: Clip, at_a: np.ndarray, at_b: np.ndarray, weights: np.n
     turns = heading(a, at_a) - heading(b, at_b)
     yaw = np.arctan2(np.sin(turns).mean(), np.cos(turns).mean())
     n = len(at_a)
-    clouds = (np.asarray(x, np.float64).reshape(1, -1, 3) for x in (at_a, at_b))
-    _, shift, _ = ground_fit(*clouds, np.tile(weights, n), np.array([yaw]))
+    first, second = (np.asarray(x, np.float64).reshape(1, -1, 3) for x in (at_a, at_b))
+    _, shift, _ = ground_fit(first, second, np.tile(weights, n), np.array([yaw]))
     return Placements(np.full(n, yaw), np.repeat(shift, n, axis=0))
 
 

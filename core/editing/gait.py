@@ -117,8 +117,8 @@ def find_gait(clip: Clip, contacts: np.ndarray | None = None, positions: np.ndar
     3)`` metres, if they are at hand.
     """
     anatomy = find_anatomy(clip.skeleton)
-    ankles = [anatomy.joints.get(f"{side}_ankle") for side in SIDES]
-    if None in ankles or not {"left_hip", "right_hip"} <= set(anatomy.joints):
+    ankles = [anatomy.joints[f"{side}_ankle"] for side in SIDES if f"{side}_ankle" in anatomy.joints]
+    if len(ankles) < len(SIDES) or not {"left_hip", "right_hip"} <= set(anatomy.joints):
         return Gait((), (), NO_FEET)
     positions = joint_positions(clip) if positions is None else positions
     contacts = foot_contacts(clip, positions=positions) if contacts is None else contacts
@@ -242,7 +242,7 @@ def _sided_measures(walker: _Walker, strikes: list[_Strike]) -> Iterable[Measure
         note("Step time", "s", b.side, (b.frame - a.frame) / walker.fps)
     for a, b in zip(strikes, strikes[2:], strict=False):
         way = walker.ankles[b.frame, a.side] - walker.ankles[a.frame, a.side]
-        note("Stride length", "m", a.side, np.linalg.norm(way))
+        note("Stride length", "m", a.side, float(np.linalg.norm(way)))
         note("Stride time", "s", a.side, (b.frame - a.frame) / walker.fps)
         if a.off is not None:
             note("Stance", "% of stride", a.side, 100 * (a.off - a.frame) / (b.frame - a.frame))

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.ndimage import gaussian_filter1d, maximum_filter1d
 
+from core.arrays import FloatArray
 from core.editing.contacts import floor_height, foot_contacts, heights, runs, sole_points
 from core.mocap import quaternions as quat
 from core.mocap.anatomy import SIDES, find_anatomy
@@ -20,10 +21,11 @@ _FARTHEST = 0.1  # body heights that a locked foot is moved at most
 _FOLLOW, _SINK = 0.15, 0.02  # seconds over which the pelvis follows its feet; body heights it sinks at most
 
 
-def smooth_step(u: np.ndarray) -> np.ndarray:
+def smooth_step(u: np.ndarray | float) -> np.ndarray:
     """Quintic from 0 to 1 with no speed and no acceleration at either end, ``(...)`` to ``(...)``; clipped."""
     u = np.clip(u, 0, 1)
-    return u**3 * (u * (6 * u - 15) + 10)
+    step: np.ndarray = u**3 * (u * (6 * u - 15) + 10)
+    return step
 
 
 def place_ankles(clip: Clip, targets: np.ndarray, orientations: np.ndarray | None = None) -> Clip:
@@ -93,7 +95,9 @@ def lift_from_floor(clip: Clip, floor: float = 0.0, smooth: float = 0.1) -> Clip
     return replace(clip, root_positions=root)
 
 
-def _leg_turns(leg: np.ndarray, hip: np.ndarray, targets: np.ndarray, frames: np.ndarray) -> tuple:
+def _leg_turns(
+    leg: np.ndarray, hip: np.ndarray, targets: np.ndarray, frames: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """World turns of thigh and shin, ``(len(frames), 4)`` each, that bring the ankle to its target.
 
     leg: (n_frames, 3, 3) hip, knee, ankle; hip: (n_frames, 4) world rotation of the thigh.
@@ -110,11 +114,12 @@ def _leg_turns(leg: np.ndarray, hip: np.ndarray, targets: np.ndarray, frames: np
     return _shortest_turn(thigh + quat.rotate(knee, shin), want), knee
 
 
-def _soft_reach(want: np.ndarray, now: np.ndarray, length: np.ndarray) -> np.ndarray:
+def _soft_reach(want: FloatArray, now: FloatArray, length: FloatArray) -> FloatArray:
     """Wanted distances (n,) from hip to ankle, bent so that a leg nears its full length slowly: knees do not pop."""
     soft, hard = _SOFT * length, _STRETCH * length
     eased = np.where(want > soft, soft + (hard - soft) * np.tanh((want - soft) / (hard - soft)), want)
-    return np.where(want > now, np.maximum(eased, np.minimum(now, hard)), np.minimum(want, hard))
+    reach: FloatArray = np.where(want > now, np.maximum(eased, np.minimum(now, hard)), np.minimum(want, hard))
+    return reach
 
 
 def _hinge(thigh: np.ndarray, shin: np.ndarray, hip: np.ndarray) -> np.ndarray:
@@ -137,7 +142,15 @@ def _shortest_turn(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     return quat.from_rotvec(axis / np.maximum(sine, 1e-12) * angle[:, None])
 
 
-def _turn(clip: Clip, leg: list[int], turns: tuple, world, rotations, frames: np.ndarray, foot: np.ndarray) -> None:
+def _turn(
+    clip: Clip,
+    leg: list[int],
+    turns: tuple[np.ndarray, np.ndarray],
+    world: np.ndarray,
+    rotations: np.ndarray,
+    frames: np.ndarray,
+    foot: np.ndarray,
+) -> None:
     """Write the turns into the local rotations of hip, knee and ankle; foot: the ankle's world rotation."""
     swing, bend = turns
     both = quat.multiply(swing, bend)
@@ -157,7 +170,7 @@ def _shift(
     floor: float,
     ease: float,
     farthest: float,
-):
+) -> np.ndarray:
     """How far to move the ankle in each frame: (n_frames, 3), metres."""
     body = find_anatomy(clip.skeleton).body_height
     height = heights(clip, positions, points, floor)
@@ -195,7 +208,7 @@ def _ease(shift: np.ndarray, spans: np.ndarray, n: int) -> None:
         shift[end : end + len(trail)] += fade * (held[end - 1] + trail[:, None] * out)
 
 
-def _follow(clip: Clip, positions, contacts, shifts, targets) -> Clip:
+def _follow(clip: Clip, positions: np.ndarray, contacts: np.ndarray, shifts: np.ndarray, targets: np.ndarray) -> Clip:
     """The clip with its pelvis moved for its feet: half their mean shift, and down where a leg that stands is short."""
     width = _FOLLOW * clip.fps
     move = gaussian_filter1d(0.5 * shifts.mean(1), width, axis=0, mode="nearest")

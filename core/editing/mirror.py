@@ -92,7 +92,7 @@ def _partner(skeleton: Skeleton, joint: int, above: int) -> int:
     return (alike or across)[0]
 
 
-def _key(name: str) -> tuple:
+def _key(name: str) -> tuple[str, list[str]]:
     """What is left of a joint's name without its side."""
     return parse_name(name).part, re.findall(r"\d+", name)
 
@@ -115,7 +115,8 @@ def _frame_turns(clip: Clip, partner: tuple[int, ...], frames: BodyFrames | None
         pulls[skeleton.parents[k]] += np.outer(MIRROR @ offsets[k], offsets[partner[k]])
     u, _, v = np.linalg.svd(pulls)
     u[..., -1] *= np.linalg.det(u @ v)[..., None]
-    return u @ v
+    nearest: np.ndarray = u @ v
+    return nearest
 
 
 def _rest_mirror(skeleton: Skeleton, partner: tuple[int, ...]) -> np.ndarray | None:

@@ -15,7 +15,9 @@ _MIN_WAVES = 8  # frequencies in the band at least, so that a short clip gets no
 _CHUNK = 8192  # frames rotated at a time
 
 
-def band_limited(n_frames: int, fps: float, band: tuple[float, float], rng: np.random.Generator, channels: int):
+def band_limited(
+    n_frames: int, fps: float, band: tuple[float, float], rng: np.random.Generator, channels: int
+) -> np.ndarray:
     """Stationary Gaussian noise of mean 0 and deviation 1 that holds only frequencies in ``band``: ``(n_frames,
     channels)`` float32.
 

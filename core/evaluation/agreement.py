@@ -133,7 +133,7 @@ def agreement(ratings: Iterable[Rating], *, samples: int = 1000, seed: int = 0) 
     Where a person rated a pair twice for one engine, the last counts. Raises ValueError for a value or rank out of
     range.
     """
-    latest: dict[tuple, Rating] = {}
+    latest: dict[tuple[Any, ...], Rating] = {}
     for rating in ratings:
         if not LEAST <= rating.value <= MOST or rating.rank < 1:
             raise ValueError(
@@ -195,7 +195,11 @@ def win_rates(votes: Iterable[Vote]) -> WinRates:
     engines: dict[str, list[float]] = defaultdict(list)
     for (engine, _), outcomes in won.items():
         engines[engine] += outcomes
-    return WinRates(*({name: wilson(group[name]) for name in sorted(group)} for group in (engines, won, consistent)))
+    return WinRates(
+        {engine: wilson(engines[engine]) for engine in sorted(engines)},
+        {pair: wilson(won[pair]) for pair in sorted(won)},
+        {engine: wilson(consistent[engine]) for engine in sorted(consistent)},
+    )
 
 
 def wilson(outcomes: Sequence[float]) -> Share:
@@ -247,15 +251,16 @@ def _correlation(points: Sequence[RankPoint], samples: int, generator: np.random
         unknown = (np.nan, np.nan)
         return Correlation(np.nan, unknown, np.nan, unknown, n)
     draws = np.concatenate([np.arange(n)[None], generator.integers(n, size=(samples, n))])
-    found = []
-    for coefficient in (_spearman, _kendall):
+
+    def with_interval(coefficient: Callable[[np.ndarray, np.ndarray], np.ndarray]) -> tuple[float, tuple[float, float]]:
         # a share of the draws at a time, as all pairs of a draw are looked at
         parts = np.array_split(ranks[draws], max(1, draws.size * n // 2_000_000))
         values = np.concatenate([coefficient(part[..., 0], part[..., 1]) for part in parts])
         known = values[1:][np.isfinite(values[1:])]
-        interval = tuple(map(float, np.quantile(known, (0.025, 0.975)))) if len(known) else (np.nan, np.nan)
-        found += [float(values[0]), interval]
-    return Correlation(*found, n)
+        low, high = np.quantile(known, (0.025, 0.975)) if len(known) else (np.nan, np.nan)
+        return float(values[0]), (float(low), float(high))
+
+    return Correlation(*with_interval(_spearman), *with_interval(_kendall), n)
 
 
 def _spearman(a: np.ndarray, b: np.ndarray) -> np.ndarray:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -72,7 +72,9 @@ def _frames_of_labels(labels: tuple[Label, ...], actions: list[str]) -> dict[str
     return frames
 
 
-def _confusion(truth, found, n_motifs: int, n_actions: int) -> tuple[np.ndarray, np.ndarray]:
+def _confusion(
+    truth: Mapping[str, np.ndarray], found: Mapping[str, np.ndarray], n_motifs: int, n_actions: int
+) -> tuple[np.ndarray, np.ndarray]:
     """Frames of each motif with each action, ``(n_motifs, n_actions)``, and frames of each action, ``(n_actions,)``."""
     table, sizes = np.zeros((max(n_motifs, 1), n_actions), np.int64), np.zeros(n_actions, np.int64)
     for clip, actions in truth.items():

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 import re
 from collections import Counter, defaultdict
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -90,7 +90,7 @@ def clip_labels(dataset: Dataset) -> ClipLabels:
     An action ``walk/angry`` gives content and style. Else the name of a clip may: a word of it that equals the content,
     between underscores, is followed by the style (``dataset-1_walk_angry_001``). Clips without labels are left out.
     """
-    frames: dict[str, Counter] = defaultdict(Counter)
+    frames: dict[str, Counter[str]] = defaultdict(Counter)
     for label in dataset.labels:
         frames[label.clip][label.action] += label.end - label.start
     content, style = {}, {}
@@ -135,11 +135,13 @@ class _Scored(NamedTuple):
     content: str
     measures: dict[str, float]
     precision: np.ndarray
-    nearest: Counter
+    nearest: Counter[str]
     short: bool
 
 
-def _regime(rankings, labels: ClipLabels, regime: str, coarse: Mapping[str, str], seed: int) -> RegimeScores:
+def _regime(
+    rankings: Mapping[str, Sequence[str]], labels: ClipLabels, regime: str, coarse: Mapping[str, str], seed: int
+) -> RegimeScores:
     scored = [_query(query, found, labels, regime, coarse) for query, found in rankings.items()]
     kept = [one for one in scored if one is not None]
     contents = tuple(sorted(set(labels.content.values())))
@@ -165,7 +167,9 @@ def _regime(rankings, labels: ClipLabels, regime: str, coarse: Mapping[str, str]
     )
 
 
-def _query(query: str, found: Sequence[str], labels: ClipLabels, regime: str, coarse) -> _Scored | None:
+def _query(
+    query: str, found: Sequence[str], labels: ClipLabels, regime: str, coarse: Mapping[str, str]
+) -> _Scored | None:
     own = labels.content[query]
     manner = labels.style.get(query)
 
@@ -198,7 +202,14 @@ def _query(query: str, found: Sequence[str], labels: ClipLabels, regime: str, co
     return _Scored(own, measures, curve, nearest, len(listed) < len(database))
 
 
-def _graded(listed, database, own: str, as_query, labels: ClipLabels, coarse) -> dict[str, float]:
+def _graded(
+    listed: Sequence[str],
+    database: Sequence[str],
+    own: str,
+    as_query: Callable[[str], bool],
+    labels: ClipLabels,
+    coarse: Mapping[str, str],
+) -> dict[str, float]:
     """nDCG@20 (gain of 3: content and style, 2: content, 1: the wider kind), and the area under the curve by style."""
 
     def gain(clip: str) -> int:
@@ -208,7 +219,7 @@ def _graded(listed, database, own: str, as_query, labels: ClipLabels, coarse) ->
         return 2 if other == own else int(coarse.get(other, other) == coarse.get(own, own))
 
     def discounted(gains: Iterable[int]) -> float:
-        return sum((2**g - 1) / math.log2(k + 2) for k, g in enumerate(gains))
+        return sum((float(2**g - 1) / math.log2(k + 2) for k, g in enumerate(gains)), 0.0)
 
     ideal = discounted(sorted(map(gain, database), reverse=True)[:FIRST])
     found = {f"nDCG@{FIRST}": discounted(map(gain, listed[:FIRST])) / ideal}

@@ -14,8 +14,9 @@ from core.mocap.anatomy import CANONICAL, find_anatomy
 from core.mocap.clip import Clip
 from core.mocap.dataset import Dataset
 from core.mocap.kinematics import joint_positions, resample
+from core.mocap.skeleton import Skeleton
 from core.poses.angles import JOINTS, joint_angles, known_joints
-from core.poses.body_frames import body_frames
+from core.poses.body_frames import BodyFrames, body_frames
 from core.poses.features import pose_features
 from core.progress import Report, silent
 
@@ -77,7 +78,7 @@ def feature_table(
     analysis_fps, test_share = parameters.analysis_fps, parameters.test_share
     poses = pose_features(dataset, analysis_fps=analysis_fps, report=report)
     clips = [dataset.clip(name) for name in poses.clips]
-    frames_of = {}
+    frames_of: dict[Skeleton, list[Clip]] = {}
     for clip in clips:
         frames_of.setdefault(clip.skeleton, []).append(clip)
     bodies = {skeleton: body_frames(group) for skeleton, group in frames_of.items()}
@@ -136,7 +137,7 @@ def _positions(clip: Clip) -> np.ndarray:
     return found
 
 
-def _angles(clip: Clip, frames) -> np.ndarray:
+def _angles(clip: Clip, frames: BodyFrames) -> np.ndarray:
     known = joint_angles(clip, frames, known_joints(frames))
     columns = [
         known[name] if name in known else np.full((clip.n_frames, len(joint.channels)), np.nan)
@@ -158,4 +159,5 @@ def unpack_features(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray
     """The table back from the arrays ``(n, ...)`` of :func:`pack_features`. Raises ValueError for anything else."""
     if document.get("format") != FORMAT:
         raise ValueError(f"not a feature table: expected format {FORMAT}, found {document.get('format')}")
-    return FeatureTable(fps=float(document["fps"]), **{name: tuple(document[name]) for name in _TEXT}, **arrays)
+    kept: dict[str, Any] = {name: tuple(document[name]) for name in _TEXT} | dict(arrays)
+    return FeatureTable(fps=float(document["fps"]), **kept)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -29,15 +30,14 @@ def write_features(path: str | Path, table: FeatureTable) -> None:
 
 def _write_npz(path: Path, table: FeatureTable) -> None:
     text = {name: np.array(getattr(table, name)) for name in ("clips", "subjects", "splits", "joints", "actions")}
-    arrays = {
+    arrays: dict[str, Any] = {
         name: getattr(table, name)
         for name in ("clip_starts", "frames", "positions", "angles", "contacts", "poses", "labels")
     }
     empty = {name: values.astype("U1") for name, values in text.items() if values.size == 0}
     with path.open("wb") as file:
-        np.savez_compressed(
-            file, **(text | empty), **arrays, fps=np.float64(table.fps), angle_names=np.array(table.angle_names)
-        )
+        arrays |= text | empty | {"fps": np.array(table.fps), "angle_names": np.array(table.angle_names)}
+        np.savez_compressed(file, **arrays)
 
 
 def _write_parquet(path: Path, table: FeatureTable) -> None:

@@ -14,8 +14,9 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from core.arrays import Int32Array, Int64Array
+from core.compiled import njit
 from core.progress import Report, silent
 
 Sentence = tuple[int, ...]
@@ -115,8 +116,8 @@ def _hypotheses(sentences: Sequence[Sentence], bases: np.ndarray, kinds: np.ndar
     return Hypotheses(sentence, start, end, np.unique(kinds[spans], return_inverse=True)[1].astype(np.int64))
 
 
-@njit(cache=True)
-def _links(a, b, table):
+@njit()
+def _links(a: Int64Array, b: Int64Array, table: Int32Array) -> Int64Array:
     """Longest common subsequence of ``a (n,)`` and ``b (m,)`` as pairs ``(k, 2)``; table: room for (n + 1, m + 1)."""
     n, m = len(a), len(b)
     table[n, : m + 1] = 0
@@ -140,16 +141,16 @@ def _links(a, b, table):
     return found
 
 
-@njit(cache=True)
-def _root(parent, x):
+@njit()
+def _root(parent: Int64Array, x: int) -> int:
     while parent[x] != x:
         parent[x] = parent[parent[x]]
         x = parent[x]
     return x
 
 
-@njit(cache=True)
-def _align_with_later(symbols, begins, bases, k, parent):
+@njit()
+def _align_with_later(symbols: Int64Array, begins: Int64Array, bases: Int64Array, k: int, parent: Int64Array) -> None:
     """Joins in ``parent`` the spans that sentence k and each later one may exchange."""
     a = symbols[begins[k] : begins[k + 1]]
     longest = np.max(np.diff(begins))
@@ -175,8 +176,8 @@ def _align_with_later(symbols, begins, bases, k, parent):
             i, j = to_i + 1, to_j + 1
 
 
-@njit(cache=True)
-def _roots(parent):
+@njit()
+def _roots(parent: Int64Array) -> Int64Array:
     kinds = np.full(len(parent), -1, np.int64)
     for x in range(len(parent)):
         if parent[x] >= 0:

@@ -72,7 +72,8 @@ def alternate(
         if len(spans) < k:
             spans, labels = begin
             break
-    best, least = None, np.inf
+    best: Clustering | None = None
+    least = np.inf
     for turn in range(turns):
         found = clustering_of(spans, *_choose(space, spans, labels, k, weight, rng))
         cost = _cost(space, found, weight, price)
@@ -84,6 +85,7 @@ def alternate(
         spans, labels = cut_by_medoids(space, spans[found.medoids], limits, price)
         if len(spans) < k:
             break
+    assert best is not None  # there is at least one turn
     return best, least
 
 
@@ -115,7 +117,14 @@ def _cost(space: PoseSpace, found: Clustering, weight: float, price: float) -> f
     return 1 / found.objective(space, weight)["F"] + (1 - weight) * price * len(found.spans) / space.n / space.largest
 
 
-def _choose(space, spans, labels, k, weight, rng) -> tuple[np.ndarray, np.ndarray]:
+def _choose(
+    space: PoseSpace,
+    spans: np.ndarray,
+    labels: np.ndarray | None,
+    k: int,
+    weight: float,
+    rng: np.random.Generator,
+) -> tuple[np.ndarray, np.ndarray]:
     """Indices ``(k,)`` of the spans that serve best as medoids, and the distances ``(n, k)`` of all spans to them."""
     if len(spans) < k:
         raise ValueError(f"there are only {len(spans)} segments for {k} terminals; ask for fewer, or shorter pieces")
@@ -136,7 +145,7 @@ def _choose(space, spans, labels, k, weight, rng) -> tuple[np.ndarray, np.ndarra
     return sample[medoids], span_distances(space, spans, spans[sample[medoids]])
 
 
-def _central(distances, weights, prices, labels, k) -> np.ndarray:
+def _central(distances: np.ndarray, weights: np.ndarray, prices: np.ndarray, labels: np.ndarray, k: int) -> np.ndarray:
     """The best medoid within each group; without the groups that are missed least, where there are more than ``k``, and
     with what is worst served, where there are fewer."""
     medoids: list[int] = []

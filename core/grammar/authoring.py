@@ -47,7 +47,7 @@ def alternatives(
     for _ in range(_TRIES * n):
         if len(found) == n:
             break
-        made = grammar.generate(rng, most, node.symbol)
+        made = grammar.generate(rng, most, node.name)
         spelled = leaves(made)
         if spelled != own and spelled not in found:
             found[spelled] = made

@@ -163,7 +163,7 @@ def _baselines(strings: Sequence[tuple[int, ...]], learned: Induced) -> dict[str
     machine, hierarchy = state_machine(strings), sequitur(strings)
     states = len(machine.leaving)
     told = -sum(machine.log2_probability(string) for string in strings)
-    trees = [hierarchy.parse(string) for string in strings]
+    trees = [tree for tree in map(hierarchy.parse, strings) if tree is not None]  # it generates each of them
     return {
         "state_machine": _figures(len(machine.transitions), Bits(2 * len(machine.transitions) * np.log2(states), told)),
         "sequitur": _figures(len(hierarchy.rules), hierarchy.bits(trees)),

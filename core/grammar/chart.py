@@ -69,7 +69,8 @@ class Chart:
         lefts.setdefault(start)
         terminals = dict.fromkeys(s for _, right in rules for s in right if not isinstance(s, str))
         unknown = {s for _, right in rules for s in right if isinstance(s, str)} - set(lefts)
-        numbers: dict[Symbol, int] = {s: k for k, s in enumerate([*terminals, *lefts, *sorted(unknown)])}
+        symbols: list[Symbol] = [*terminals, *lefts, *sorted(unknown)]
+        numbers = {symbol: k for k, symbol in enumerate(symbols)}
         self._symbols = list(numbers)
         self._terminals: Mapping[int, int] = {t: numbers[t] for t in terminals}
         self._start, self._rules = numbers[start], rules
@@ -105,7 +106,7 @@ class Chart:
         best = self._viterbi(sentence)
         if best is None or best.of(0, len(sentence), self._start) == -np.inf:
             return None
-        return self._tree(best, best.index[0, len(sentence), self._start], 0, len(sentence))
+        return self._tree(best, best.places[0, len(sentence), self._start], 0, len(sentence))
 
     def parse_series(self, symbols: Sequence[int]) -> tuple[Node, ...] | None:
         """The most probable way to read a string as sentences one after another; None where there is none."""
@@ -125,7 +126,7 @@ class Chart:
         while cuts[-1]:
             cuts.append(int(back[cuts[-1]]))
         spans = list(zip(cuts[:0:-1], cuts[-2::-1], strict=True))
-        return tuple(self._tree(best, best.index[a, b, self._start], a, b) for a, b in spans)
+        return tuple(self._tree(best, best.places[a, b, self._start], a, b) for a, b in spans)
 
     def log2_probability(self, sentence: Sequence[int]) -> float:
         """Log2 of the sum over all trees; -inf where there is none. Raises ValueError for what is too long."""
@@ -194,7 +195,8 @@ class Chart:
 
     def _units(self, empties: np.ndarray) -> tuple[list[_Step], _Edges]:
         """The unit steps, and their edges from the symbol below to the one above."""
-        steps, edges = [], []
+        steps: list[_Step] = []
+        edges: list[tuple[int, int, int, float, int]] = []
         for state, rules in self._builder.ends.items():
             for left, rule, weight in rules:
                 edges.append((state, 0, left, weight, len(steps)))
@@ -247,15 +249,15 @@ class Chart:
 
 
 class _Best(NamedTuple):
-    """Best derivations. index ``(n + 1, n + 1, n_symbols)``: entry of a symbol over a span, or -1; entries ``(m, 5)``:
+    """Best derivations. places ``(n + 1, n + 1, n_symbols)``: entry of a symbol over a span, or -1; entries ``(m, 5)``:
     symbol, unit step (-1: none), left and right entry, middle of the span; scores ``(m,)``."""
 
-    index: np.ndarray
+    places: np.ndarray
     entries: np.ndarray
     scores: np.ndarray
 
     def of(self, start: int, end: int, symbol: int) -> float:
-        entry = self.index[start, end, symbol]
+        entry = self.places[start, end, symbol]
         return -np.inf if entry < 0 else float(self.scores[entry])
 
 

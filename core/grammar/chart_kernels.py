@@ -3,14 +3,27 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
+
+from core.arrays import Float64Array, Int32Array, Int64Array
+from core.compiled import njit
 
 _ROUNDS = 200  # of the sum over cycles of rules; each shortens the rest
 _SYMBOL = 0  # column of entries
 
 
-@njit(cache=True)
-def viterbi(sentence, n_symbols, size, first, second, target, unit_first, unit_target, unit_weight, unit_label):
+@njit()
+def viterbi(
+    sentence: Int32Array,
+    n_symbols: int,
+    size: int,
+    first: Int32Array,
+    second: Int32Array,
+    target: Int32Array,
+    unit_first: Int32Array,
+    unit_target: Int32Array,
+    unit_weight: Float64Array,
+    unit_label: Int32Array,
+) -> tuple[Int32Array, Int32Array, Float64Array]:
     """Best derivations of a sentence ``(n,)``: index, entries and scores of :class:`core.grammar.chart._Best`.
 
     Entries of one span stand together: those of [i, j) are [begin[i, j], stop[i, j]).
@@ -42,8 +55,8 @@ def viterbi(sentence, n_symbols, size, first, second, target, unit_first, unit_t
     return index, entries[:m], score[:m]
 
 
-@njit(cache=True)
-def _room(entries, score, needed):
+@njit()
+def _room(entries: Int32Array, score: Float64Array, needed: int) -> tuple[Int32Array, Float64Array]:
     """The same with room for ``needed`` entries."""
     if needed <= len(score):
         return entries, score
@@ -52,8 +65,19 @@ def _room(entries, score, needed):
     return larger, scores
 
 
-@njit(cache=True)
-def _offer(entries, score, here, m, value, symbol, step, left, right, middle):
+@njit()
+def _offer(
+    entries: Int32Array,
+    score: Float64Array,
+    here: Int64Array,
+    m: int,
+    value: float,
+    symbol: int,
+    step: int,
+    left: int,
+    right: int,
+    middle: int,
+) -> int:
     """Keeps a derivation where it is its symbol's best in this span; the number of entries."""
     x = here[symbol]
     if x < 0:
@@ -66,8 +90,18 @@ def _offer(entries, score, here, m, value, symbol, step, left, right, middle):
     return m
 
 
-@njit(cache=True)
-def _close(entries, score, here, begin, m, unit_first, unit_target, unit_weight, unit_label):
+@njit()
+def _close(
+    entries: Int32Array,
+    score: Float64Array,
+    here: Int64Array,
+    begin: int,
+    m: int,
+    unit_first: Int32Array,
+    unit_target: Int32Array,
+    unit_weight: Float64Array,
+    unit_label: Int32Array,
+) -> int:
     """Unit steps from the entries of a span, until none makes one better; the number of entries."""
     done = begin
     while done < m:
@@ -82,8 +116,19 @@ def _close(entries, score, here, begin, m, unit_first, unit_target, unit_weight,
     return m
 
 
-@njit(cache=True)
-def inside(sentence, start, n_symbols, size, first, second, target, unit_first, unit_target, unit_weight):
+@njit()
+def inside(
+    sentence: Int32Array,
+    start: int,
+    n_symbols: int,
+    size: int,
+    first: Int32Array,
+    second: Int32Array,
+    target: Int32Array,
+    unit_first: Int32Array,
+    unit_target: Int32Array,
+    unit_weight: Float64Array,
+) -> float:
     """Log2 of the sum over all derivations of the sentence ``(n,)`` from ``start``."""
     n = len(sentence)
     table = np.full((n + 1, n + 1, n_symbols), -np.inf)
@@ -107,11 +152,11 @@ def inside(sentence, start, n_symbols, size, first, second, target, unit_first, 
             begin[i, j], stop[i, j] = m, m + len(found)
             symbol[m : m + len(found)], score[m : m + len(found)] = found, total[found]
             m += len(found)
-    return table[0, n, start]
+    return float(table[0, n, start])
 
 
-@njit(cache=True)
-def _add_units(total, unit_first, unit_target, unit_weight):
+@njit()
+def _add_units(total: Float64Array, unit_first: Int32Array, unit_target: Int32Array, unit_weight: Float64Array) -> None:
     """Adds to ``total`` what follows from it by unit steps, over and over: a cycle adds ever less."""
     fresh = total.copy()
     for _ in range(_ROUNDS):
@@ -127,7 +172,7 @@ def _add_units(total, unit_first, unit_target, unit_weight):
             total[s] = _plus(total[s], coming[s])
 
 
-@njit(cache=True)
+@njit()
 def _plus(a: float, b: float) -> float:
     """Log2 of the sum of two numbers given by their log2."""
     if a < b:

@@ -27,7 +27,9 @@ def read_off(sentences: Sequence[Sentence], brackets: Sequence[Sequence[Bracket]
     for sentence, inside in zip(sentences, brackets, strict=True):
         waiting = sorted(inside, key=lambda b: (b.start, -b.end))[::-1]
 
-        def node(left: str, start: int, end: int, sentence=sentence, waiting=waiting) -> Node:
+        def node(
+            left: str, start: int, end: int, sentence: Sentence = sentence, waiting: list[Bracket] = waiting
+        ) -> Node:
             children, at = [], start
             while at < end or (waiting and waiting[-1].end <= end):
                 if waiting and waiting[-1].start == at and waiting[-1].end <= end:
@@ -59,7 +61,7 @@ def renamed(tree: Node, names: Mapping[str, str]) -> Node:
     if tree.is_leaf:
         return tree
     children = tuple(renamed(child, names) for child in tree.children)
-    return tree._replace(symbol=names.get(tree.symbol, tree.symbol), rule=0, children=children)
+    return tree._replace(symbol=names.get(tree.name, tree.name), rule=0, children=children)
 
 
 def contexts_of(sentences: Sequence[Sentence], trees: Sequence[Node]) -> dict[str, set[tuple[int, int]]]:
@@ -69,7 +71,7 @@ def contexts_of(sentences: Sequence[Sentence], trees: Sequence[Node]) -> dict[st
         framed = (END, *sentence, END)
         for node in preorder(tree):
             if not node.is_leaf:
-                found.setdefault(node.symbol, set()).add((framed[node.start], framed[node.end + 1]))
+                found.setdefault(node.name, set()).add((framed[node.start], framed[node.end + 1]))
     return found
 
 
@@ -79,7 +81,7 @@ def _words_of(sentences: Sequence[Sentence], trees: Sequence[Node]) -> dict[str,
     for sentence, tree in zip(sentences, trees, strict=True):
         for node in preorder(tree):
             if not node.is_leaf:
-                found.setdefault(node.symbol, set()).add(sentence[node.start : node.end])
+                found.setdefault(node.name, set()).add(sentence[node.start : node.end])
     return found
 
 
@@ -122,7 +124,7 @@ class Description:
 
     def __init__(self, trees: Sequence[Node]) -> None:
         inner = [node for tree in trees for node in preorder(tree) if not node.is_leaf]
-        self.uses = Counter(node.symbol for node in inner)
+        self.uses = Counter(node.name for node in inner)
         self.rules = {_rule(node) for node in inner}
         self.choices = Counter(left for left, _ in self.rules)
         self.terminals = len({s for _, right in self.rules for s in right if not isinstance(s, str)})
@@ -164,13 +166,13 @@ class Description:
 
 def _numbered_on(trees: Sequence[Node]) -> tuple[Node, ...]:
     """The trees with kinds named X1, X2, ... as they come, without gaps."""
-    inner = dict.fromkeys(node.symbol for tree in trees for node in preorder(tree) if not node.is_leaf)
+    inner = dict.fromkeys(node.name for tree in trees for node in preorder(tree) if not node.is_leaf)
     names = {kind: f"X{k + 1}" for k, kind in enumerate(kind for kind in inner if kind != START)}
     return tuple(renamed(tree, names) for tree in trees)
 
 
 def _rule(node: Node) -> tuple[str, Right]:
-    return node.symbol, tuple(child.symbol for child in node.children)
+    return node.name, tuple(child.symbol for child in node.children)
 
 
 def _numbered(tree: Node, index: Mapping[tuple[str, Right], int]) -> Node:

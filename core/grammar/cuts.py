@@ -9,8 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numba
 import numpy as np
+
+from core.arrays import Float32Array, Int32Array, Int64Array
+from core.compiled import njit
 
 _BLOCK = 1024  # poses looked at together: their distances to the frames of one medoid stay in the cache
 
@@ -20,8 +22,9 @@ def pose_distances(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     # one product gives |x|^2 - 2 xy + |y|^2, each square beside a column of ones
     left = np.column_stack([-2 * x, np.einsum("nd,nd->n", x, x), np.ones(len(x), x.dtype)])
     right = np.column_stack([y, np.ones(len(y), y.dtype), np.einsum("md,md->m", y, y)])
-    found = (left @ right.T).astype(np.float32, copy=False)
-    return np.maximum(found, 0, out=found)
+    found: np.ndarray = (left @ right.T).astype(np.float32, copy=False)
+    np.maximum(found, 0, out=found)
+    return found
 
 
 def best_cuts(
@@ -64,8 +67,8 @@ def candidate_costs(
     return costs, nearest
 
 
-@numba.njit(cache=True, fastmath={"reassoc", "contract", "nsz"}, nogil=True)
-def _costs(table, lengths, shortest, costs, nearest):
+@njit(fastmath={"reassoc", "contract", "nsz"}, nogil=True)
+def _costs(table: Float32Array, lengths: Int64Array, shortest: int, costs: Float32Array, nearest: Int32Array) -> None:
     """table: distances of the frames of all medoids, one medoid after the other (rows), to poses (columns).
 
     All starts go side by side, since what they add up for one medoid and one length lies side by side too, and four
@@ -105,8 +108,8 @@ def _costs(table, lengths, shortest, costs, nearest):
         first += own
 
 
-@numba.njit(cache=True, nogil=True)
-def _shortest_path(costs, shortest, price):
+@njit(nogil=True)
+def _shortest_path(costs: Float32Array, shortest: int, price: float) -> tuple[Int64Array, float]:
     width, n = costs.shape
     best, back = np.full(n + 1, np.inf), np.full(n + 1, -1, np.int64)
     best[0] = 0.0
@@ -118,7 +121,7 @@ def _shortest_path(costs, shortest, price):
             if cost < best[s + shortest + c]:
                 best[s + shortest + c], back[s + shortest + c] = cost, s
     if best[n] == np.inf:
-        return np.empty(0, np.int64), best[n]
+        return np.empty(0, np.int64), float(best[n])
     count, at = 1, n
     while at > 0:
         at = back[at]
@@ -128,4 +131,4 @@ def _shortest_path(costs, shortest, price):
     for i in range(count - 1, -1, -1):
         cuts[i] = at
         at = back[at]
-    return cuts, best[n]
+    return cuts, float(best[n])

@@ -6,6 +6,8 @@ worse one, is an option of ours.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from core.grammar.genetic import pam
@@ -48,7 +50,7 @@ class _State:
         fits = all(self.limits[0] <= b - a <= self.limits[1] for a, b in changed.values())
         return changed if fits else None
 
-    def apply(self, changed: dict[int, tuple[int, int]]) -> tuple | None:
+    def apply(self, changed: dict[int, tuple[int, int]]) -> tuple[Any, ...] | None:
         """Change spans, put them into the groups of the nearest medoids as these were, choose new medoids of the groups
         that changed. What it takes to undo it; None, with nothing changed, where a group would be left empty."""
         rows = np.array(sorted(changed))
@@ -68,7 +70,7 @@ class _State:
         self.cost = self.measure()
         return before
 
-    def undo(self, before: tuple) -> None:
+    def undo(self, before: tuple[Any, ...]) -> None:
         rows, self.spans[rows], distances, self.labels, self.medoids, self.cost = before
         self._fill(rows, distances)
 

@@ -54,7 +54,7 @@ def genetic_spans(
     spans = []
     for i, places in enumerate(stretches):
 
-        def progress(stage: str, share: float, i=i) -> None:
+        def progress(stage: str, share: float, i: int = i) -> None:
             report(stage, (i + share) / len(stretches))
 
         spans.append(_search(space, places, k, weight, limits, rng, settings, progress))
@@ -156,7 +156,16 @@ class _Stretch:
         return float(1 / max(self.weight * repetition + (1 - self.weight) * error, 1e-12))
 
 
-def _search(space, places, k, weight, limits, rng, settings, report) -> np.ndarray:
+def _search(
+    space: PoseSpace,
+    places: list[np.ndarray],
+    k: int,
+    weight: float,
+    limits: tuple[int, int],
+    rng: np.random.Generator,
+    settings: GeneticSettings,
+    report: Report,
+) -> np.ndarray:
     stretch = _Stretch(space, places, k, weight, limits)
     if stretch.n_genes == 0:
         return stretch.spans(np.empty(0, bool))
@@ -180,4 +189,5 @@ def _children(population: np.ndarray, scores: np.ndarray, rng: np.random.Generat
     points = np.sort(rng.integers(0, genes + 1, (2, n)), axis=0)[..., None]
     at = np.arange(genes)
     children = np.where((at >= points[0]) & (at < points[1]), population[parents[1]], population[parents[0]])
-    return children ^ (rng.random((n, genes)) < 1 / genes)
+    mutated: np.ndarray = children ^ (rng.random((n, genes)) < 1 / genes)
+    return mutated

@@ -59,8 +59,12 @@ def find_several(
     found = []
     for i, number in enumerate(numbers):
         chosen, own = replace(parameters, n_terminals=number), dict(seconds)
+
+        def progress(stage: str, share: float, i: int = i) -> None:
+            report(stage, (i + share) / len(numbers))
+
         with timed("search", own):
-            clustering = search(space, chosen, lambda stage, share, i=i: report(stage, (i + share) / len(numbers)))
+            clustering = search(space, chosen, progress)
         found.append(terminals_of(space, clustering, chosen, dataset, own))
     return tuple(found)
 
@@ -108,6 +112,7 @@ def _refined(
     """A clustering of ``thin``, which is ``space`` thinned by ``step``, improved at the rate of ``space``; its cost."""
     k, limits = parameters.n_terminals, limits_of(parameters, space.fps)
     medoids = space.unthinned(found.spans[found.medoids], step, thin)
+    labels: np.ndarray | None
     spans, labels = cut_by_medoids(space, medoids, limits)
     if len(spans) < k:
         spans, labels = even_cuts(space, limits[0], limits), None
@@ -139,8 +144,9 @@ def _recombined(
         chosen = [found[i][0] for i in parents]
         child = recombine(space, chosen, parameters.n_terminals, parameters.weight, limits, rng)
         worst = max(parents, key=lambda i: found[i][1])
-        known = child is None or any(np.isclose(child[1], cost, rtol=1e-9, atol=0) for _, cost in found)
-        if not known and child[1] < found[worst][1]:
+        if child is None or any(np.isclose(child[1], cost, rtol=1e-9, atol=0) for _, cost in found):
+            continue
+        if child[1] < found[worst][1]:
             found[worst] = child
     return min(found, key=lambda one: one[1])[0]
 

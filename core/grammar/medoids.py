@@ -7,8 +7,10 @@ medoid's length is R.
 
 from __future__ import annotations
 
-import numba
 import numpy as np
+
+from core.arrays import Float32Array, Float64Array, Int64Array
+from core.compiled import njit
 
 
 def seed_medoids(distances: np.ndarray, weights: np.ndarray, k: int, rng: np.random.Generator) -> np.ndarray:
@@ -58,8 +60,8 @@ def swap_medoids(
     )
 
 
-@numba.njit(cache=True, nogil=True)
-def _nearest(columns, medoids, first, d1, d2):
+@njit(nogil=True)
+def _nearest(columns: Float32Array, medoids: Int64Array, first: Int64Array, d1: Float64Array, d2: Float64Array) -> None:
     """Nearest medoid of each object and the distances to it and to the second nearest."""
     for o in range(columns.shape[1]):
         d1[o], d2[o] = np.inf, np.inf
@@ -71,8 +73,10 @@ def _nearest(columns, medoids, first, d1, d2):
                 d2[o] = d
 
 
-@numba.njit(cache=True, nogil=True)
-def _swaps(columns, weights, prices, medoids, most):
+@njit(nogil=True)
+def _swaps(
+    columns: Float32Array, weights: Float64Array, prices: Float64Array, medoids: Int64Array, most: int
+) -> Int64Array:
     """columns: the distances transposed, so that the distances to one candidate lie side by side."""
     n, k = columns.shape[1], len(medoids)
     if k < 2:
@@ -109,8 +113,8 @@ def _swaps(columns, weights, prices, medoids, most):
     return medoids
 
 
-@numba.njit(cache=True, nogil=True)
-def _best_one(columns, weights, prices):
+@njit(nogil=True)
+def _best_one(columns: Float32Array, weights: Float64Array, prices: Float64Array) -> Int64Array:
     best, least = 0, np.inf
     for j in range(len(columns)):
         cost = prices[j] + (weights * columns[j]).sum()

@@ -19,7 +19,8 @@ from core.grammar.trees import Node, Symbol, build_tree, leaves, preorder
 START = "S"
 
 
-class Rule(NamedTuple):
+@dataclass(frozen=True)
+class Rule:
     """``left`` may be rewritten as ``right``; count: how often it is in the training trees."""
 
     left: str
@@ -106,7 +107,7 @@ class Grammar:
 
     def rule_indices(self, tree: Node) -> tuple[int, ...]:
         """The code of SYN 5.1: in preorder, which of the rules of its left side rewrites each non-terminal, from 0."""
-        return tuple(self.choices[node.symbol].index(node.rule) for node in preorder(tree) if not node.is_leaf)
+        return tuple(self.choices[node.name].index(node.rule) for node in preorder(tree) if not node.is_leaf)
 
     def tree_of(self, indices: Iterable[int]) -> Node:
         """The tree with this code; raises ValueError where the code does not fit the grammar."""
@@ -141,7 +142,7 @@ class Grammar:
 
     def sentence_bits(self, tree: Node) -> float:
         """Bits of one sentence: log2 of the number of rules to choose from, for every non-terminal of its tree."""
-        return float(sum(np.log2(len(self.choices[node.symbol])) for node in preorder(tree) if not node.is_leaf))
+        return float(sum(np.log2(len(self.choices[node.name])) for node in preorder(tree) if not node.is_leaf))
 
 
 def counted(trees: Iterable[Node], rules: Sequence[tuple[str, tuple[Symbol, ...]]], start: str = START) -> Grammar:

@@ -23,7 +23,10 @@ class Neighbours:
 
     def __init__(self, sentences: Iterable[Sequence[int]]) -> None:
         self.seen = Counter(pair for sentence in sentences for pair in pairwise((END, *sentence, END)))
-        self._after, self._before, self._once_after, self._once_before = Counter(), Counter(), Counter(), Counter()
+        self._after: Counter[int] = Counter()
+        self._before: Counter[int] = Counter()
+        self._once_after: Counter[int] = Counter()
+        self._once_before: Counter[int] = Counter()
         for (a, b), count in self.seen.items():
             self._after[a] += count
             self._before[b] += count

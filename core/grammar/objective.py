@@ -26,7 +26,8 @@ class Clustering:
     @property
     def lengths(self) -> np.ndarray:
         """Poses of each span, ``(n,)``."""
-        return self.spans[:, 1] - self.spans[:, 0]
+        lengths: np.ndarray = self.spans[:, 1] - self.spans[:, 0]
+        return lengths
 
     def objective(self, space: PoseSpace, weight: float) -> dict[str, float]:
         """``F``, ``R`` and ``E`` (the paper's E', from 0 to 1). F is infinite where there is nothing to lower."""

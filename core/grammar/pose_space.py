@@ -81,7 +81,8 @@ class PoseSpace:
         clip = np.searchsorted(thin.clip_starts, spans[:, 0], side="right") - 1
         inside = (spans - thin.clip_starts[clip][:, None]) * step
         ends = self.clip_starts[clip + 1]
-        return np.minimum(inside + self.clip_starts[clip][:, None], ends[:, None])
+        frames: np.ndarray = np.minimum(inside + self.clip_starts[clip][:, None], ends[:, None])
+        return frames
 
     def segment(self, start: int, end: int) -> Segment:
         """Poses ``[start, end)``, which lie in one clip, as a segment at the clip's own rate."""
@@ -171,7 +172,9 @@ def _velocities(track: np.ndarray, fps: float, half: int) -> np.ndarray:
     """Change of ``(n, f)`` per second: central differences over ``half`` frames either side, one-sided at the ends."""
     at = np.arange(len(track))
     before, after = np.maximum(at - half, 0), np.minimum(at + half, len(track) - 1)
-    return (track[after] - track[before]) * (fps / np.maximum(after - before, 1))[:, None].astype(np.float32)
+    rates = (fps / np.maximum(after - before, 1))[:, None].astype(np.float32)
+    speed: np.ndarray = (track[after] - track[before]) * rates
+    return speed
 
 
 def _largest(values: np.ndarray, seed: int) -> float:

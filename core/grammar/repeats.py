@@ -7,7 +7,9 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
+
+from core.arrays import Int64Array
+from core.compiled import njit
 
 
 class Suffixes(NamedTuple):
@@ -53,8 +55,8 @@ def _sorted_suffixes(text: np.ndarray) -> np.ndarray:
         width *= 2
 
 
-@njit(cache=True)
-def _shared(text, order):
+@njit()
+def _shared(text: Int64Array, order: Int64Array) -> Int64Array:
     """Kasai's longest common prefixes."""
     n = len(text)
     rank = np.empty(n, np.int64)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-import numba
 import numpy as np
+
+from core.arrays import Float32Array, Int64Array
+from core.compiled import njit
 
 
 def segment_distances(
@@ -29,8 +31,8 @@ def _spans(x: np.ndarray, spans: np.ndarray) -> np.ndarray:
     return spans
 
 
-@numba.njit(cache=True, fastmath={"reassoc", "contract", "nsz"}, nogil=True)
-def _distances(x, y, a, b, symmetric):
+@njit(fastmath={"reassoc", "contract", "nsz"}, nogil=True)
+def _distances(x: Float32Array, y: Float32Array, a: Int64Array, b: Int64Array, symmetric: bool) -> Float32Array:
     d = x.shape[1]
     out = np.empty((len(a), len(b)), np.float32)
     for i in range(len(a)):

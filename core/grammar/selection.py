@@ -40,7 +40,9 @@ def select(
     if by not in BY:
         raise ValueError(f"by must be one of {', '.join(BY)}, not {by!r}")
     rows = list(zip(*(column.tolist() for column in hypotheses), strict=True))
-    yields, kinds, words = Counter(), Counter(), Counter()
+    yields: Counter[tuple[int, tuple[int, ...]]] = Counter()
+    kinds: Counter[int] = Counter()
+    words: Counter[tuple[int, ...]] = Counter()
     for sentence, start, end, kind in rows:
         weight = 1 if weights is None else weights[sentence]
         yields[kind, sentences[sentence][start:end]] += weight

@@ -6,9 +6,12 @@ Two rules hold after every symbol: no pair of neighbours occurs twice, and every
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TypeAlias
 
 from core.grammar.motion_grammar import START, Grammar
-from core.grammar.trees import Symbol
+from core.grammar.trees import Node, Symbol
+
+_Value: TypeAlias = "int | tuple[int] | _Rule | None"  # a terminal, the end of a sentence, a rule; None: a guard
 
 
 class _Link:
@@ -16,7 +19,7 @@ class _Link:
 
     __slots__ = ("after", "before", "guards", "value")
 
-    def __init__(self, value, guards: _Rule | None = None) -> None:
+    def __init__(self, value: _Value, guards: _Rule | None = None) -> None:
         self.value, self.guards = value, guards
         self.before = self.after = self
 
@@ -39,14 +42,14 @@ class _Rule:
 class _Sequitur:
     def __init__(self) -> None:
         self.top = _Rule()
-        self.pairs: dict[tuple, _Link] = {}  # pair of neighbours -> its left link
+        self.pairs: dict[tuple[_Value, _Value], _Link] = {}  # pair of neighbours -> its left link
 
-    def append(self, symbol) -> None:
+    def append(self, symbol: int | tuple[int]) -> None:
         last = self.top.guard.before
         self._insert(last, symbol)
         self._check(last)
 
-    def _insert(self, after: _Link, value) -> _Link:
+    def _insert(self, after: _Link, value: _Value) -> _Link:
         link = _Link(value)
         if isinstance(value, _Rule):
             value.users.add(link)
@@ -97,7 +100,7 @@ class _Sequitur:
             self._substitute(match, rule)
             self._substitute(left, rule)
             first = rule.guard.after
-            self.pairs[_pair(first)] = first
+            self.pairs[first.value, first.after.value] = first
         for link in (rule.guard.after, rule.guard.before):
             if isinstance(link.value, _Rule) and len(link.value.users) == 1:
                 self._expand(link)
@@ -114,18 +117,21 @@ class _Sequitur:
     def _expand(self, link: _Link) -> None:
         """Puts the right side of a rule that is used once in place of its only use."""
         rule, before, after = link.value, link.before, link.after
+        assert isinstance(rule, _Rule)
         first, last = rule.guard.after, rule.guard.before
         self._forget(before)
         self._forget(link)
         self._join(before, first)
         self._join(last, after)
-        if _pair(last) is not None:
-            self.pairs[_pair(last)] = last
-        if _pair(before) is not None:
-            self.pairs.setdefault(_pair(before), before)
+        for left in (last, before):
+            pair = _pair(left)
+            if pair is not None and left is last:
+                self.pairs[pair] = left
+            elif pair is not None:
+                self.pairs.setdefault(pair, left)
 
 
-def _pair(left: _Link) -> tuple | None:
+def _pair(left: _Link) -> tuple[_Value, _Value] | None:
     if left.guards is not None or left.after.guards is not None:
         return None
     return left.value, left.after.value
@@ -149,9 +155,10 @@ def sequitur(sentences: Sequence[Sequence[int]]) -> Grammar:
     names: dict[_Rule, str] = {}
     rights: dict[str, tuple[Symbol, ...]] = {}
 
-    def named(value) -> Symbol:
-        if not isinstance(value, _Rule):
+    def named(value: _Value) -> Symbol:
+        if isinstance(value, int):
             return value
+        assert isinstance(value, _Rule)  # ends and guards are no symbols
         if value not in names:
             names[value] = f"X{len(names) + 1}"
             rights[names[value]] = tuple(named(link.value) for link in value.links())
@@ -163,7 +170,8 @@ def sequitur(sentences: Sequence[Sequence[int]]) -> Grammar:
             tops.append([])
         else:
             tops[-1].append(named(link.value))
-    trees = [
-        build_tree(START, lambda left, top=tuple(top): (0, top if left == START else rights[left])) for top in tops[:-1]
-    ]
-    return grammar_of(trees)[0]
+
+    def tree_of(top: Sequence[Symbol]) -> Node:
+        return build_tree(START, lambda left: (0, top if left == START else rights[left]))
+
+    return grammar_of([tree_of(top) for top in tops[:-1]])[0]

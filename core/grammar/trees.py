@@ -29,6 +29,13 @@ class Node(NamedTuple):
         """Whether it is a terminal of the sentence."""
         return self.rule == LEAF
 
+    @property
+    def name(self) -> str:
+        """The non-terminal of an inner node. Raises TypeError for a leaf."""
+        if not isinstance(self.symbol, str):
+            raise TypeError(f"the terminal {self.symbol} has no name")
+        return self.symbol
+
 
 Path = tuple[int, ...]
 """The way from the root to a node: which child, and which child of that; () is the root."""
@@ -45,7 +52,7 @@ def preorder(tree: Node) -> Iterator[Node]:
 
 def leaves(tree: Node) -> tuple[int, ...]:
     """The sentence: the terminals of a tree in order."""
-    return tuple(node.symbol for node in preorder(tree) if node.is_leaf)
+    return tuple(node.symbol for node in preorder(tree) if not isinstance(node.symbol, str))
 
 
 def depth(tree: Node) -> int:

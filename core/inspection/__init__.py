@@ -82,7 +82,7 @@ def inspect_file(path: str | Path, *, skeleton: str | Path | None = None, fps: f
         file, clip = next(iter(read_recordings(path, skeleton=skeleton, fps=fps)))
     except RecordingError as error:
         file, clip = error, None
-    if clip is None:
+    if clip is None or isinstance(file, RecordingError):
         return FileReport(str(path), None, "error", (str(file),))
     doubts, remarks, _ = _inspect(clip)
     return _file_report(FileReport(str(path), clip.name, file.verdict, file.messages), doubts, remarks)
@@ -104,8 +104,8 @@ def inspect_dataset(dataset: Dataset, report: Report = silent) -> ImportReport:
         same = all(digests[other] == digests[k] for other in others)
         word = _ALIKE[0] if same else _ALIKE[1]
         doubts[dataset.clips[k].name] += (f"{word} {named}",)
-    before = (_without_alike(file, remarks.get(file.clip, ())) for file in dataset.report.files)
-    files = [_file_report(f, doubts.get(f.clip, ()), remarks.get(f.clip, ())) for f in before]
+    before = (_without_alike(file, remarks.get(file.clip or "", ())) for file in dataset.report.files)
+    files = [_file_report(f, doubts.get(f.clip or "", ()), remarks.get(f.clip or "", ())) for f in before]
     known = {file.clip for file in files}
     files += [
         _file_report(FileReport(clip.name, clip.name, "ok"), doubts[clip.name], remarks[clip.name])

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from core.arrays import FloatArray
 from core.mocap.anatomy import SIDES, find_anatomy
 from core.mocap.clip import Clip
 
@@ -100,5 +101,6 @@ def _arms_stretched(clip: Clip, positions: np.ndarray) -> bool:
     return bool(((arms[0] * arms[1]).sum(-1) < -0.7).all())
 
 
-def _unit(v: np.ndarray) -> np.ndarray:
-    return v / np.maximum(np.linalg.norm(v, axis=-1, keepdims=True), 1e-9)
+def _unit(v: FloatArray) -> FloatArray:
+    length: FloatArray = np.linalg.norm(v, axis=-1, keepdims=True)
+    return v / np.maximum(length, 1e-9)

@@ -57,8 +57,8 @@ class Anatomy:
     @property
     def legs(self) -> tuple[tuple[int, int, int], ...]:
         """(hip, knee, ankle) joint indices of each complete leg, left before right."""
-        chains = [tuple(self.joints.get(f"{side}_{part}", -1) for part in _LEG[:3]) for side in SIDES]
-        return tuple(chain for chain in chains if min(chain) >= 0)
+        chains = [[self.joints.get(f"{side}_{part}", -1) for part in _LEG[:3]] for side in SIDES]
+        return tuple((hip, knee, ankle) for hip, knee, ankle in chains if min(hip, knee, ankle) >= 0)
 
     @property
     def feet(self) -> tuple[tuple[int, int], ...]:
@@ -144,7 +144,10 @@ def _limb_by_name(skeleton: Skeleton, parsed: list[ParsedName], side: str, limb:
     return {part: found[part] for part in LIMB_NAMES[limb] if part in found} if hangs else {}
 
 
-def _limbs_by_shape(skeleton: Skeleton, parsed: list[ParsedName], named: dict) -> dict:
+_Limbs = dict[tuple[str, str], dict[str, int]]  # by side and limb: part -> joint
+
+
+def _limbs_by_shape(skeleton: Skeleton, parsed: list[ParsedName], named: _Limbs) -> _Limbs:
     """Limbs told from the tree; a pair that names gave completely is kept as it is."""
     limbs = dict(named)
     for limb, pair in shape.find_limbs(skeleton).items():
@@ -155,7 +158,9 @@ def _limbs_by_shape(skeleton: Skeleton, parsed: list[ParsedName], named: dict) -
     return limbs
 
 
-def _is_left(skeleton: Skeleton, parsed: list[ParsedName], chain: dict[str, int], pair: tuple) -> bool:
+def _is_left(
+    skeleton: Skeleton, parsed: list[ParsedName], chain: dict[str, int], pair: tuple[dict[str, int], dict[str, int]]
+) -> bool:
     """By the names in the chain where these give sides, else by the rest position."""
     votes = [sum(parsed[j].side == side for j in chain.values()) for side in SIDES]
     if votes[0] != votes[1]:

@@ -57,8 +57,8 @@ def parse_name(name: str) -> ParsedName:
         if marked is not None:
             return ParsedName(side, "".join(words[:marked] + words[marked + 1 :]))
     part = "".join(words)
-    for side, marks in (("left", ("left", "l")), ("right", ("right", "r"))):
-        for mark in marks:
+    for side, prefixes in (("left", ("left", "l")), ("right", ("right", "r"))):
+        for mark in prefixes:
             if part.startswith(mark) and part[len(mark) :] in _KNOWN:
                 return ParsedName(side, part[len(mark) :])
     return ParsedName("centre", part)

@@ -80,9 +80,9 @@ def find_limbs(skeleton: Skeleton) -> dict[str, tuple[dict[str, int], dict[str, 
     found = {"leg": legs, **({"arm": max(others, key=lambda pair: below[pair[1]])} if others else {})}
     limbs = {}
     for limb, (_, *tops) in found.items():
-        chains = [_limb_joints(skeleton, top, limb) for top in tops]
-        if all(chains):
-            limbs[limb] = tuple(chains)
+        left, right = (_limb_joints(skeleton, top, limb) for top in tops)
+        if left and right:
+            limbs[limb] = left, right
     return limbs
 
 

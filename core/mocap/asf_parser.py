@@ -34,7 +34,7 @@ class RawAsf:
 
     length_unit: float = 1.0
     radians: bool = False
-    root: RawBone | None = None
+    root: RawBone = field(default_factory=lambda: RawBone("root", 0))
     root_position: tuple[float, ...] = (0.0, 0.0, 0.0)
     bones: dict[str, RawBone] = field(default_factory=dict)
     parents: dict[str, str] = field(default_factory=dict)
@@ -221,9 +221,9 @@ class _Parser:
         """Every bone hangs, through its parents, from the root."""
         reached, stack = set(), ["root"]
         while stack:
-            bone = stack.pop()
-            reached.add(bone)
-            stack.extend(self.asf.children.get(bone, ()))
+            parent = stack.pop()
+            reached.add(parent)
+            stack.extend(self.asf.children.get(parent, ()))
         for name, bone in self.asf.bones.items():
             if name not in reached:
                 found = f"the bone {quoted(name)} does not hang from the root"

@@ -56,7 +56,10 @@ def read_asf(path: str | Path) -> AsfSkeleton:
     raw = parse_asf(path, decoded(read_bytes(path)))
     unit = INCH / raw.length_unit
     order = _depth_first(raw)
-    names, parents, offsets, ends = [], [], [], []
+    names: list[str] = []
+    parents: list[int] = []
+    offsets: list[np.ndarray] = []
+    ends: list[bool] = []
     index: dict[str, int] = {}
     for bone in order:
         index[bone] = len(names)
@@ -75,13 +78,14 @@ def read_asf(path: str | Path) -> AsfSkeleton:
     return _with_channels(path, raw, skeleton, index, unit)
 
 
-def _with_channels(path, raw: RawAsf, skeleton: Skeleton, index: dict[str, int], unit: float) -> AsfSkeleton:
+def _with_channels(
+    path: str | Path, raw: RawAsf, skeleton: Skeleton, index: dict[str, int], unit: float
+) -> AsfSkeleton:
     """What an AMC for this skeleton holds, and where."""
     columns, axes = np.full((skeleton.n_joints, 3), -1), np.full((skeleton.n_joints, 3), -1)
     frames = np.tile([1.0, 0.0, 0.0, 0.0], (skeleton.n_joints, 1))
-    first, bones, root_columns = [0], ["root", *raw.bones], [-1, -1, -1]
-    for name in bones:
-        bone = raw.root if name == "root" else raw.bones[name]
+    first, bones = [0], {"root": raw.root, **raw.bones}
+    for name, bone in bones.items():
         joint, start = index[name], first[-1]
         # An axis order XYZ means: about X first, then Y, then Z, all fixed; read backwards it is intrinsic.
         turns = [(axis, start + bone.dof.index(f"r{axis}")) for axis in reversed(bone.order) if f"r{axis}" in bone.dof]
@@ -89,15 +93,13 @@ def _with_channels(path, raw: RawAsf, skeleton: Skeleton, index: dict[str, int],
             axes[joint, k], columns[joint, k] = "xyz".index(axis), column
         angles = np.array([[bone.axis["xyz".index(a)] for a in reversed(bone.order)]])
         frames[joint] = quat.from_euler(bone.order[::-1], angles if raw.radians else np.radians(angles))[0]
-        if name == "root":
-            root_columns = [start + bone.dof.index(t) if t in bone.dof else -1 for t in ("tx", "ty", "tz")]
         first.append(start + len(bone.dof))
-    notes = ()
-    if np.any(raw.root_position) or np.any(raw.root.axis):
-        notes = ("the skeleton's own root position and orientation were applied",)
+    x, y, z = (raw.root.dof.index(t) if t in raw.root.dof else -1 for t in ("tx", "ty", "tz"))
+    moved = np.any(raw.root_position) or np.any(raw.root.axis)
+    notes = ("the skeleton's own root position and orientation were applied",) if moved else ()
     position = np.array(raw.root_position) * unit
     return AsfSkeleton(
-        str(path), skeleton, tuple(bones), np.array(first), columns, axes, frames, tuple(root_columns), position, notes
+        str(path), skeleton, tuple(bones), np.array(first), columns, axes, frames, (x, y, z), position, notes
     )
 
 
@@ -178,7 +180,9 @@ def _frames(path: str | Path, data: bytes, start: int, asf: AsfSkeleton) -> np.n
     return out[:found]
 
 
-def _frame_error(path, data: bytes, asf: AsfSkeleton, frame: int, status: int, offset: int, what: int):
+def _frame_error(
+    path: str | Path, data: bytes, asf: AsfSkeleton, frame: int, status: int, offset: int, what: int
+) -> RecordingError:
     line, word, body = line_at(data, offset), token_at(data, offset), Path(asf.path).name
     bone = asf.bones[what] if 0 <= what < len(asf.bones) else ""
     if status == numbers.UNKNOWN_NAME:

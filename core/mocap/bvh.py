@@ -29,7 +29,8 @@ def read_bvh(path: str | Path, unit: float | None = None) -> Clip:
     given, see the clip's notes. Raises RecordingError for anything that is no complete recording.
     """
     raw = parse_bvh(path, read_bytes(path))
-    notes, warnings = [], []
+    notes: list[str] = []
+    warnings: list[str] = []
     names = _unique_names(raw.joints, warnings)
     pelvis = find_pelvis(names, [[c for c in j.children if not raw.joints[c].end_site] for j in raw.joints])
     rotations = rotations_from_angles(raw.values, *_rotation_columns(raw.joints))
@@ -101,7 +102,9 @@ def _positions(raw: RawBvh, j: int) -> np.ndarray:
     return positions
 
 
-def _fold(raw: RawBvh, rotations: np.ndarray, pelvis: int, names: list[str], notes: list[str]):
+def _fold(
+    raw: RawBvh, rotations: np.ndarray, pelvis: int, names: list[str], notes: list[str]
+) -> tuple[np.ndarray, np.ndarray]:
     """Path of the pelvis in the world (n_frames, 3), file units, and ``rotations`` with its world rotation."""
     above, joint = [], pelvis
     while (joint := raw.joints[joint].parent) >= 0:
@@ -145,7 +148,7 @@ def _offsets(raw: RawBvh, pelvis: int) -> tuple[np.ndarray, dict[int, np.ndarray
     return offsets, tracks
 
 
-def _guessed(parents, offsets: np.ndarray, notes: list[str], warnings: list[str]) -> float:
+def _guessed(parents: Sequence[int], offsets: np.ndarray, notes: list[str], warnings: list[str]) -> float:
     guess, length = guess_unit(parents, offsets), span(parents, offsets)
     notes.append(f"no unit in a BVH file: taken as {guess.words}, for a span of {length * guess.metres:.2f} m")
     if not guess.believable:
@@ -172,7 +175,7 @@ def write_bvh(path: str | Path, clip: Clip) -> None:
     skeleton = clip.skeleton
     order, columns = _depth_first(skeleton), []
     lines = ["HIERARCHY"]
-    depth = {}
+    depth: dict[int, int] = {}
     for k, j in enumerate(order):
         depth[j] = 0 if not j else depth[skeleton.parents[j]] + 1
         channels = _channels(clip, j)

@@ -222,8 +222,8 @@ def _motion_table(path: str | Path, data: bytes, start: int, n_frames: int, n_ch
     if status == numbers.ROW_WIDTH:
         raise RecordingError(path, f"a frame of {columns} numbers", f"{n_channels}, one for each channel", line)
     if status == numbers.TOO_MANY_ROWS:
-        found = f"{token_at(data, offset)} after the {n_frames} frames that the line 'Frames:' promises"
-        raise RecordingError(path, found, "the end of the file", line)
+        surplus = f"{token_at(data, offset)} after the {n_frames} frames that the line 'Frames:' promises"
+        raise RecordingError(path, surplus, "the end of the file", line)
     if found != n_frames:
         raise RecordingError(path, f"{found} frames", f"{n_frames}, as the line 'Frames:' says", line)
     return out

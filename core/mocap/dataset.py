@@ -147,7 +147,9 @@ def open_dataset(
     )
 
 
-def _labels(sources: list[Path], labels, frames: dict[str, int], on_error) -> tuple[tuple[Label, ...], ImportReport]:
+def _labels(
+    sources: list[Path], labels: str | Path | None, frames: dict[str, int], on_error: str
+) -> tuple[tuple[Label, ...], ImportReport]:
     """The labels that were asked for, else those that lie in the sources; and what is to be said of them."""
     if labels is not None:
         fitted, messages = fit_labels(read_labels(labels), frames)
@@ -191,7 +193,9 @@ def read_recordings(
     report("Reading recordings", 1.0)
 
 
-def _reported(recording: Recording, clip: Clip | RecordingError, shared: dict[Skeleton, Skeleton]):
+def _reported(
+    recording: Recording, clip: Clip | RecordingError, shared: dict[Skeleton, Skeleton]
+) -> tuple[FileReport | RecordingError, Clip | None]:
     if isinstance(clip, RecordingError):
         return clip, None
     clip = replace(clip, name=recording.clip, skeleton=shared.setdefault(clip.skeleton, clip.skeleton))
@@ -199,7 +203,9 @@ def _reported(recording: Recording, clip: Clip | RecordingError, shared: dict[Sk
     return FileReport(str(recording.path), clip.name, "warning" if doubts else "ok", (*doubts, *clip.notes)), clip
 
 
-def _skeleton_of(path: Path, skeleton, cache: dict) -> AsfSkeleton | RecordingError | None:
+def _skeleton_of(
+    path: Path, skeleton: str | Path | None, cache: dict[Path, AsfSkeleton | RecordingError]
+) -> AsfSkeleton | RecordingError | None:
     if recording_format(path)[1] != ".amc":
         return None
     try:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
+
+from core.arrays import Float32Array, Float64Array, Int64Array
+from core.compiled import njit
 
 AXES = "XYZ"
 
@@ -27,8 +29,8 @@ def rotations_from_angles(
     return _rotations(values, columns.astype(np.int64), axes.astype(np.int64), frames.astype(np.float64))
 
 
-@njit(cache=True, nogil=True)
-def _rotations(values, columns, axes, frames):
+@njit(nogil=True)
+def _rotations(values: Float64Array, columns: Int64Array, axes: Int64Array, frames: Float64Array) -> Float32Array:
     n, joints = values.shape[0], columns.shape[0]
     out = np.empty((n, joints, 4), np.float32)
     half = np.pi / 360

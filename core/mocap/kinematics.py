@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from numba import njit
 
+from core.arrays import Float32Array, Int64Array
+from core.compiled import njit
 from core.mocap import quaternions as quat
 from core.mocap.clip import Clip
 
@@ -27,8 +28,10 @@ def forward_kinematics(clip: Clip) -> tuple[np.ndarray, np.ndarray]:
     return _forward(parents, local, np.asarray(clip.root_positions, np.float32), np.asarray(clip.rotations, np.float32))
 
 
-@njit(cache=True)
-def _forward(parents, local, root, rotations):
+@njit()
+def _forward(
+    parents: Int64Array, local: Float32Array, root: Float32Array, rotations: Float32Array
+) -> tuple[Float32Array, Float32Array]:
     n, joints = rotations.shape[0], rotations.shape[1]
     positions = np.empty((n, joints, 3), np.float32)
     world = np.empty((n, joints, 4), np.float32)

@@ -57,7 +57,10 @@ def take_labels(path: str | Path, frames: Mapping[str, int]) -> tuple[tuple[Labe
 
     The report names the rows that do not fit, with their lines; its verdict is "error" where the file is no label file.
     """
-    name, labels, faults, unknown = Path(path).name, [], [], {}
+    name = Path(path).name
+    labels: list[Label] = []
+    faults: list[str] = []
+    unknown: dict[str, int] = {}
     try:
         for line, row in label_rows(path):
             if isinstance(row, RecordingError):

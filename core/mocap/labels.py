@@ -6,6 +6,7 @@ columns a row labels a whole clip (an index of clips). ``action`` may also be ca
 
 from __future__ import annotations
 
+import _csv
 import csv
 import io
 from collections.abc import Iterable, Iterator, Mapping, Sequence
@@ -30,11 +31,16 @@ def read_labels(path: str | Path) -> tuple[Label, ...]:
     files = sorted(p for p in path.rglob("*.csv") if not p.name.startswith(".")) if path.is_dir() else [path]
     if not files:
         raise RecordingError(path, "no labels in this folder", "CSV files with clip, start_frame, end_frame, action")
-    rows = [row for file in files for _, row in label_rows(file)]
-    faults = [row for row in rows if isinstance(row, RecordingError)]
-    if faults:
-        raise faults[0]
-    return tuple(rows)
+    labels: list[Label] = []
+    fault: RecordingError | None = None
+    for _, row in (row for file in files for row in label_rows(file)):
+        if isinstance(row, Label):
+            labels.append(row)
+        else:
+            fault = fault or row
+    if fault:
+        raise fault
+    return tuple(labels)
 
 
 def label_rows(path: str | Path) -> Iterator[tuple[int, Label | RecordingError]]:
@@ -63,7 +69,7 @@ def first_row(text: str) -> list[str]:
     return next(_reader(text.partition("\n")[0]), [])
 
 
-def _reader(text: str):
+def _reader(text: str) -> _csv.Reader:
     header = text.partition("\n")[0]
     return csv.reader(io.StringIO(text), delimiter=max(",;\t", key=header.count))
 

@@ -7,7 +7,9 @@ returns a status (below) and the byte offset it speaks of, so that the readers c
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
+
+from core.arrays import Float64Array, Int64Array, UInt8Array
+from core.compiled import njit
 
 OK, NOT_A_NUMBER, ROW_WIDTH, TOO_MANY_ROWS, UNKNOWN_NAME, REPEATED_NAME, MISSING_NAME, FRAME_NUMBER, NO_FRAME = range(9)
 
@@ -15,26 +17,28 @@ _TAB, _NEWLINE, _SPACE, _HASH, _PLUS, _MINUS, _DOT, _ZERO, _NINE = 9, 10, 32, 35
 _POWERS = 10.0 ** np.arange(309)
 
 
-@njit(cache=True, nogil=True)
-def _is_space(c):
+@njit(nogil=True)
+def _is_space(c: int) -> bool:
     return c == _SPACE or _TAB <= c <= 13
 
 
-@njit(cache=True, nogil=True)
-def _scaled(mantissa, exponent):
+@njit(nogil=True)
+def _scaled(mantissa: int, exponent: int) -> float:
     if mantissa == 0 or exponent < -330:
         return 0.0
     if exponent > 308:
         return np.inf
     if exponent < -308:
-        return float(mantissa) / _POWERS[308] / _POWERS[-exponent - 308]
-    return float(mantissa) * _POWERS[exponent] if exponent >= 0 else float(mantissa) / _POWERS[-exponent]
+        tiny: float = float(mantissa) / _POWERS[308] / _POWERS[-exponent - 308]
+        return tiny
+    value: float = float(mantissa) * _POWERS[exponent] if exponent >= 0 else float(mantissa) / _POWERS[-exponent]
+    return value
 
 
-@njit(cache=True, nogil=True)
-def _mantissa(data, i):
+@njit(nogil=True)
+def _mantissa(data: UInt8Array, i: int) -> tuple[int, int, int, int]:
     """Digits from ``i``, with or without a point, as (integer, power of ten, count of digits, offset after them)."""
-    mantissa, exponent, digits, point = np.int64(0), 0, 0, False
+    mantissa, exponent, digits, point = 0, 0, 0, False
     while i < len(data):
         c = data[i]
         if _ZERO <= c <= _NINE:
@@ -52,8 +56,8 @@ def _mantissa(data, i):
     return mantissa, exponent, digits, i
 
 
-@njit(cache=True, nogil=True)
-def _exponent(data, i):
+@njit(nogil=True)
+def _exponent(data: UInt8Array, i: int) -> tuple[int, bool, int]:
     """The power after an ``e`` at ``i`` (0 without one), whether it is well formed, and the offset after it."""
     n = len(data)
     if i == n or (data[i] | 32) != 101:  # e or E
@@ -69,8 +73,8 @@ def _exponent(data, i):
     return (-power if down else power), i > start, i
 
 
-@njit(cache=True, nogil=True)
-def _number(data, i):
+@njit(nogil=True)
+def _number(data: UInt8Array, i: int) -> tuple[float, int]:
     """Value of the decimal number at ``i`` and the offset after it; NaN where it is none or does not fit a double."""
     negative = data[i] == _MINUS
     if data[i] in (_MINUS, _PLUS):
@@ -85,22 +89,24 @@ def _number(data, i):
     return (-value if negative else value), i
 
 
-@njit(cache=True, nogil=True)
-def _skip_space(data, i):
+@njit(nogil=True)
+def _skip_space(data: UInt8Array, i: int) -> int:
     while i < len(data) and _is_space(data[i]):
         i += 1
     return i
 
 
-@njit(cache=True, nogil=True)
-def _skip_word(data, i):
+@njit(nogil=True)
+def _skip_word(data: UInt8Array, i: int) -> int:
     while i < len(data) and not _is_space(data[i]):
         i += 1
     return i
 
 
-@njit(cache=True, nogil=True)
-def _values(data, i, row, column, end, largest):
+@njit(nogil=True)
+def _values(
+    data: UInt8Array, i: int, row: Float64Array, column: int, end: int, largest: float
+) -> tuple[int, bool, int]:
     """Numbers to the end of the line into ``row[column:end]``; (count of them, whether all are good, offset)."""
     count = 0
     while i < len(data) and data[i] != _NEWLINE:
@@ -117,8 +123,8 @@ def _values(data, i, row, column, end, largest):
     return count, True, i
 
 
-@njit(cache=True, nogil=True)
-def scan_rows(data, start, out, largest):
+@njit(nogil=True)
+def scan_rows(data: UInt8Array, start: int, out: Float64Array, largest: float) -> tuple[int, int, int, int]:
     """Rows of numbers, one a line, blank lines skipped, from byte ``start`` of ``data`` (n_bytes,) into ``out``.
 
     out: (n_rows, n_columns) float64. Returns (rows found, status, byte offset, columns of the row in doubt).
@@ -139,13 +145,13 @@ def scan_rows(data, start, out, largest):
     return row, OK, i, 0
 
 
-@njit(cache=True, nogil=True)
-def _starts_number(c):
+@njit(nogil=True)
+def _starts_number(c: int) -> bool:
     return _ZERO <= c <= _NINE or c in (_MINUS, _PLUS)
 
 
-@njit(cache=True, nogil=True)
-def count_numbered_lines(data, start):
+@njit(nogil=True)
+def count_numbered_lines(data: UInt8Array, start: int) -> int:
     """Lines from byte ``start`` of ``data`` (n_bytes,) whose first character is a digit or a sign."""
     count, fresh = 0, True
     for i in range(start, len(data)):
@@ -158,8 +164,8 @@ def count_numbered_lines(data, start):
     return count
 
 
-@njit(cache=True, nogil=True)
-def _find_name(data, start, end, names, name_at, guess):
+@njit(nogil=True)
+def _find_name(data: UInt8Array, start: int, end: int, names: UInt8Array, name_at: Int64Array, guess: int) -> int:
     """Index of the name at ``data[start:end]``, ``guess`` tried first, or -1."""
     n = len(name_at) - 1
     for k in range(n):
@@ -177,8 +183,8 @@ def _find_name(data, start, end, names, name_at, guess):
     return -1
 
 
-@njit(cache=True, nogil=True)
-def _frame_number(data, i, frame, last):
+@njit(nogil=True)
+def _frame_number(data: UInt8Array, i: int, frame: int, last: int) -> tuple[int, int]:
     """The frame number at ``i`` (-1 where it is none, or does not follow ``last``) and the end of its line."""
     value, i = _number(data, i)
     if not 0 <= value <= 2**53 or value != np.floor(value) or (frame >= 0 and value != last + 1):
@@ -187,11 +193,11 @@ def _frame_number(data, i, frame, last):
         if not _is_space(data[i]):
             return -1, i
         i += 1
-    return np.int64(value), i
+    return int(value), i
 
 
-@njit(cache=True, nogil=True)
-def _missing(seen, columns, frame):
+@njit(nogil=True)
+def _missing(seen: Int64Array, columns: Int64Array, frame: int) -> int:
     """Index of the first name with columns that did not come in ``frame``, or -1."""
     for k in range(len(seen)):
         if columns[k + 1] > columns[k] and seen[k] != frame:
@@ -199,8 +205,20 @@ def _missing(seen, columns, frame):
     return -1
 
 
-@njit(cache=True, nogil=True)
-def _named_row(data, i, after, names, name_at, columns, seen, guess, frame, out, largest):
+@njit(nogil=True)
+def _named_row(
+    data: UInt8Array,
+    i: int,
+    after: int,
+    names: UInt8Array,
+    name_at: Int64Array,
+    columns: Int64Array,
+    seen: Int64Array,
+    guess: int,
+    frame: int,
+    out: Float64Array,
+    largest: float,
+) -> tuple[int, int, int, int]:
     """One row ``name value value ...``; (status, offset, see scan_frames, index of the name)."""
     name = _find_name(data, i, after, names, name_at, guess)
     if name < 0:
@@ -216,8 +234,16 @@ def _named_row(data, i, after, names, name_at, columns, seen, guess, frame, out,
     return OK, end, 0, name
 
 
-@njit(cache=True, nogil=True)
-def scan_frames(data, start, names, name_at, columns, out, largest):
+@njit(nogil=True)
+def scan_frames(
+    data: UInt8Array,
+    start: int,
+    names: UInt8Array,
+    name_at: Int64Array,
+    columns: Int64Array,
+    out: Float64Array,
+    largest: float,
+) -> tuple[int, int, int, int]:
     """Numbered frames of named rows of numbers (AMC) from byte ``start`` of ``data`` (n_bytes,) into ``out``.
 
     names, name_at: all names in one (n_bytes,) array, and where each begins, (n_names + 1,).

@@ -13,7 +13,7 @@ from weakref import WeakKeyDictionary
 import numpy as np
 
 from core.mocap import quaternions as quat
-from core.mocap.anatomy import find_anatomy
+from core.mocap.anatomy import Anatomy, find_anatomy
 from core.mocap.clip import Clip
 from core.mocap.kinematics import forward_kinematics
 from core.mocap.skeleton import Skeleton
@@ -72,7 +72,7 @@ class HeadAndFloor:
 def drawn_body(skeleton: Skeleton) -> DrawnBody:
     """The joints to draw. A skeleton without a recognised human body is drawn whole."""
     anatomy = find_anatomy(skeleton)
-    roles = {joint: role for role, joint in reversed(anatomy.joints.items())}
+    roles = {joint: role for role, joint in reversed(list(anatomy.joints.items()))}
     if len(roles) < 8:
         roles = dict.fromkeys(range(skeleton.n_joints), "")
     roles.setdefault(0, "")
@@ -87,17 +87,15 @@ def drawn_body(skeleton: Skeleton) -> DrawnBody:
         head = labels.index("head")
         sources += [sources[head]] * 2
         parents += [head, len(names)]
-        names, labels, sides = (
-            (*names, "head centre", "nose"),
-            (*labels, "head_centre", "nose"),
-            (*sides, *("centre",) * 2),
-        )
+        names += ["head centre", "nose"]
+        labels += ["head_centre", "nose"]
+        sides += ["centre", "centre"]
     return DrawnBody(
         tuple(names), tuple(sources), tuple(parents), tuple(labels), tuple(sides), float(anatomy.body_height)
     )
 
 
-def _add_tip(skeleton: Skeleton, anatomy, roles: dict[int, str], extremity: str) -> None:
+def _add_tip(skeleton: Skeleton, anatomy: Anatomy, roles: dict[int, str], extremity: str) -> None:
     """Draw what reaches furthest from a wrist or toe (ankle where there is no toe): middle finger, tip of the toes."""
     side, part = extremity.split("_")
     joint = anatomy.joints.get(extremity, anatomy.joints.get(f"{side}_ankle") if part == "toe" else None)

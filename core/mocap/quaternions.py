@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Literal, cast
+
 import numpy as np
 from scipy.spatial.transform import Rotation
 
@@ -23,19 +25,22 @@ def multiply(a: np.ndarray, b: np.ndarray) -> np.ndarray:
 
 def conjugate(q: np.ndarray) -> np.ndarray:
     """Inverse of unit quaternions ``(..., 4)``."""
-    return np.asarray(q) * np.array([1, -1, -1, -1], np.asarray(q).dtype)
+    inverse: np.ndarray = np.asarray(q) * np.array([1, -1, -1, -1], np.asarray(q).dtype)
+    return inverse
 
 
 def normalise(q: np.ndarray) -> np.ndarray:
     """Quaternions ``(..., 4)`` scaled to unit length."""
-    return q / np.linalg.norm(q, axis=-1, keepdims=True)
+    unit: np.ndarray = q / np.linalg.norm(q, axis=-1, keepdims=True)
+    return unit
 
 
 def rotate(q: np.ndarray, v: np.ndarray) -> np.ndarray:
     """Vectors ``(..., 3)`` rotated by quaternions ``(..., 4)``, broadcast."""
     u, w = q[..., 1:], q[..., :1]
     t = 2 * np.cross(u, v)
-    return v + w * t + np.cross(u, t)
+    rotated: np.ndarray = v + w * t + np.cross(u, t)
+    return rotated
 
 
 def from_euler(order: str, angles: np.ndarray) -> np.ndarray:
@@ -45,7 +50,8 @@ def from_euler(order: str, angles: np.ndarray) -> np.ndarray:
 
 def to_euler(order: str, q: np.ndarray) -> np.ndarray:
     """``(n, 4)`` to intrinsic Euler angles ``(n, 3)``, radians; inverse of :func:`from_euler`."""
-    return _rotation(q).as_euler(order.upper(), suppress_warnings=True)
+    axes = cast("Literal['XYZ']", order.upper())  # one of the 24 orders that scipy knows
+    return np.asarray(_rotation(q).as_euler(axes, suppress_warnings=True))
 
 
 def from_rotvec(v: np.ndarray) -> np.ndarray:
@@ -81,7 +87,7 @@ def split_yaw(q: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return angle, multiply(conjugate(from_yaw(angle)), q)
 
 
-def from_yaw(angle: np.ndarray) -> np.ndarray:
+def from_yaw(angle: np.ndarray | float) -> np.ndarray:
     """Rotation by ``angle`` ``(...)``, radians, about the vertical Y axis, as ``(..., 4)``."""
     angle = np.asarray(angle)
     zero = np.zeros_like(angle)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 import os
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,7 +15,7 @@ from core.mocap.text import recording_format
 
 FORMATS = (".bvh", ".amc")
 NEEDS_SKELETON = "one of them, or one skeleton given for all"  # whoever shows the message says how to give one
-Source = str | os.PathLike | Sequence[str | os.PathLike]
+Source = str | os.PathLike[str] | Sequence[str | os.PathLike[str]]
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ def name_recordings(source: Source, clips: Iterable[str] | str | None = None) ->
     stems = [recording_format(path)[0] for path, _ in found]
     names = list(stems)
     # Folder first; then, for 01_01.bvh beside 01_01.amc, the format as well; at last its place among the files.
-    longer = (
+    longer: tuple[Callable[[int], str], ...] = (
         lambda k: "/".join((*found[k][1].parts, stems[k])),
         lambda k: "/".join((*found[k][1].parts, found[k][0].name)),
         lambda k: f"{names[k]} ({k})",

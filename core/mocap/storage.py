@@ -9,10 +9,11 @@ from __future__ import annotations
 import json
 import os
 import shutil
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict
 from pathlib import Path
+from typing import Any, BinaryIO
 
 import numpy as np
 
@@ -72,17 +73,22 @@ def save_relabelled(folder: str | Path, source: str | Path, labels: Iterable[Lab
 class DatasetWriter:
     """Takes the clips of a dataset one by one; set ``labels`` and ``report`` before the end."""
 
-    def __init__(self, file, name: str):
+    def __init__(self, file: BinaryIO, name: str):
         self.labels: Iterable[Label] = ()
         self.report = ImportReport()
-        self.head = {"format": FORMAT, "name": name, "skeletons": [], "clips": []}
+        self.head: dict[str, Any] = {"format": FORMAT, "name": name, "skeletons": [], "clips": []}
         self._file, self._written = file, 0
         self._skeletons: dict[Skeleton, int] = {}
         self._header()
 
     def add(self, clip: Clip, digest: str | None = None) -> None:
         """Append a clip; ``digest`` as in Dataset.digests, computed where not given."""
-        entry = {"name": clip.name, "skeleton": self._skeleton(clip.skeleton), "fps": clip.fps, "frames": clip.n_frames}
+        entry: dict[str, Any] = {
+            "name": clip.name,
+            "skeleton": self._skeleton(clip.skeleton),
+            "fps": clip.fps,
+            "frames": clip.n_frames,
+        }
         entry |= {
             "start": self._written,
             "translated": sorted(clip.translations),
@@ -122,8 +128,8 @@ def load_dataset(folder: str | Path) -> Dataset:
         head = json.loads((folder / "dataset.json").read_text(encoding="utf-8"))
         if head["format"] != FORMAT:
             raise RecordingError(folder, f"a dataset of format {head['format']!r}", FORMAT)
-        mapped = "c" if head["clips"] else None  # a file without numbers cannot be mapped
-        numbers = np.load(folder / "motion.npy", mmap_mode=mapped, allow_pickle=False)
+        # a file without numbers cannot be mapped
+        numbers = np.load(folder / "motion.npy", mmap_mode="c" if head["clips"] else None, allow_pickle=False)
         skeletons = [Skeleton.from_json(entry) for entry in head["skeletons"]]
         clips = tuple(_clip(entry, skeletons, np.asarray(numbers)) for entry in head["clips"])
         files = (FileReport(**{**f, "messages": tuple(f["messages"])}) for f in head["report"]["files"])
@@ -142,7 +148,7 @@ def load_dataset(folder: str | Path) -> Dataset:
         raise RecordingError(folder, f"a damaged dataset ({error})", "one that was imported; import it again") from None
 
 
-def _clip(entry: dict, skeletons: list[Skeleton], numbers: np.ndarray) -> Clip:
+def _clip(entry: Mapping[str, Any], skeletons: list[Skeleton], numbers: np.ndarray) -> Clip:
     skeleton, n = skeletons[entry["skeleton"]], entry["frames"]
     at = entry["start"]
     parts = []

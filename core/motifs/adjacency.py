@@ -28,7 +28,8 @@ def centre_distances(centres: np.ndarray) -> np.ndarray:
     squares = (x**2).sum(1)
     distances = np.sqrt(np.maximum(squares[:, None] + squares[None] - 2 * x @ x.T, 0)).astype(np.float32)
     np.fill_diagonal(distances, 0)
-    return np.minimum(distances, distances.T)
+    symmetric: np.ndarray = np.minimum(distances, distances.T)
+    return symmetric
 
 
 def nearest_pairs_radius(centres: np.ndarray, share: float) -> float:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from core.arrays import Float32Array, Int32Array, Int64Array
+from core.compiled import njit
 from core.progress import Report, silent
 from core.sequences.repeats import Runs
 from core.sequences.warping import registration, warp_path
@@ -36,7 +37,7 @@ def entry_frames(
     the sum of distances of all entry and exit poses to the average ones of their motif (equation 3), until no letter
     moves. motifs: per motif ``(n_motions, 2)`` letters; poses: (n, d).
     """
-    frames = ((runs.starts.astype(np.int64) + runs.ends - 1) // 2).astype(np.int64)
+    frames: np.ndarray = ((runs.starts.astype(np.int64) + runs.ends - 1) // 2).astype(np.int64)
     if not motifs:
         return frames
     groups = [ends for motif in motifs for ends in (motif[:, 0], motif[:, 1])]
@@ -53,8 +54,17 @@ def entry_frames(
     return frames
 
 
-@njit(nogil=True, cache=True)
-def _sweep(order, frames, group_of, pointers, members, starts, ends, poses):
+@njit(nogil=True)
+def _sweep(
+    order: Int64Array,
+    frames: Int64Array,
+    group_of: Int64Array,
+    pointers: Int64Array,
+    members: Int64Array,
+    starts: Int32Array,
+    ends: Int32Array,
+    poses: Float32Array,
+) -> int:
     moved = 0
     for j in order:
         before, best, best_score = frames[j], frames[j], np.inf
@@ -71,8 +81,8 @@ def _sweep(order, frames, group_of, pointers, members, starts, ends, poses):
     return moved
 
 
-@njit(nogil=True, cache=True)
-def _spread(group, pointers, members, frames, poses):
+@njit(nogil=True)
+def _spread(group: int, pointers: Int64Array, members: Int64Array, frames: Int64Array, poses: Float32Array) -> float:
     """Sum of distances of a group's poses to their average."""
     low, high = pointers[group], pointers[group + 1]
     mean = np.zeros(poses.shape[1])
@@ -134,4 +144,5 @@ def at_frames(motion: np.ndarray, frames: np.ndarray) -> np.ndarray:
     """Poses ``(k, d)`` of a motion ``(n, d)`` at fractional frames ``(k,)``, linear."""
     i = np.clip(np.floor(frames).astype(np.int64), 0, len(motion) - 1)
     t = (frames - i)[:, None].astype(motion.dtype)
-    return motion[i] * (1 - t) + motion[np.minimum(i + 1, len(motion) - 1)] * t
+    poses: np.ndarray = motion[i] * (1 - t) + motion[np.minimum(i + 1, len(motion) - 1)] * t
+    return poses

@@ -140,9 +140,10 @@ class SweepParameters:
             values = None
         if not isinstance(values, dict):
             raise ParameterError("base: expected the other parameters as a JSON object")
-        return build(MotifParameters, values)
+        base: MotifParameters = build(MotifParameters, values)
+        return base
 
 
-def _order(value: Any) -> tuple:
+def _order(value: Any) -> tuple[int, str, float]:
     """Words first, then numbers."""
     return (0, str(value), 0) if isinstance(value, str) else (1, "", value)

@@ -14,9 +14,10 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from numba import njit
 from scipy.ndimage import gaussian_filter1d
 
+from core.arrays import Float64Array
+from core.compiled import njit
 from core.editing.blending import blend, ground_fit, turn_about_y
 from core.editing.contacts import floor_height, foot_contacts
 from core.editing.legs import lift_from_floor, lock_feet, smooth_step
@@ -146,7 +147,9 @@ class BlendSpace:
     def _path(self, path: np.ndarray, yaw: np.ndarray) -> np.ndarray:
         """Steps seen from the reference's side, ``(n, 3)``, turned back by ``yaw`` ``(n,)`` and summed up."""
         steps = turn_about_y((yaw[1:] + yaw[:-1]) / 2, np.diff(path, axis=0))
-        return np.concatenate([[self.start], self.start + np.cumsum(steps, axis=0)]) * [1, 0, 1] + path * [0, 1, 0]
+        ground = np.concatenate([[self.start], self.start + np.cumsum(steps, axis=0)])
+        whole: np.ndarray = ground * [1, 0, 1] + path * [0, 1, 0]
+        return whole
 
 
 def blendable(dataset: Dataset, motif: Motif) -> tuple[tuple[int, ...], ...]:
@@ -212,8 +215,8 @@ def mean_rotations(weights: np.ndarray, rotations: np.ndarray) -> np.ndarray:
     return means.reshape(q.shape[1:])
 
 
-@njit(cache=True)
-def _mean_rotations(weights, rotations):
+@njit()
+def _mean_rotations(weights: Float64Array, rotations: Float64Array) -> Float64Array:
     heaviest, n = weights.argmax(), rotations.shape[1]
     means, step = np.empty((n, 4)), np.empty(4)
     for r in range(n):
@@ -230,8 +233,10 @@ def _mean_rotations(weights, rotations):
     return means
 
 
-@njit(cache=True)
-def _move_to_mean(weights, rotations, r, means, step):
+@njit()
+def _move_to_mean(
+    weights: Float64Array, rotations: Float64Array, r: int, means: Float64Array, step: Float64Array
+) -> float:
     """Along the mean of the arcs to all rotations; how far, in radians of the unit sphere."""
     for c in range(4):
         step[c] = 0.0
@@ -244,7 +249,7 @@ def _move_to_mean(weights, rotations, r, means, step):
         stretch = weights[i] * (angle / sine if sine > 1e-6 else 1.0)
         for c in range(4):
             step[c] += stretch * (rotations[i, r, c] - dot * means[r, c])
-    length = np.sqrt(step[0] ** 2 + step[1] ** 2 + step[2] ** 2 + step[3] ** 2)
+    length: float = np.sqrt(step[0] ** 2 + step[1] ** 2 + step[2] ** 2 + step[3] ** 2)
     if length > 1e-12:
         for c in range(4):
             means[r, c] = np.cos(length) * means[r, c] + np.sin(length) / length * step[c]
@@ -289,7 +294,8 @@ def _clean(clip: Clip, weights: np.ndarray, tracks: Sequence[Track], frames: np.
 
 def _mixed(weights: np.ndarray, values: Sequence[np.ndarray], frames: np.ndarray) -> np.ndarray:
     """Weighted sum of ``(n_frames, ...)`` arrays, each read at its own fractional ``frames`` ``(k, n)``."""
-    return sum(w * _at(v, f) for w, v, f in zip(weights, values, frames, strict=True))
+    total: np.ndarray = sum(w * _at(v, f) for w, v, f in zip(weights, values, frames, strict=True))
+    return total
 
 
 def _translations(weights: np.ndarray, tracks: Sequence[Track], frames: np.ndarray) -> dict[int, np.ndarray]:
@@ -305,7 +311,8 @@ def _at(values: np.ndarray, frames: np.ndarray) -> np.ndarray:
     """``(n_frames, ...)`` read at fractional frames ``(n,)``, linear."""
     low = np.clip(np.floor(frames).astype(int), 0, len(values) - 1)
     part = (frames - low).reshape(-1, *[1] * (np.ndim(values) - 1))
-    return values[low] * (1 - part) + values[np.minimum(low + 1, len(values) - 1)] * part
+    read: np.ndarray = values[low] * (1 - part) + values[np.minimum(low + 1, len(values) - 1)] * part
+    return read
 
 
 def _posture(clip: Clip) -> list[int]:

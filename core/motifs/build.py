@@ -8,7 +8,7 @@ from dataclasses import replace
 from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
 from core.motifs.parameters import MotifParameters
-from core.motifs.stages import STAGES, Stage, Work
+from core.motifs.stages import STAGES, Stage, Work, made
 from core.poses.features import Poses
 from core.progress import Report, silent
 
@@ -35,4 +35,4 @@ def motifs_of_poses(poses: Poses, parameters: MotifParameters, report: Report = 
 def _through(stages: Sequence[Stage], work: Work, parameters: MotifParameters, report: Report) -> MotifGraph:
     for stage in stages:
         work = stage.after(work, parameters, report)
-    return replace(work.graph, seconds=dict(work.seconds))
+    return replace(made(work.graph), seconds=dict(work.seconds))

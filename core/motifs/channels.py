@@ -50,7 +50,9 @@ class Channels:
         yaw, rotations[:, 0] = _split(rotations[:, 0], self.rest[0])
         turns = _one_side(quat.multiply(quat.conjugate(self.rest), rotations))
         vectors = _vectors(turns[:, 1:]).reshape(clip.n_frames, -1)
-        return np.column_stack([clip.root_positions, yaw, 2 * turns[:, 0] - _NO_TILT, vectors]) * self.scales
+        columns = [clip.root_positions, yaw, 2 * turns[:, 0] - _NO_TILT, vectors]
+        values: np.ndarray = np.column_stack(columns) * self.scales
+        return values
 
     def decode(self, values: np.ndarray, name: str = "rebuilt", fps: float = 30.0) -> Clip:
         """The clip that ``(n_frames, width)`` values stand for; inverse of :meth:`encode` (float32)."""
@@ -63,7 +65,8 @@ class Channels:
     def pose_distance(self, a: np.ndarray, b: np.ndarray) -> np.ndarray:
         """Distance of poses as MMG (section 3.2) measures it, ``(n,)``: joint angles, pitch and roll in degrees, root
         height in CMU's unit; place and heading do not count, nor do speeds."""
-        return np.linalg.norm((a - b) * self._pose_units, axis=1)
+        distance: np.ndarray = np.linalg.norm((a - b) * self._pose_units, axis=1)
+        return distance
 
     @cached_property
     def scales(self) -> np.ndarray:
@@ -73,7 +76,8 @@ class Channels:
         points = joint_positions(self._clip(postures, "scales", 1.0))[:, self._points].astype(np.float64)
         way = np.sqrt(((points[1:] - points[0]) ** 2).sum(-1).mean(1))
         way[4:_ROOT] = np.sqrt((way[5:_ROOT] ** 2).mean())  # at rest the first of a quaternion does nothing
-        return np.maximum(100 * way / 0.01, _LEAST)
+        scales: np.ndarray = np.maximum(100 * way / 0.01, _LEAST)
+        return scales
 
     @cached_property
     def _points(self) -> list[int]:
@@ -81,13 +85,14 @@ class Channels:
 
     @cached_property
     def _pose_units(self) -> np.ndarray:
-        units = np.zeros(self.width)
+        units: np.ndarray = np.zeros(self.width)
         units[1] = 1 / CMU_UNIT
         units[4:_ROOT] = np.degrees(1)
         for k, joint in enumerate(self.joints[1:]):
             if joint in self._points:
                 units[_ROOT + 3 * k : _ROOT + 3 * k + 3] = np.degrees(1)
-        return units / self.scales
+        units = units / self.scales
+        return units
 
     def _clip(self, raw: np.ndarray, name: str, fps: float) -> Clip:
         n = len(raw)

@@ -144,11 +144,11 @@ def _comparison(a: MotifGraph, b: MotifGraph, shared: csr_array, per_second: flo
     ]
     links.sort(key=lambda link: (-link.seconds, link.a, link.b))
     agreed = shared[0, 0] + both[kept].sum()
-    sides = (a, sizes_a[1:], _best(i, overlap, len(a.motifs))), (b, sizes_b[1:], _best(j, overlap, len(b.motifs)))
     return Comparison(
-        *(_fates(*side, links, per_second, first=k == 0) for k, side in enumerate(sides)),
+        _fates(a, sizes_a[1:], _best(i, overlap, len(a.motifs)), links, per_second, first=True),
+        _fates(b, sizes_b[1:], _best(j, overlap, len(b.motifs)), links, per_second, first=False),
         links=tuple(links),
-        shared=shared / per_second,
+        shared=csr_array(shared / per_second),
         agreement=float(agreed / max(sizes_a.sum(), 1e-12)),
         adjusted_rand=_adjusted_rand(shared.data, sizes_a, sizes_b),
     )
@@ -160,7 +160,9 @@ def _best(of: np.ndarray, overlap: np.ndarray, n: int) -> np.ndarray:
     return best
 
 
-def _fates(graph: MotifGraph, sizes, best, links: list[Link], per_second: float, *, first: bool) -> tuple[Fate, ...]:
+def _fates(
+    graph: MotifGraph, sizes: np.ndarray, best: np.ndarray, links: list[Link], per_second: float, *, first: bool
+) -> tuple[Fate, ...]:
     partners: dict[int, list[int]] = {motif.id: [] for motif in graph.motifs}
     kept = set()
     for link in links:

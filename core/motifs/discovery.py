@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from core.arrays import Float64Array, Int64Array, IntArray
+from core.compiled import njit
 from core.motifs.matching import Matcher, Matches, Rule
 from core.progress import Report, silent
 from core.sequences.ordering import ascending
@@ -29,25 +30,27 @@ class _Index(NamedTuple):
     discount: float  # tightness over the highest cost a match can have
 
 
-@njit(nogil=True, cache=True)
-def _seed(index, k):
+@njit(nogil=True)
+def _seed(index: _Index, k: int) -> tuple[int, int]:
     first = k // index.lengths
     return first, first + k % index.lengths + index.min_letters - 1
 
 
-@njit(nogil=True, cache=True)
-def _width(index, a, b):
-    return index.times[b] - index.times[a]
+@njit(nogil=True)
+def _width(index: _Index, a: int, b: int) -> float:
+    width: float = index.times[b] - index.times[a]
+    return width
 
 
-@njit(nogil=True, cache=True)
-def _weight(index, q):
+@njit(nogil=True)
+def _weight(index: _Index, q: int) -> float:
     """What a match adds to the height of its motif: 1 in the paper."""
-    return 1.0 - index.discount * index.costs[q]
+    weight: float = 1.0 - index.discount * index.costs[q]
+    return weight
 
 
-@njit(nogil=True, cache=True)
-def _bound(index, k, cut, rho):
+@njit(nogil=True)
+def _bound(index: _Index, k: int, cut: Int64Array, rho: float) -> tuple[float, int]:
     """Upper bound of the seed's volume now and after any further partitioning.
 
     Of motions that all overlap one another a motif holds one at most. Taken by start, the matches fall into the fewest
@@ -77,16 +80,16 @@ def _bound(index, k, cut, rho):
     return best * (1 + 1e-9), free
 
 
-@njit(nogil=True, cache=True)
-def _bounds(index, cut, rho):
+@njit(nogil=True)
+def _bounds(index: _Index, cut: Int64Array, rho: float) -> Float64Array:
     bounds = np.empty(len(index.pointers) - 1)
     for k in range(len(bounds)):
         bounds[k] = _bound(index, k, cut, rho)[0] if index.pointers[k] < index.pointers[k + 1] else 0.0
     return bounds
 
 
-@njit(nogil=True, cache=True)
-def _motif_of(index, k, cut):
+@njit(nogil=True)
+def _motif_of(index: _Index, k: int, cut: Int64Array) -> tuple[Int64Array, float]:
     """The motif a seed gives now: itself, then its matches by ascending cost, dropping what overlaps one already in.
 
     Also its height without the seed, B_h - 1 where every match weighs 1.
@@ -109,17 +112,18 @@ def _motif_of(index, k, cut):
     return chosen[:n], height
 
 
-@njit(nogil=True, cache=True)
-def _volume(index, k, cut, rho):
+@njit(nogil=True)
+def _volume(index: _Index, k: int, cut: Int64Array, rho: float) -> float:
     motif, height = _motif_of(index, k, cut)
     total = 0.0
     for h in range(len(motif)):
         total += _width(index, motif[h, 0], motif[h, 1])
-    return height * (total / len(motif)) ** rho
+    volume: float = height * (total / len(motif)) ** rho
+    return volume
 
 
-@njit(nogil=True, cache=True)
-def _partition(motif, cut):
+@njit(nogil=True)
+def _partition(motif: IntArray, cut: Int64Array) -> None:
     """Mark the motions' transitions as partitioned: ``cut[j]`` is the first partitioned transition at or after j."""
     for h in range(len(motif)):
         a, b = motif[h, 0], motif[h, 1]
@@ -139,8 +143,8 @@ class _Heap(NamedTuple):
     size: np.ndarray
 
 
-@njit(nogil=True, cache=True)
-def _push(heap, key, seed):
+@njit(nogil=True)
+def _push(heap: _Heap, key: float, seed: int) -> None:
     i = heap.size[0]
     heap.size[0] += 1
     while i > 0:
@@ -152,8 +156,8 @@ def _push(heap, key, seed):
     heap.keys[i], heap.seeds[i] = key, seed
 
 
-@njit(nogil=True, cache=True)
-def _pop(heap):
+@njit(nogil=True)
+def _pop(heap: _Heap) -> tuple[float, int]:
     top_key, top_seed = heap.keys[0], heap.seeds[0]
     heap.size[0] -= 1
     n = heap.size[0]
@@ -170,8 +174,8 @@ def _pop(heap):
     return top_key, top_seed
 
 
-@njit(nogil=True, cache=True)
-def _above(key, seed, other_key, other_seed):
+@njit(nogil=True)
+def _above(key: float, seed: int, other_key: float, other_seed: int) -> bool:
     return key > other_key or (key == other_key and seed < other_seed)
 
 
@@ -182,8 +186,8 @@ def _heap_of(bounds: np.ndarray) -> _Heap:
     return _Heap(bounds[seeds], seeds, np.array([len(seeds)]))
 
 
-@njit(nogil=True, cache=True)
-def _largest(index, heap, volumes, counts, cut, rho):
+@njit(nogil=True)
+def _largest(index: _Index, heap: _Heap, volumes: Float64Array, counts: Int64Array, cut: Int64Array, rho: float) -> int:
     """The seed of the largest volume (ties: the first), -1 when none is left; the heap's keys are upper bounds.
 
     A seed's volume is computed only while its bound still beats the best volume of this round, and again later only
@@ -310,11 +314,12 @@ def _contain(index: _Index, seeds: np.ndarray, wanted: np.ndarray) -> np.ndarray
     before = np.concatenate([[0], np.cumsum(wanted)])
     first = _first_letters(index, seeds)
     stop = first + seeds % index.lengths + index.min_letters
-    return before[stop] > before[first]
+    held: np.ndarray = before[stop] > before[first]
+    return held
 
 
-@njit(nogil=True, cache=True)
-def _best_of(index, seeds, cut, rho):
+@njit(nogil=True)
+def _best_of(index: _Index, seeds: Int64Array, cut: Int64Array, rho: float) -> int:
     best, winner = 0.0, -1
     for k in seeds:
         volume = _volume(index, k, cut, rho)

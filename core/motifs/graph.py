@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
 from core.mocap.clip import Segment
+from core.mocap.dataset import Dataset
 
 FORMAT = "motionscape/motifs/1"
 
@@ -70,7 +71,7 @@ class MotifGraph:
     clips: tuple[tuple[str, int, float], ...] = ()
     dataset: Mapping[str, Any] = field(default_factory=dict)
 
-    def components(self, connection: str = "strong") -> tuple[tuple[int, ...], ...]:
+    def components(self, connection: Literal["strong", "weak"] = "strong") -> tuple[tuple[int, ...], ...]:
         """Groups of motif ids, largest first: "strong", each reaches the others along edges, or "weak", any way.
 
         Raises ValueError for another connection.
@@ -89,7 +90,7 @@ class MotifGraph:
             groups.setdefault(int(g), []).append(motif.id)
         return tuple(sorted(map(tuple, groups.values()), key=lambda ids: (-len(ids), ids)))
 
-    def to_json(self, dataset=None, notes: Mapping[int, Any] | None = None) -> dict[str, Any]:
+    def to_json(self, dataset: Dataset | None = None, notes: Mapping[int, Any] | None = None) -> dict[str, Any]:
         """The document ``motifs.json``; ``dataset`` fills its head where the graph itself does not know it.
 
         notes: motif id -> what people said of it (``name``, ``tags``, ``note``), written beside its motions.
@@ -109,7 +110,7 @@ class MotifGraph:
         }
 
 
-def dataset_head(dataset) -> dict[str, Any]:
+def dataset_head(dataset: Dataset | None) -> dict[str, Any]:
     """What a result says of its data set: name and fingerprint."""
     return {"name": getattr(dataset, "name", ""), "fingerprint": getattr(dataset, "fingerprint", "")}
 

@@ -8,14 +8,18 @@ from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from core.arrays import Float32Array, Int32Array, Int64Array
+from core.compiled import njit
 from core.motifs.adjacency import Adjacency
 from core.progress import Report, silent
 from core.sequences.repeats import Runs
 
 _INFINITE = np.float32(np.inf)
 _BLOCK = 50_000  # pairs of seed start and candidate matched at a time, some tens of milliseconds
+
+
+_Real = float | np.float32
 
 
 class Rule(NamedTuple):
@@ -29,10 +33,10 @@ class Rule(NamedTuple):
 
     min_letters: int = 5
     max_letters: int = 30
-    gamma: float = 1.5
-    slack: float = 0.5
-    max_cost: float = np.inf
-    min_frames: float = 0.0
+    gamma: _Real = 1.5
+    slack: _Real = 0.5
+    max_cost: _Real = np.inf
+    min_frames: _Real = 0.0
 
 
 class Text(NamedTuple):
@@ -58,8 +62,10 @@ class Matches(NamedTuple):
     costs: np.ndarray
 
 
-@njit(nogil=True, cache=True)
-def _candidates(letters, firsts, stops, distances, costs):
+@njit(nogil=True)
+def _candidates(
+    letters: Int32Array, firsts: Int32Array, stops: Int32Array, distances: Float32Array, costs: Float32Array
+) -> tuple[Int64Array, Int32Array]:
     """Inverted lists: for each letter the places that are adjacent to it and nearer than both of their neighbours."""
     m, kappa = len(letters), len(costs)
     pointers = np.zeros(kappa + 1, np.int64)
@@ -79,8 +85,10 @@ def _candidates(letters, firsts, stops, distances, costs):
     return pointers, places
 
 
-@njit(nogil=True, cache=True)
-def _is_nearest(letters, firsts, stops, distances, x, a):
+@njit(nogil=True)
+def _is_nearest(
+    letters: Int32Array, firsts: Int32Array, stops: Int32Array, distances: Float32Array, x: int, a: int
+) -> bool:
     """Whether place a is nearer to letter x than the letters beside it; beyond a clip's end all is infinitely far."""
     here = distances[x, letters[a]]
     if a > firsts[a] and distances[x, letters[a - 1]] <= here:
@@ -88,14 +96,29 @@ def _is_nearest(letters, firsts, stops, distances, x, a):
     return not (a + 1 < stops[a] and distances[x, letters[a + 1]] <= here)
 
 
-@njit(nogil=True, cache=True)
-def _cheaper(total, steps, best, n):
+@njit(nogil=True)
+def _cheaper(total: np.float32, steps: int, best: np.float32, n: int) -> bool:
     """Whether an alignment is cheaper; of equal costs, which equal letters give, the shorter path counts."""
-    return total < best or (total == best and steps < n)
+    return bool(total < best or (total == best and steps < n))
 
 
-@njit(nogil=True, cache=True)
-def _next_row(letters, middles, lengths, costs, gamma, slack, seed, start, row, columns, low, high, totals, steps):
+@njit(nogil=True)
+def _next_row(
+    letters: Int32Array,
+    middles: Float32Array,
+    lengths: Float32Array,
+    costs: Float32Array,
+    gamma: _Real,
+    slack: _Real,
+    seed: int,
+    start: int,
+    row: int,
+    columns: int,
+    low: int,
+    high: int,
+    totals: Float32Array,
+    steps: Int32Array,
+) -> tuple[int, int]:
     """One letter more of the seed: costs and lengths of the best alignments that end at each letter of the candidate.
 
     totals, steps: (2, n) buffers, row parity alternates; [low, high] are the reachable columns of the row before.
@@ -139,8 +162,17 @@ def _next_row(letters, middles, lengths, costs, gamma, slack, seed, start, row, 
     return first, last
 
 
-@njit(nogil=True, cache=True)
-def _match_block(begin, end, text, distances, costs, rule, pointers, places):
+@njit(nogil=True)
+def _match_block(
+    begin: int,
+    end: int,
+    text: Text,
+    distances: Float32Array,
+    costs: Float32Array,
+    rule: Rule,
+    pointers: Int64Array,
+    places: Int32Array,
+) -> tuple[Int32Array, Float32Array]:
     """Matches of the seeds that start in [begin, end), in order of discovery: seed start, candidate start, length, end.
 
     Matches never overlap their seed: they share an end letter with it at most.
@@ -182,8 +214,8 @@ def _match_block(begin, end, text, distances, costs, rule, pointers, places):
     return spans[:found], values[:found]
 
 
-@njit(nogil=True, cache=True)
-def _grown(spans, values, found, more):
+@njit(nogil=True)
+def _grown(spans: Int32Array, values: Float32Array, found: int, more: int) -> tuple[Int32Array, Float32Array]:
     size = 2 * len(values) + more
     new_spans, new_values = np.empty((size, 4), np.int32), np.empty(size, np.float32)
     for k in range(found):  # slice assignment would take seconds more to compile
@@ -193,11 +225,27 @@ def _grown(spans, values, found, more):
     return new_spans, new_values
 
 
-@njit(nogil=True, cache=True)
+@njit(nogil=True)
 def _collect(
-    letters, middles, firsts, stops, distances, gamma, max_cost, min_frames,
-    seed, start, row, low, high, totals, steps, found, spans, values,
-):  # fmt: skip
+    letters: Int32Array,
+    middles: Float32Array,
+    firsts: Int32Array,
+    stops: Int32Array,
+    distances: Float32Array,
+    gamma: _Real,
+    max_cost: _Real,
+    min_frames: _Real,
+    seed: int,
+    start: int,
+    row: int,
+    low: int,
+    high: int,
+    totals: Float32Array,
+    steps: Int32Array,
+    found: int,
+    spans: Int32Array,
+    values: Float32Array,
+) -> int:
     """Add the alignments of this row that end at an end candidate and keep duration ratio and mean cost."""
     x = letters[seed + row]
     seed_time = middles[seed + row] - middles[seed]
@@ -216,8 +264,10 @@ def _collect(
     return found
 
 
-@njit(nogil=True, cache=True)
-def _by_seed(begin, end, spans, values, rule):
+@njit(nogil=True)
+def _by_seed(
+    begin: int, end: int, spans: Int32Array, values: Float32Array, rule: Rule
+) -> tuple[Int64Array, Int32Array, Int32Array, Float32Array]:
     """Counting sort of a block by seed; the order within a seed (by start, then end) stays."""
     lengths = rule.max_letters - rule.min_letters + 1
     pointers = np.zeros((end - begin) * lengths + 1, np.int64)
@@ -275,8 +325,9 @@ class Matcher:
 
 def _typed(rule: Rule) -> Rule:
     """One set of types for the kernels, so that they are compiled once."""
-    low, high, *rest = rule
-    return Rule(int(low), int(high), *(np.float32(x) for x in rest))
+    low, high, gamma, slack, max_cost, min_frames = rule
+    limits = np.float32(gamma), np.float32(slack), np.float32(max_cost), np.float32(min_frames)
+    return Rule(int(low), int(high), *limits)
 
 
 def _even_blocks(work: np.ndarray, size: int) -> np.ndarray:
@@ -290,9 +341,11 @@ def _concatenated(blocks: list[Matches]) -> Matches:
     total = sum(len(b.costs) for b in blocks)
     starts, ends, costs = np.empty(total, np.int32), np.empty(total, np.int32), np.empty(total, np.float32)
     pointers, at = [np.zeros(1, np.int64)], 0
-    for k, b in enumerate(blocks):
+    blocks.reverse()
+    while blocks:  # each is let go as soon as it is copied
+        b = blocks.pop()
         n = len(b.costs)
         starts[at : at + n], ends[at : at + n], costs[at : at + n] = b.starts, b.ends, b.costs
         pointers.append(b.pointers[1:] + at)
-        at, blocks[k] = at + n, None
+        at += n
     return Matches(np.concatenate(pointers), starts, ends, costs)

@@ -47,7 +47,8 @@ class Motions:
         """Inner products of the motions' differences from the reference, ``(n_motions, n_motions)``."""
         flat = self.moved.reshape(self.n, -1)
         flat = flat - flat[self.reference]
-        return flat @ flat.T
+        products: np.ndarray = flat @ flat.T
+        return products
 
     @cached_property
     def order(self) -> tuple[int, ...]:
@@ -114,7 +115,8 @@ class Motions:
         """Motions ``(n_motions, n_moments, width)`` of the common time, at their own frames: ``(n_frames, width)``."""
         low, high, part = self._between
         flat = moved.reshape(-1, moved.shape[-1])
-        return flat[low] * (1 - part) + flat[high] * part
+        own: np.ndarray = flat[low] * (1 - part) + flat[high] * part
+        return own
 
     @cached_property
     def _between(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -133,7 +135,9 @@ class Motions:
         moments = np.arange(self.n_moments)
         if motion == self.reference:
             return moments.astype(np.float64)
-        return np.interp(moments, np.linspace(0, self.n_moments - 1, self.knots.shape[1]), self.knots[motion])
+        knots = np.linspace(0, self.n_moments - 1, self.knots.shape[1])
+        frames: np.ndarray = np.interp(moments, knots, self.knots[motion])
+        return frames
 
 
 def motions_of(space: BlendSpace, fps: float = 30.0) -> Motions:

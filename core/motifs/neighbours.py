@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from core.motifs.parameters import MotifParameters
 
@@ -19,7 +19,7 @@ def neighbours(parameters: Parameters, kappa: int) -> dict[str, Parameters]:
     kappa: the number of letters that ``parameters`` stand for, as kappa may be "auto". A step is a quarter of kappa and
     rho and a tenth of gamma; steps out of range are left out.
     """
-    values = {
+    values: dict[str, list[Any]] = {
         "kappa": [round(kappa / _FACTORS["kappa"]), round(kappa * _FACTORS["kappa"])],
         "rho": [round(parameters.rho / _FACTORS["rho"], 3), round(parameters.rho * _FACTORS["rho"], 3)],
         "gamma": [round(parameters.gamma - _GAMMA_STEP, 3), round(parameters.gamma + _GAMMA_STEP, 3)],

@@ -6,8 +6,9 @@ from typing import NamedTuple
 
 import faiss
 import numpy as np
-from numba import njit
 
+from core.arrays import Float32Array, Float64Array, Int64Array
+from core.compiled import njit
 from core.motifs.adjacency import centre_distances
 from core.progress import Report, silent
 from core.sequences.ordering import ascending
@@ -82,8 +83,8 @@ def k_means(
     return Letters(centres[used], labels.astype(np.int32), np.sqrt(squares))
 
 
-@njit(nogil=True, cache=True)
-def _plus_plus(x, kappa, draws):
+@njit(nogil=True)
+def _plus_plus(x: Float32Array, kappa: int, draws: Float64Array) -> Float32Array:
     """k-means++ seeding: the next centre is drawn with probability proportional to the squared distance to the others.
 
     A pose less than half as far from its centre as that is from the new one keeps it, unseen: scikit-learn's
@@ -119,8 +120,8 @@ def _plus_plus(x, kappa, draws):
     return centres[:found]
 
 
-@njit(nogil=True, cache=True)
-def _square(a, b):
+@njit(nogil=True)
+def _square(a: Float32Array, b: Float32Array) -> np.float32:
     total = np.float32(0)
     for k in range(len(a)):
         total += (a[k] - b[k]) * (a[k] - b[k])
@@ -128,11 +129,19 @@ def _square(a, b):
 
 
 def _nearest(x: np.ndarray, centres: np.ndarray) -> np.ndarray:
-    return faiss.knn(x, centres, 1)[1][:, 0].astype(np.int64)
+    nearest: np.ndarray = faiss.knn(x, centres, 1)[1][:, 0]
+    return nearest.astype(np.int64)
 
 
-@njit(nogil=True, cache=True)
-def _reassign(x, centres, between, labels, order, first):
+@njit(nogil=True)
+def _reassign(
+    x: Float32Array,
+    centres: Float32Array,
+    between: Float32Array,
+    labels: Int64Array,
+    order: Int64Array,
+    first: Int64Array,
+) -> Float32Array:
     """Move each pose to its nearest centre, in place in ``labels``; the squared distances.
 
     order: poses by label; first: (kappa + 1,) where each label's poses begin in it.
@@ -164,8 +173,8 @@ def _reassign(x, centres, between, labels, order, first):
     return squares
 
 
-@njit(nogil=True, cache=True)
-def _means(x, labels, centres):
+@njit(nogil=True)
+def _means(x: Float32Array, labels: Int64Array, centres: Float32Array) -> Float32Array:
     """Mean pose of each cluster; a cluster without poses keeps its centre."""
     total, count = np.zeros(centres.shape), np.zeros(len(centres))
     for i in range(len(x)):

@@ -215,10 +215,12 @@ def keep_list(dataset: Dataset, graph: MotifGraph, copies: list[Copies]) -> tupl
             inside[segment.clip] += segment.n_frames
     own = {clip.name: (clip.n_frames - inside[clip.name]) / clip.fps for clip in dataset.clips}
     everything = sum(own.values()) + sum(worth.values())
-    ordered, held, total = [], set(), 0.0
+    ordered: list[ClipContent] = []
+    held: set[tuple[int, int]] = set()
+    total = 0.0
     left = {clip.name: clip for clip in sorted(dataset.clips, key=lambda clip: clip.name)}
     while left:
-        gains = {name: own[name] + sum(worth[group] for group in holds[name] - held) for name in left}
+        gains = {name: own[name] + sum((worth[group] for group in holds[name] - held), 0.0) for name in left}
         name = max(gains, key=gains.__getitem__)
         keep = total < _ENOUGH * everything - 1e-9
         total += gains[name]
@@ -268,7 +270,8 @@ def rare_postures(poses: Poses, number: int, report: Report = silent) -> tuple[R
 
 def _farthest_looked_at(index: faiss.Index, values: np.ndarray) -> np.ndarray:
     """Squared distance ``(n,)`` of each row to the farthest of its nearest neighbours that were looked at."""
-    return index.search(np.ascontiguousarray(values), min(_NEIGHBOURS, index.ntotal))[0][:, -1]
+    squared: np.ndarray = index.search(np.ascontiguousarray(values), min(_NEIGHBOURS, index.ntotal))[0]
+    return squared[:, -1]
 
 
 def kept_segments(graph: MotifGraph, copies: tuple[Copies, ...]) -> list[tuple[Segment, int, bool]]:

@@ -21,7 +21,7 @@ from core.motifs.graph import MotifGraph, dataset_head
 from core.motifs.neighbours import neighbours, other_seeds
 from core.motifs.parameters import MotifParameters
 from core.motifs.quantize import automatic_kappa
-from core.motifs.stages import STAGES, Stage, Work
+from core.motifs.stages import STAGES, Stage, Work, made
 from core.motifs.sweep import graphs_of
 from core.parameters import parameter
 from core.poses.features import pose_features
@@ -92,7 +92,8 @@ class Stability:
     @property
     def times_kept(self) -> np.ndarray:
         """In how many repeats each motif is kept: ``(n_motifs,)`` int."""
-        return np.sum([r.kept for r in self.repeats], axis=0, dtype=int) + np.zeros(len(self.motifs), int)
+        times: np.ndarray = np.sum([r.kept for r in self.repeats], axis=0, dtype=int) + np.zeros(len(self.motifs), int)
+        return times
 
     def to_json(self) -> dict[str, Any]:
         """The document that :func:`from_json` reads back."""
@@ -180,11 +181,13 @@ class _Tried:
     parameters: _Shaken
 
 
-def _shake(work: Work, parameters: _Shaken, report: Report) -> Work:
+def _shake(work: Work, parameters: MotifParameters, report: Report) -> Work:
+    assert isinstance(parameters, _Shaken)
     if not parameters.noise:
         return work
     report("noise", 0.0)
-    return work._replace(dataset=shake_dataset(work.dataset, parameters.degrees, parameters.band, parameters.noise))
+    dataset = shake_dataset(made(work.dataset), parameters.degrees, parameters.band, parameters.noise)
+    return work._replace(dataset=dataset)
 
 
 _SHAKING = Stage("noise", ("noise", "degrees", "band"), _shake)
@@ -198,7 +201,7 @@ def _shaken(parameters: StabilityParameters, noise: int) -> _Shaken:
 
 def _repeats(dataset: Dataset, parameters: StabilityParameters, report: Report) -> list[_Tried]:
     own, kappa = _shaken(parameters, 0), parameters.kappa
-    if kappa == "auto":
+    if isinstance(kappa, str):  # auto
         poses = pose_features(dataset, analysis_fps=parameters.analysis_fps, pose=parameters.pose, report=report)
         kappa = automatic_kappa(poses.values, poses.fps)
     noise = {f"noise {k}": _shaken(parameters, k) for k in range(1, parameters.repetitions + 1)}

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import asdict
 from time import perf_counter
-from typing import NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -26,6 +26,8 @@ from core.motifs.result import graph_of
 from core.poses.features import Poses, pose_features
 from core.progress import Report
 from core.sequences.repeats import Runs, remove_runs
+
+Part = TypeVar("Part")
 
 
 class Work(NamedTuple):
@@ -60,61 +62,68 @@ class Stage(NamedTuple):
         taken = work.seconds.get(self.name, 0.0) + perf_counter() - started
         return done._replace(seconds={**work.seconds, self.name: taken})
 
-    def key(self, parameters: MotifParameters) -> tuple:
+    def key(self, parameters: MotifParameters) -> tuple[Any, ...]:
         """What this stage reads: equal keys, and equal ones of all stages before, mean equal work."""
         return tuple(getattr(parameters, name) for name in self.reads)
 
 
+def made(part: Part | None) -> Part:
+    """A part of the work that an earlier stage has made."""
+    assert part is not None
+    return part
+
+
 def _poses(work: Work, parameters: MotifParameters, report: Report) -> Work:
     fps, pose = parameters.analysis_fps, parameters.pose
-    return work._replace(poses=pose_features(work.dataset, analysis_fps=fps, pose=pose, report=report))
+    return work._replace(poses=pose_features(made(work.dataset), analysis_fps=fps, pose=pose, report=report))
 
 
 def _letters(work: Work, parameters: MotifParameters, report: Report) -> Work:
-    poses, kappa = work.poses, parameters.kappa
-    kappa = automatic_kappa(poses.values, poses.fps) if kappa == "auto" else kappa
+    poses, kappa = made(work.poses), parameters.kappa
+    kappa = automatic_kappa(poses.values, poses.fps) if isinstance(kappa, str) else kappa
     letters = k_means(poses.values, kappa, parameters.seed, report=report)
     return work._replace(letters=letters, runs=remove_runs(letters.labels, poses.clip_starts))
 
 
 def _neighbours(work: Work, parameters: MotifParameters, report: Report) -> Work:
     report("matching", 0.0)
-    return work._replace(matcher=Matcher(work.runs, _adjacency(work.letters, parameters)))
+    return work._replace(matcher=Matcher(made(work.runs), _adjacency(made(work.letters), parameters)))
 
 
 def _matches(work: Work, parameters: MotifParameters, report: Report) -> Work:
-    rule = _rule(parameters, work.matcher.adjacency, parameters.strictness)
-    return work._replace(matches=work.matcher.all(rule, report))
+    matcher = made(work.matcher)
+    rule = _rule(parameters, matcher.adjacency, parameters.strictness)
+    return work._replace(matches=matcher.all(rule, report))
 
 
 def _motifs(work: Work, parameters: MotifParameters, report: Report) -> Work:
-    rule = _rule(parameters, work.matcher.adjacency, parameters.strictness)
-    strings = work.runs, work.matches, rule, parameters.rho
-    greedy = {"tightness": parameters.tightness, "report": report}
+    rule = _rule(parameters, made(work.matcher).adjacency, parameters.strictness)
+    strings = made(work.runs), made(work.matches), rule, parameters.rho
     if parameters.seeding == "random":
-        found = random_seeds(*strings, parameters.seed, **greedy)
+        found = random_seeds(*strings, parameters.seed, tightness=parameters.tightness, report=report)
     else:
-        found = largest_first(*strings, **greedy)
+        found = largest_first(*strings, tightness=parameters.tightness, report=report)
     return work._replace(matches=None, found=found)
 
 
 def _leftovers(work: Work, parameters: MotifParameters, report: Report) -> Work:
-    found = work.found
+    found, matcher = made(work.found), made(work.matcher)
     if parameters.adjacency == "radius" and parameters.join > parameters.strictness:
-        rule = _rule(parameters, work.matcher.adjacency, parameters.join)
-        found = join_leftovers(work.runs, work.matcher, found, rule, report)
+        rule = _rule(parameters, matcher.adjacency, parameters.join)
+        found = join_leftovers(made(work.runs), matcher, found, rule, report)
     return work._replace(matcher=None, found=found)
 
 
 def _alignment(work: Work, parameters: MotifParameters, report: Report) -> Work:
-    frames = entry_frames(work.runs, work.found, work.poses.values, parameters.seed)
-    spans = spans_of(work.runs, work.found, frames, round(parameters.hold * parameters.analysis_fps))
-    return work._replace(aligned=align_motifs(spans, work.poses.values, report))
+    runs, found, poses = made(work.runs), made(work.found), made(work.poses).values
+    frames = entry_frames(runs, found, poses, parameters.seed)
+    spans = spans_of(runs, found, frames, round(parameters.hold * parameters.analysis_fps))
+    return work._replace(aligned=align_motifs(spans, poses, report))
 
 
 def _graph(work: Work, parameters: MotifParameters, report: Report) -> Work:
-    used = asdict(parameters) | {"kappa": len(work.letters.centres)}
-    return work._replace(graph=graph_of(work.poses, work.aligned, used, dataset_head(work.dataset)))
+    used = asdict(parameters) | {"kappa": len(made(work.letters).centres)}
+    return work._replace(graph=graph_of(made(work.poses), made(work.aligned), used, dataset_head(work.dataset)))
 
 
 def _adjacency(letters: Letters, parameters: MotifParameters) -> Adjacency:

@@ -9,8 +9,8 @@ How often it agrees with labels: docs/sweeps.md.
 
 from __future__ import annotations
 
-from dataclasses import fields
-from typing import Any, NamedTuple
+from dataclasses import dataclass, fields
+from typing import Any
 
 import numpy as np
 
@@ -26,7 +26,8 @@ _FEWEST = 3  # settings, below which there is nothing to choose from
 _SEEDS = 3  # below which their agreement says nothing
 
 
-class Suggestion(NamedTuple):
+@dataclass(frozen=True)
+class Suggestion:
     """at: value of each axis, empty where there is nothing to suggest; index: its place on each axis; verdict: CLEAR,
     UNSURE (it is as good as any, but there is no clear trade-off) or NONE; why: one sentence.
     """
@@ -102,7 +103,8 @@ def _distances_to_defaults(table: SweepTable) -> list[list[float]]:
 
 def _range_along(worth: np.ndarray, at: tuple[int, ...], axis: int) -> float:
     """How far the motion explained varies along an axis through ``at``."""
-    line = worth[(*at[:axis], slice(None), *at[axis + 1 :])]
+    places: tuple[int | slice, ...] = (*at[:axis], slice(None), *at[axis + 1 :])
+    line = worth[places]
     return float(np.nanmax(line) - np.nanmin(line))
 
 

@@ -11,13 +11,13 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from queue import Empty, LifoQueue, SimpleQueue
 from threading import Event, Thread
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from core.mocap.dataset import Dataset
 from core.motifs.axes import Axes, points_of
 from core.motifs.graph import MotifGraph
 from core.motifs.parameters import MotifParameters
-from core.motifs.stages import STAGES, Stage, Work
+from core.motifs.stages import STAGES, Stage, Work, made
 from core.progress import Cancelled, Report, silent
 
 _LOOK = 0.1  # seconds between two looks at whether the sweep has been cancelled
@@ -45,12 +45,12 @@ def sweep(
     without poses, and whatever ``report`` or ``on_point`` raises.
     """
     points = points_of(base, axes, seeds)
-    found: list[Point | None] = [None] * len(points)
+    found: dict[int, Point] = {}
     for k, graph in graphs_of(dataset, points, report):
         found[k] = Point(points[k], graph)
         if on_point is not None:
             on_point(found[k])
-    return tuple(found)
+    return tuple(found[k] for k in range(len(points)))
 
 
 def graphs_of(
@@ -149,10 +149,10 @@ class _Tree:
             self._push(node.depth + 1, node.points, work)
             self._ready.put(None)
         else:
-            self._ready.put((node.points, replace(work.graph, seconds=dict(work.seconds))))
+            self._ready.put((node.points, replace(made(work.graph), seconds=dict(work.seconds))))
 
     def _push(self, depth: int, points: list[int], work: Work) -> None:
-        groups: dict[tuple, list[int]] = {}
+        groups: dict[tuple[Any, ...], list[int]] = {}
         for k in points:
             groups.setdefault(self._stages[depth].key(self._points[k]), []).append(k)
         for group in reversed(groups.values()):

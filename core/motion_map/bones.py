@@ -17,12 +17,14 @@ def bone_vectors(postures: np.ndarray, parents: Sequence[int]) -> np.ndarray:
     """From each joint's parent to the joint: ``(..., n_joints, 3)`` as the postures; parent -1 is the origin."""
     above = np.asarray(parents)
     ends = np.concatenate([postures, np.zeros((*postures.shape[:-2], 1, 3), postures.dtype)], axis=-2)
-    return postures - ends[..., above, :]
+    vectors: np.ndarray = postures - ends[..., above, :]
+    return vectors
 
 
 def bone_lengths(postures: np.ndarray, parents: Sequence[int]) -> np.ndarray:
     """Median length ``(n_joints,)`` of each bone over real postures ``(n, n_joints, 3)``."""
-    return np.median(np.linalg.norm(bone_vectors(postures, parents), axis=-1), axis=0)
+    lengths: np.ndarray = np.median(np.linalg.norm(bone_vectors(postures, parents), axis=-1), axis=0)
+    return lengths
 
 
 def rebuild(vectors: np.ndarray, parents: Sequence[int], lengths: np.ndarray) -> np.ndarray:
@@ -33,7 +35,7 @@ def rebuild(vectors: np.ndarray, parents: Sequence[int], lengths: np.ndarray) ->
     size = np.linalg.norm(vectors, axis=-1, keepdims=True)
     directions = np.where(size > _TINY, vectors / np.maximum(size, _TINY), [0.0, 1.0, 0.0])
     bones = directions * lengths[:, None]
-    postures = np.empty_like(bones)
+    postures: np.ndarray = np.empty_like(bones)
     for joint, above in enumerate(parents):  # parents come before their children
         postures[..., joint, :] = bones[..., joint, :] + (postures[..., above, :] if above >= 0 else 0)
     return postures

@@ -29,7 +29,8 @@ class Runs(NamedTuple):
     @property
     def speed(self) -> np.ndarray:
         """Mean speed over the ground ``(n_runs,)``, m/s."""
-        return np.hypot(self.ahead, self.aside)
+        speed: np.ndarray = np.hypot(self.ahead, self.aside)
+        return speed
 
 
 WAYS = ("any", "forward", "backward", "left", "right")
@@ -54,12 +55,13 @@ class Pace:
     def allows(self, runs: Runs) -> np.ndarray:
         """Which runs ``(n_runs,)`` bool travel like this."""
         speed = runs.speed
-        fits = (speed >= self.slowest) & (speed <= self.fastest)
+        fits: np.ndarray = (speed >= self.slowest) & (speed <= self.fastest)
         if self.way == "any":
             return fits
         along, across = (runs.ahead, runs.aside) if self.way in ("forward", "backward") else (runs.aside, runs.ahead)
         along = -along if self.way in ("backward", "right") else along
-        return fits & (along > 0) & (along >= np.abs(across))
+        fits = fits & (along > 0) & (along >= np.abs(across))
+        return fits
 
 
 class KeyHit(NamedTuple):

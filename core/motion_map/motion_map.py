@@ -139,7 +139,7 @@ class MotionMap:
         return [(self.segment(hit.clip, hit.start, hit.end), hit) for hit in hits]
 
     def _refined(self, factor: int) -> np.ndarray:
-        cache = self.__dict__.setdefault("_fine", {})
+        cache: dict[int, np.ndarray] = self.__dict__.setdefault("_fine", {})
         if factor not in cache:
             shaped = self.weights.reshape(*self.grid, -1, 3)
             fine = refine(shaped, self.parents, self.lengths, factor)
@@ -155,11 +155,17 @@ class MotionMap:
         """
         own = posture_joints([clip.skeleton])[clip.skeleton]
         body = find_anatomy(clip.skeleton).joints
-        found = [own.get(name, body.get(role)) for name, role in zip(self.joints, self.roles, strict=True)]
-        missing = [name for name, joint in zip(self.joints, found, strict=True) if joint is None]
+        joints: dict[str, int] = {}
+        missing: list[str] = []
+        for name, role in zip(self.joints, self.roles, strict=True):
+            joint = own.get(name, body.get(role))
+            if joint is None:
+                missing.append(name)
+            else:
+                joints[name] = joint
         if missing:
             raise ValueError(f"{clip.name} lacks joints of this map: {', '.join(missing[:5])}")
-        values, _, velocity = clip_postures(clip, dict(zip(self.joints, found, strict=True)))
+        values, _, velocity = clip_postures(clip, joints)
         return values.reshape(len(values), -1), velocity
 
     def to_json(self) -> dict[str, Any]:
@@ -205,8 +211,7 @@ def unpack(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Mot
     """The map back from the arrays ``(n, ...)`` of :meth:`MotionMap.pack`. Raises ValueError for anything else."""
     if document.get("format") != FORMAT:
         raise ValueError(f"not a motion map: expected format {FORMAT}, found {document.get('format')}")
-    text = {name: tuple(v) if isinstance(v := document[name], list) else v for name in _TEXT}
-    runs = Runs(*(arrays[f"runs_{name}"] for name in Runs._fields))
-    plain = {name: arrays[name] for name in ("weights", "regions", "icons", "lengths")}
-    rest = {name: dict(document[name]) for name in ("metrics", "parameters", "seconds", "dataset")}
-    return MotionMap(runs=runs, **plain, **text, **rest)
+    kept: dict[str, Any] = {name: tuple(v) if isinstance(v := document[name], list) else v for name in _TEXT}
+    kept |= {name: arrays[name] for name in ("weights", "regions", "icons", "lengths")}
+    kept |= {name: dict(document[name]) for name in ("metrics", "parameters", "seconds", "dataset")}
+    return MotionMap(runs=Runs(*(arrays[f"runs_{name}"] for name in Runs._fields)), **kept)

@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from core.arrays import Float64Array, Int64Array
+from core.compiled import njit
 from core.mocap.clip import Segment
 from core.motion_map.keypose_search import Runs
 from core.motion_map.motion_map import MotionMap
@@ -83,8 +84,8 @@ def _apart(runs: Runs, rows: np.ndarray, spans: dict[int, int], cost: np.ndarray
     return hits
 
 
-@njit(cache=True)
-def _warped(nodes, path):
+@njit()
+def _warped(nodes: Float64Array, path: Float64Array) -> tuple[Float64Array, Int64Array]:
     """Cost of the best warp of the whole path that ends at each node (n,), and the node where it begins (n,)."""
     n, m = len(nodes), len(path)
     cost, first = np.empty(n), np.arange(n)

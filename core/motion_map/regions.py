@@ -43,7 +43,8 @@ def find_regions(weights: np.ndarray) -> np.ndarray:
     order: dict[int, int] = {}
     for region in regions.ravel():
         order.setdefault(int(region), len(order))
-    return np.vectorize(order.__getitem__, otypes=[int])(regions)
+    ordered: np.ndarray = np.vectorize(order.__getitem__, otypes=[int])(regions)
+    return ordered
 
 
 def _join_borders(regions: np.ndarray, weights: np.ndarray) -> None:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
 
+from core.arrays import BoolArray, Float32Array, Int64Array
+from core.compiled import njit
 from core.motion_map.som import principal_axes
 from core.progress import Report, silent
 
@@ -51,13 +52,15 @@ def _kept(
     return kept, seen
 
 
-@njit(cache=True)
-def _cell(x, y, z):
+@njit()
+def _cell(x: int, y: int, z: int) -> int:
     return (x * 73856093 ^ y * 19349663 ^ z * 83492791) & (_TABLE - 1)
 
 
-@njit(cache=True)
-def _is_free(postures, cells, squared, i, head, follow):
+@njit()
+def _is_free(
+    postures: Float32Array, cells: Int64Array, squared: float, i: int, head: Int64Array, follow: Int64Array
+) -> bool:
     """Whether nothing kept lies within the threshold of posture i."""
     for x in range(-1, 2):
         for y in range(-1, 2):
@@ -75,8 +78,19 @@ def _is_free(postures, cells, squared, i, head, follow):
     return True
 
 
-@njit(cache=True)
-def _keep(postures, cells, squared, low, high, head, follow, kept, count, most):
+@njit()
+def _keep(
+    postures: Float32Array,
+    cells: Int64Array,
+    squared: float,
+    low: int,
+    high: int,
+    head: Int64Array,
+    follow: Int64Array,
+    kept: BoolArray,
+    count: int,
+    most: int,
+) -> tuple[int, int]:
     """Looks at postures [low, high) and enters those that are kept, until they are more than ``most``.
 
     head, follow: linked lists of the cells. Gives where it stopped and how many are kept.

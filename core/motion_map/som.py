@@ -10,10 +10,11 @@ import math
 from collections.abc import Iterator
 
 import numpy as np
-from numba import njit
 from sklearn.decomposition import PCA
 from threadpoolctl import threadpool_limits
 
+from core.arrays import Float32Array, Int64Array
+from core.compiled import njit
 from core.progress import Report, silent
 
 FIRST_RATE, LAST_RATE = 0.8, 0.01  # the paper's learning rates
@@ -69,7 +70,8 @@ def plane(samples: np.ndarray, grid: tuple[int, int]) -> np.ndarray:
     if grid[1] > grid[0]:
         axes = axes[:, ::-1]
     x, y = np.meshgrid(np.linspace(-1, 1, grid[0]), np.linspace(-1, 1, grid[1]), indexing="ij")
-    return (mean + x[..., None] * axes[:, 0] + y[..., None] * axes[:, 1]).astype(np.float32)
+    flat: np.ndarray = mean + x[..., None] * axes[:, 0] + y[..., None] * axes[:, 1]
+    return flat.astype(np.float32)
 
 
 def principal_axes(samples: np.ndarray, n: int) -> tuple[np.ndarray, np.ndarray]:
@@ -165,8 +167,8 @@ def online_som(
     return weights
 
 
-@njit(cache=True)
-def _pass(samples, order, weights, step, steps):
+@njit()
+def _pass(samples: Float32Array, order: Int64Array, weights: Float32Array, step: int, steps: int) -> None:
     nx, ny, d = weights.shape
     for i in range(len(order)):
         x = samples[order[i]]

@@ -21,6 +21,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from core.arrays import FloatArray
 from core.mocap import quaternions as quat
 from core.mocap.anatomy import SIDES, find_anatomy
 from core.mocap.clip import Clip
@@ -137,7 +138,7 @@ def _angles(joint: AngleJoint, segments: Mapping[str, np.ndarray]) -> np.ndarray
     about_z = np.arctan2(-turn[:, 0, 1], turn[:, 1, 1])
     about_x = np.arcsin(np.clip(turn[:, 2, 1], -1, 1))
     about_y = np.arctan2(-turn[:, 2, 0], turn[:, 2, 2])
-    angles = np.degrees(np.stack([about_z, about_x, about_y], axis=1)) * joint.signs
+    angles: np.ndarray = np.degrees(np.stack([about_z, about_x, about_y], axis=1)) * joint.signs
     angles[:, 0] = (angles[:, 0] + 90) % 360 - 90
     if len(joint.channels) == 4:
         elevation = np.degrees(np.arccos(np.clip(turn[:, 1, 1], -1, 1)))
@@ -164,6 +165,7 @@ def channel_angles(clip: Clip, joint: int) -> tuple[tuple[str, ...], np.ndarray]
     return turns, np.unwrap(np.where(turned[:, None], other, angles), period=360, axis=0)
 
 
-def _apart(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+def _apart(a: FloatArray, b: FloatArray) -> FloatArray:
     """How far triples of angles ``(n, 3)`` lie apart, full turns aside."""
-    return (np.abs((a - b + 180) % 360 - 180) ** 2).sum(1)
+    squared: FloatArray = (np.abs((a - b + 180) % 360 - 180) ** 2).sum(1)
+    return squared

@@ -56,7 +56,8 @@ class _Sample:
 
     def local(self, name: str, vectors: np.ndarray) -> np.ndarray:
         """World vectors ``(n, 3)`` in the frame of a joint."""
-        return np.einsum("nji,nj->ni", self.world[:, self.anatomy.joints[name]], vectors)
+        local: np.ndarray = np.einsum("nji,nj->ni", self.world[:, self.anatomy.joints[name]], vectors)
+        return local
 
     def has(self, *names: str) -> bool:
         return all(name in self.anatomy.joints for name in names)
@@ -126,7 +127,7 @@ def _upright(sample: _Sample) -> np.ndarray:
     trunk = sample.at(top) - sample.at("pelvis")
     lean = np.arccos(np.clip(_unit(trunk)[:, 1], -1, 1))
     height = sample.at(top)[:, 1] - sample.positions[..., 1].min(1)
-    standing = (lean < _UPRIGHT) & (height > _STANDING * np.percentile(height, 98))
+    standing: np.ndarray = (lean < _UPRIGHT) & (height > _STANDING * np.percentile(height, 98))
     if standing.sum() < _FEWEST:
         standing = lean <= np.percentile(lean, 10)
     return standing
@@ -146,7 +147,9 @@ def _trunk(sample: _Sample, upright: np.ndarray, axes: dict[str, np.ndarray]) ->
         axes["head"] = _frame(up=_mean(sample.local("head", vertical)[upright]), right=right)
 
 
-def _limb(sample: _Sample, upright: np.ndarray, axes, joints: list[str], trunk: str, bends: int) -> set[str]:
+def _limb(
+    sample: _Sample, upright: np.ndarray, axes: dict[str, np.ndarray], joints: list[str], trunk: str, bends: int
+) -> set[str]:
     """Upper and lower segment of a limb, their side axis the hinge between; the joint at the hinge if it was found.
 
     bends: 1 where flexion brings the lower segment forward (elbow), -1 where back (knee).
@@ -208,7 +211,8 @@ def _farthest(sample: _Sample, joint: int, start: str) -> int | None:
 
 def _axis(sample: _Sample, axes: dict[str, np.ndarray], name: str, column: int) -> np.ndarray:
     """An axis of a segment in the world, frame by frame ``(n, 3)``."""
-    return sample.world[:, sample.anatomy.joints[name]] @ axes[name][:, column]
+    axis: np.ndarray = sample.world[:, sample.anatomy.joints[name]] @ axes[name][:, column]
+    return axis
 
 
 def _frame(up: np.ndarray, right: np.ndarray, first: str = "up") -> np.ndarray:

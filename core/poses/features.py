@@ -12,11 +12,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from core.mocap import quaternions as quat
-from core.mocap.anatomy import CANONICAL, find_anatomy
+from core.mocap.anatomy import CANONICAL, Anatomy, find_anatomy
 from core.mocap.clip import Clip
 from core.mocap.dataset import Dataset
 from core.mocap.kinematics import forward_kinematics, resample
@@ -182,7 +183,7 @@ def _bodies(skeletons: Sequence[Skeleton]) -> dict[Skeleton, _Body]:
     return {s: _body(s, find_anatomy(s), joints) for s, joints in chosen.items()}
 
 
-def _body(skeleton: Skeleton, anatomy, chosen: dict[str, int]) -> _Body:
+def _body(skeleton: Skeleton, anatomy: Anatomy, chosen: dict[str, int]) -> _Body:
     joints = tuple(chosen.values())
     above = []
     for j in joints:
@@ -190,15 +191,17 @@ def _body(skeleton: Skeleton, anatomy, chosen: dict[str, int]) -> _Body:
         while p > 0 and p not in joints:
             p = skeleton.parents[p]
         above.append(max(p, 0))
-    hips = tuple(anatomy.joints.get(f"{side}_hip", -1) for side in ("left", "right"))
+    hips = anatomy.joints.get("left_hip", -1), anatomy.joints.get("right_hip", -1)
     return _Body(
         tuple(chosen), joints, tuple(above), hips if min(hips) >= 0 else None, anatomy.body_height, skeleton.names
     )
 
 
-def _mean_rotations(clips: Sequence[Clip], bodies: dict[Skeleton, _Body]) -> dict[tuple, tuple[np.ndarray, np.ndarray]]:
+def _mean_rotations(
+    clips: Sequence[Clip], bodies: dict[Skeleton, _Body]
+) -> dict[tuple[Any, ...], tuple[np.ndarray, np.ndarray]]:
     """Per family: mean rotation of each joint ``(n_joints, 4)`` and mean pelvis rotation without heading ``(4,)``."""
-    sums: dict[tuple, np.ndarray] = {}
+    sums: dict[tuple[Any, ...], np.ndarray] = {}
     for clip in clips:
         body = bodies[clip.skeleton]
         step = max(1, round(clip.fps / 3))  # a few frames a second are plenty for a mean
@@ -224,7 +227,9 @@ def _without_heading(positions: np.ndarray, world: np.ndarray, body: _Body) -> n
     return quat.multiply(quat.from_yaw(np.arctan2(across[:, 2], across[:, 0])), world[:, 0])
 
 
-def _clip_features(clip: Clip, body: _Body, rest, pose: str, scales: Scales) -> np.ndarray:
+def _clip_features(
+    clip: Clip, body: _Body, rest: tuple[np.ndarray, np.ndarray], pose: str, scales: Scales
+) -> np.ndarray:
     positions, world = forward_kinematics(clip)
     yaw, tilt = quat.split_yaw(quat.multiply(world[:, 0], quat.conjugate(rest[1])))
     yaw = np.unwrap(yaw)
@@ -266,7 +271,8 @@ def _speed(track: np.ndarray, fps: float) -> np.ndarray:
     at = np.arange(len(track))
     before, after = np.maximum(at - half, 0), np.minimum(at + half, len(track) - 1)
     seconds = np.maximum(after - before, 1) / fps
-    return (track[after] - track[before]) / (seconds * SPEED_FPS)[:, None]
+    speed: np.ndarray = (track[after] - track[before]) / (seconds * SPEED_FPS)[:, None]
+    return speed
 
 
 def _names(joints: tuple[str, ...], pose: str) -> tuple[str, ...]:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
+from core.arrays import FloatArray
 from core.mocap import quaternions as quat
 from core.mocap.anatomy import find_anatomy
 from core.mocap.clip import Clip
@@ -130,7 +132,7 @@ def _ground_velocity(clip: Clip, yaw: np.ndarray) -> np.ndarray:
     return own[:, [2, 0]].astype(np.float32)
 
 
-def _heading(positions: np.ndarray, world: np.ndarray, joints: dict[str, int]) -> np.ndarray:
+def _heading(positions: FloatArray, world: np.ndarray, joints: Mapping[str, int]) -> np.ndarray:
     """Which way the body faces, ``(n,)`` radians about y from +z: square to the line between the hips."""
     if "left_hip" not in joints or "right_hip" not in joints:
         return quat.split_yaw(world[:, 0])[0]

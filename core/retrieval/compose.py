@@ -96,7 +96,9 @@ def _weighted(codes: np.ndarray, part: QueryPart, weights: Mapping[str, float]) 
     return codes[:, :N_COLUMNS] * (factors / 127)
 
 
-def _laid_along(found, shares, other, part: QueryPart, weights: Mapping[str, float]) -> np.ndarray:
+def _laid_along(
+    found: np.ndarray, shares: np.ndarray, other: np.ndarray, part: QueryPart, weights: Mapping[str, float]
+) -> np.ndarray:
     taken = at_shares(other[:, :N_COLUMNS].astype(np.float32), path_lengths(_weighted(other, part, weights)), shares)
     values = found[:, :N_COLUMNS].copy()
     for leaf in part.leaves:

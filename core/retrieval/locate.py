@@ -11,8 +11,9 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from core.arrays import Float32Array, Float64Array, Int8Array, Int64Array
+from core.compiled import njit
 from core.retrieval.compose import Composed
 from core.retrieval.descriptors import N_COLUMNS
 from core.retrieval.frames import FrameStore
@@ -100,8 +101,17 @@ def _keys(query: Composed, metric: Metric) -> tuple[np.ndarray, np.ndarray]:
     return at_shares(values, lengths, shares).astype(np.float32), times
 
 
-@njit(cache=True, nogil=True, fastmath=True)
-def _table(codes, starts, among, offsets, keys, scales, cap, stride):
+@njit(nogil=True, fastmath=True)
+def _table(
+    codes: Int8Array,
+    starts: Int64Array,
+    among: Int64Array,
+    offsets: Int64Array,
+    keys: Float32Array,
+    scales: Float32Array,
+    cap: np.float32,
+    stride: int,
+) -> Float32Array:
     """How far every coarse frame of the clips is from every key: ``(n_keys, total)``, 0 to 1."""
     n_keys, used, block = len(keys), np.flatnonzero(scales), 64
     table = np.empty((n_keys, offsets[-1]), np.float32)
@@ -128,8 +138,16 @@ def _table(codes, starts, among, offsets, keys, scales, cap, stride):
     return table
 
 
-@njit(cache=True, nogil=True, fastmath=True)
-def _score_windows(table, frames, offsets, times, n, tempos, stride):
+@njit(nogil=True, fastmath=True)
+def _score_windows(
+    table: Float32Array,
+    frames: Int64Array,
+    offsets: Int64Array,
+    times: Float64Array,
+    n: int,
+    tempos: Float64Array,
+    stride: int,
+) -> tuple[Float32Array, Int64Array]:
     """Per coarse frame of the clips the mean distance of the best window that starts there, and its length."""
     n_keys, total = table.shape
     score = np.full(total, np.float32(2.0))
@@ -160,8 +178,8 @@ def _score_windows(table, frames, offsets, times, n, tempos, stride):
     return score, length
 
 
-@njit(cache=True, nogil=True)
-def _minima(score, offsets, reach):
+@njit(nogil=True)
+def _minima(score: Float32Array, offsets: Int64Array, reach: int) -> Int64Array:
     """Indices of windows that are no worse than those up to ``reach`` away in the same clip."""
     found = []
     for c in range(len(offsets) - 1):
@@ -208,11 +226,12 @@ def warped_stretch(query: np.ndarray, frames: np.ndarray, cap: float) -> tuple[i
     query, frames = np.ascontiguousarray(query, np.float32), np.ascontiguousarray(frames, np.float32)
     if not len(query) or not len(frames) or query.shape[1:] != frames.shape[1:]:
         raise ValueError(f"cannot look for shape {query.shape} in shape {frames.shape}")
-    return _warped_stretch(query, frames, np.float32(cap))
+    start, end, cost = _warped_stretch(query, frames, np.float32(cap))
+    return start, end, float(cost)
 
 
-@njit(cache=True, nogil=True, fastmath=True)
-def _warped_stretch(query, frames, cap):
+@njit(nogil=True, fastmath=True)
+def _warped_stretch(query: Float32Array, frames: Float32Array, cap: np.float32) -> tuple[int, int, np.float32]:
     n, m = len(query), len(frames)
     cost, begun = np.zeros(m, np.float32), np.arange(m)
     for i in range(n):
@@ -257,7 +276,7 @@ def _apart(windows: _Windows, distances: np.ndarray, top: int) -> list[int]:
     return kept
 
 
-def _place(store, query: Composed, metric: Metric, windows: _Windows, k: int, distance: float) -> Place:
+def _place(store: FrameStore, query: Composed, metric: Metric, windows: _Windows, k: int, distance: float) -> Place:
     clip = int(windows.clip[k])
     start, end = int(windows.start[k]), int(windows.end[k])
     within = None

@@ -49,9 +49,10 @@ class Motions:
     @cached_property
     def squares(self) -> np.ndarray:
         """Squared lengths of ``coarse``, ``(k,)``."""
-        return np.einsum("ij,ij->i", self.coarse, self.coarse)
+        squares: np.ndarray = np.einsum("ij,ij->i", self.coarse, self.coarse)
+        return squares
 
-    def __getitem__(self, which) -> Motions:
+    def __getitem__(self, which: np.ndarray | slice) -> Motions:
         """Those numbered ``(k,)``, or of a slice."""
         return Motions(self.samples[which], self.travel[which], self.effort[which], self.posture[which])
 
@@ -103,26 +104,29 @@ class Metric:
     def distances(self, query: Motions, others: Motions) -> np.ndarray:
         """Distance of one motion to each of ``others``, ``(k,)`` from 0 to 1."""
         edits = bounded_edit_distances(query.samples[0], others.samples, self.cap, GAP)
-        return (edits + self._on_the_whole(query, others)) / self.most
+        distances: np.ndarray = (edits + self._on_the_whole(query, others)) / self.most
+        return distances
 
     def rough(self, query: Motions, others: Motions) -> np.ndarray:
         """Much the same order by the distance of a few samples one by one, ``(k,)``: quick."""
         squares = others.squares + query.squares - 2 * (others.coarse @ query.coarse[0])
         edits = np.sqrt(np.maximum(squares, 0) * (4 / SAMPLES)) / self.cap
-        return edits + self._on_the_whole(query, others)
+        distances: np.ndarray = edits + self._on_the_whole(query, others)
+        return distances
 
     def _on_the_whole(self, query: Motions, others: Motions) -> np.ndarray:
         travel = np.linalg.norm(others.travel - query.travel, axis=1) / _TRAVEL_CAP
         effort = np.sqrt(((others.effort - query.effort) ** 2) @ self.shares) / _EFFORT_CAP
         posture = np.linalg.norm(others.posture - query.posture, axis=1) / self.cap
         parts = ((TRAVEL * self.root, travel), (EFFORT, effort), (POSTURE, posture))
-        return sum(weight * np.minimum(apart, 1) for weight, apart in parts)
+        total: np.ndarray = sum(weight * np.minimum(apart, 1) for weight, apart in parts)
+        return total
 
     def _travel_of(self, means: np.ndarray) -> np.ndarray:
         """Mean velocity left, forward and turning; its length over the ground grows with the logarithm of the speed."""
         if not self.root > 0:
             return np.zeros((len(means), 3), np.float32)
-        velocity = means[:, [0, 1, 3]] / self.factors[self.way :][[0, 1, 3]]
+        velocity: np.ndarray = means[:, [0, 1, 3]] / self.factors[self.way :][[0, 1, 3]]
         speed = np.linalg.norm(velocity[:, :2], axis=1, keepdims=True)
         velocity[:, :2] *= np.log1p(speed / _SLOW) / np.maximum(speed, 1e-9)
         return velocity

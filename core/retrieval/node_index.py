@@ -89,7 +89,8 @@ class NodeIndex:
     @property
     def middles(self) -> np.ndarray:
         """Middle of each segment in frames ``(n_segments,)``, ascending."""
-        return (self.begins + self.ends) / 2
+        middles: np.ndarray = (self.begins + self.ends) / 2
+        return middles
 
     def windows(self, first: np.ndarray, last: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Ranges of segments, ``(n,)`` each, whose middles lie in frames ``[first, last)``, ``(n,)`` each."""
@@ -201,7 +202,7 @@ def node_columns(node: str, codes: np.ndarray, has: Sequence[str], settings: Pat
     if any(leaf not in has for leaf in leaves):
         return np.zeros((len(codes), 0), np.float32)
     columns = np.concatenate([np.arange(BLOCKS[leaf].start, BLOCKS[leaf].stop) for leaf in leaves])
-    values = codes[:, columns] * UNITS[columns]
+    values: np.ndarray = codes[:, columns] * UNITS[columns]
     if settings.smooth:
         values = smoothed(values, fps)
     if settings.centring > 0:
@@ -216,4 +217,5 @@ def centred(values: np.ndarray, share: float, around: int) -> np.ndarray:
     sums = np.concatenate([np.zeros((1, values.shape[1])), np.cumsum(values, axis=0, dtype=np.float64)])
     at = np.arange(len(values))
     first, last = np.maximum(at - around, 0), np.minimum(at + around + 1, len(values))
-    return (values - share * (sums[last] - sums[first]) / (last - first)[:, None]).astype(np.float32)
+    rest: np.ndarray = values - share * (sums[last] - sums[first]) / (last - first)[:, None]
+    return rest.astype(np.float32)

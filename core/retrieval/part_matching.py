@@ -11,8 +11,9 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
 
+from core.arrays import Float32Array, Float64Array, Int32Array, Int64Array
+from core.compiled import njit
 from core.poses.body_parts import CHILDREN, LEAVES, NODES, leaves_of
 
 
@@ -23,7 +24,8 @@ def gains(dissimilarities: np.ndarray, tolerance: float) -> np.ndarray:
     """
     if not tolerance > 0:
         raise ValueError(f"tolerance must be positive, not {tolerance}")
-    return np.maximum(1 - np.asarray(dissimilarities, np.float32) / np.float32(tolerance), -1)
+    gain: np.ndarray = np.maximum(1 - np.asarray(dissimilarities, np.float32) / np.float32(tolerance), -1)
+    return gain
 
 
 def window_scores(
@@ -93,7 +95,8 @@ def propagate(scores: Mapping[str, np.ndarray], weights: Mapping[str, float], al
             if means[node] > 0 and node in scores:
                 combined[node] = np.asarray(scores[node], float)
         elif children:
-            below = sum(means[child] * combined[child] for child in children) / sum(means[c] for c in children)
+            total = np.sum([means[child] * combined[child] for child in children], axis=0)
+            below = total / sum(means[child] for child in children)
             share = own_share(node, weights, alpha) if node in scores else 0.0
             combined[node] = share * scores[node] + (1 - share) * below if share > 0 else below
     if "whole_body" not in combined:
@@ -109,8 +112,10 @@ def own_share(node: str, weights: Mapping[str, float], alpha: float) -> float:
     return alpha * min(below) / (sum(below) / len(below)) if sum(below) > 0 else 0.0
 
 
-@njit(cache=True, nogil=True)
-def _window_scores(symbols, starts, ends, gain, gap):
+@njit(nogil=True)
+def _window_scores(
+    symbols: Int32Array, starts: Int64Array, ends: Int64Array, gain: Float32Array, gap: np.float32
+) -> Float64Array:
     m = len(gain)
     scores = np.zeros(len(starts))
     row = np.zeros(m + 1, np.float32)
@@ -133,8 +138,18 @@ def _window_scores(symbols, starts, ends, gain, gap):
     return scores
 
 
-@njit(cache=True, nogil=True)
-def _places(symbols, starts, ends, gain, gap, out_score, out_start, out_query_start, out_query_end):
+@njit(nogil=True)
+def _places(
+    symbols: Int32Array,
+    starts: Int64Array,
+    ends: Int64Array,
+    gain: Float32Array,
+    gap: np.float32,
+    out_score: Float32Array,
+    out_start: Int32Array,
+    out_query_start: Int32Array,
+    out_query_end: Int32Array,
+) -> None:
     m = len(gain)
     score = np.zeros(m + 1, np.float32)
     first, since = np.zeros(m + 1, np.int32), np.zeros(m + 1, np.int32)  # of the alignment in each column
@@ -160,8 +175,8 @@ def _places(symbols, starts, ends, gain, gap, out_score, out_start, out_query_st
                     out_score[i], out_start[i], out_query_start[i], out_query_end[i] = value, begin, query, j + 1
 
 
-@njit(cache=True, nogil=True)
-def _aligned_pairs(table, gap):
+@njit(nogil=True)
+def _aligned_pairs(table: Float32Array, gap: np.float32) -> Int64Array:
     m, n = table.shape
     score = np.zeros((m + 1, n + 1), np.float32)
     best, at_i, at_j = np.float32(0), 0, 0

@@ -101,7 +101,9 @@ def paired_similarity(symbols: np.ndarray, gain: np.ndarray, gap: float, cuts: n
     return similarity
 
 
-def _proposed(index: NodeIndex, gain, wanted: Wanted, node: str, among, bounds: np.ndarray, most: int) -> np.ndarray:
+def _proposed(
+    index: NodeIndex, gain: np.ndarray, wanted: Wanted, node: str, among: np.ndarray, bounds: np.ndarray, most: int
+) -> np.ndarray:
     """Stretches ``(k, 2)`` in frames where the node's own list fits best."""
     found = places(index.symbols, index.starts[among], index.starts[among + 1], gain, wanted.gap)
     score = found.score
@@ -114,10 +116,14 @@ def _proposed(index: NodeIndex, gain, wanted: Wanted, node: str, among, bounds: 
     query = (found.query_start[ends], found.query_end[ends])
     spans = _projected(index, wanted, node, (found.start[ends], ends + 1), query)
     clip = np.searchsorted(bounds[:, 0], index.begins[ends], side="right") - 1
-    return np.clip(spans, bounds[clip, :1], bounds[clip, 1:])
+    inside: np.ndarray = np.clip(spans, bounds[clip, :1], bounds[clip, 1:])
+    return inside
 
 
-def _projected(index: NodeIndex, wanted: Wanted, node: str, listed, query) -> np.ndarray:
+_Ranges = tuple[np.ndarray, np.ndarray]  # first and last segments
+
+
+def _projected(index: NodeIndex, wanted: Wanted, node: str, listed: _Ranges, query: _Ranges) -> np.ndarray:
     """Where the whole query lies, ``(k, 2)``, when ranges of its segments lie beside ranges of the node's segments."""
     cuts, frames = wanted.lists[node].cuts, wanted.frames[node]
     first, last = index.begins[listed[0]].astype(float), index.ends[listed[1] - 1].astype(float)
@@ -126,12 +132,20 @@ def _projected(index: NodeIndex, wanted: Wanted, node: str, listed, query) -> np
     return np.stack([first - rate * since, last + rate * (frames - until)], axis=1)
 
 
-def _judged(nodes, gains, wanted: Wanted, spans: np.ndarray) -> np.ndarray:
+def _judged(
+    nodes: Mapping[str, NodeIndex], gains: Mapping[str, np.ndarray], wanted: Wanted, spans: np.ndarray
+) -> np.ndarray:
     windows = {node: nodes[node].windows(spans[:, 0], spans[:, 1]) for node in gains}
     return judged(nodes, gains, wanted, windows)
 
 
-def _fitted(nodes, gains, wanted: Wanted, span: np.ndarray, clip_starts: np.ndarray) -> np.ndarray:
+def _fitted(
+    nodes: Mapping[str, NodeIndex],
+    gains: Mapping[str, np.ndarray],
+    wanted: Wanted,
+    span: np.ndarray,
+    clip_starts: np.ndarray,
+) -> np.ndarray:
     """The stretch ``(2,)`` once more: where the nodes, each on its own, see it, and the middle one of them."""
     clip = int(np.searchsorted(clip_starts, span[0], side="right")) - 1
     room = _ROOM * (span[1] - span[0])

@@ -214,7 +214,9 @@ class Parts:
             for node in chosen
         }
 
-    def _with_path(self, query, weights, scores: np.ndarray, among: np.ndarray, root_path: float) -> np.ndarray:
+    def _with_path(
+        self, query: Query, weights: Mapping[str, float], scores: np.ndarray, among: np.ndarray, root_path: float
+    ) -> np.ndarray:
         if root_path == 0:
             return scores
         codes = compose(self.store, query, weights).codes

@@ -8,7 +8,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numba import njit
+
+from core.arrays import Float32Array, Int8Array, Int64Array
+from core.compiled import njit
 
 STILL = 1e-3
 """Added to the way of every frame step, so that a motion that stands still is read at equal steps of time."""
@@ -38,7 +40,8 @@ def at_shares(values: np.ndarray, lengths: np.ndarray, shares: np.ndarray) -> np
     low = at.astype(np.int64)
     high = np.minimum(low + 1, len(values) - 1)
     rest = (at - low).astype(np.float32)[:, None]
-    return values[low] * (1 - rest) + values[high] * rest
+    read: np.ndarray = values[low] * (1 - rest) + values[high] * rest
+    return read
 
 
 def sample_all(
@@ -67,8 +70,16 @@ def sample_all(
     return Samples(*_sample_all(codes, columns, np.asarray(scales, np.float32), bounds, starts, ends, n_samples))
 
 
-@njit(cache=True, nogil=True, fastmath=True)
-def _sample_all(codes, columns, scales, bounds, starts, ends, n_samples):
+@njit(nogil=True, fastmath=True)
+def _sample_all(
+    codes: Int8Array,
+    columns: Int64Array,
+    scales: Float32Array,
+    bounds: Int64Array,
+    starts: Int64Array,
+    ends: Int64Array,
+    n_samples: int,
+) -> tuple[Float32Array, Float32Array, Float32Array]:
     d, n_groups = len(columns), len(bounds) - 1
     values = np.empty((len(starts), n_samples, d), np.float32)
     steps = np.zeros((len(starts), n_groups), np.float32)

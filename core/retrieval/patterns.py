@@ -37,7 +37,7 @@ class PatternLibrary:
         """Index ``(n,)`` int32 of the pattern nearest to each segment ``(n, length * d)``, by the KD-tree."""
         if len(segments) == 0:
             return np.zeros(0, np.int32)
-        return self._tree.query(np.asarray(segments, np.float64))[1].astype(np.int32)
+        return np.asarray(self._tree.query(np.asarray(segments, np.float64))[1], np.int32)
 
     def assign(self, segments: np.ndarray) -> np.ndarray:
         """As :meth:`nearest` for very many segments ``(n, length * d)``: all distances at once beat the tree."""
@@ -115,7 +115,8 @@ def adaptive_k_means(
 def distances(a: np.ndarray, b: np.ndarray) -> np.ndarray:
     """Euclidean distances of rows ``(n, d)`` and ``(m, d)``: ``(n, m)`` float32; equal rows may be just above 0."""
     a, b = np.ascontiguousarray(a, np.float32), np.ascontiguousarray(b, np.float32)
-    return np.sqrt(np.maximum(faiss.pairwise_distances(a, b), 0))
+    apart: np.ndarray = np.sqrt(np.maximum(faiss.pairwise_distances(a, b), 0))
+    return apart
 
 
 def _assign(x: np.ndarray, centres: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -6,7 +6,9 @@ The scan of a list stops when the query's end is reached, where the printed loop
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
+
+from core.arrays import Float32Array, Float64Array, Int32Array, Int64Array, IntArray
+from core.compiled import njit
 
 MAX_TOLERANCE = 0.02
 MIN_CON_NUM = 5
@@ -20,8 +22,8 @@ def next_values(query: np.ndarray) -> np.ndarray:
     return _next_values(np.ascontiguousarray(query, np.int64))
 
 
-@njit(cache=True, nogil=True)
-def _next_values(query):
+@njit(nogil=True)
+def _next_values(query: Int64Array) -> Int64Array:
     m = len(query)
     values = np.empty(m, np.int64)
     if m == 0:
@@ -75,8 +77,10 @@ def scan(
     return _scan(symbols, starts, table, following, float(weight), float(max_tolerance), int(min_con_num))
 
 
-@njit(cache=True, nogil=True)
-def _algorithm_2(source, table, following, weight, max_tolerance, min_con_num):
+@njit(nogil=True)
+def _algorithm_2(
+    source: IntArray, table: Float32Array, following: Int64Array, weight: float, max_tolerance: float, min_con_num: int
+) -> float:
     score, count, i, j = 0.0, 0, 0, 0
     while i < len(source) and j < len(table):
         distance = table[j, source[i]]
@@ -94,8 +98,16 @@ def _algorithm_2(source, table, following, weight, max_tolerance, min_con_num):
     return score / len(source)
 
 
-@njit(cache=True, nogil=True)
-def _scan(symbols, starts, table, following, weight, max_tolerance, min_con_num):
+@njit(nogil=True)
+def _scan(
+    symbols: Int32Array,
+    starts: Int64Array,
+    table: Float32Array,
+    following: Int64Array,
+    weight: float,
+    max_tolerance: float,
+    min_con_num: int,
+) -> Float64Array:
     scores = np.empty(len(starts) - 1)
     for k in range(len(scores)):
         source = symbols[starts[k] : starts[k + 1]]

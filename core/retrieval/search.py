@@ -15,6 +15,7 @@ from core.mocap.dataset import Dataset
 from core.parameters import parameter
 from core.poses.body_parts import LEAVES, normalise_weights
 from core.progress import Report, silent
+from core.retrieval.frames import FrameStore
 from core.retrieval.hits import Explanation, Hit, IndexedClip
 from core.retrieval.queries import Query
 
@@ -69,7 +70,11 @@ class Engine(Protocol):
     order of the clips. Frames of hits are of the clips' own rates.
     """
 
-    clips: tuple[IndexedClip, ...]
+    store: FrameStore
+
+    @property
+    def clips(self) -> tuple[IndexedClip, ...]:
+        """The clips that are searched."""
 
     @classmethod
     def build(cls, dataset: Dataset, parameters: SearchParameters, report: Report) -> Engine:
@@ -140,13 +145,14 @@ class SearchIndex:
             raise ValueError(f"root_path must be 0 to 1, not {root_path}")
         wanted, unwanted = None if only is None else set(only), set(exclude)
         among = [k for k, c in enumerate(self.clips) if (wanted is None or c.name in wanted) and c.name not in unwanted]
-        options = {"among": np.array(among, np.int64), "root_path": float(root_path)}
         shares = weights_for(query, weights)
         if not among:
             return []
+        clips, path = np.array(among, np.int64), float(root_path)
         if level == "clip":
-            return self.engine.rank_clips(query, shares, top=top, **options)
-        return self.engine.rank_intervals(query, shares, top=INTERVALS if top is None else top, **options)
+            return self.engine.rank_clips(query, shares, among=clips, top=top, root_path=path)
+        top = INTERVALS if top is None else top
+        return self.engine.rank_intervals(query, shares, among=clips, top=top, root_path=path)
 
     def explain(self, query: Query, hit: Hit | Segment, *, weights: Mapping[str, float] | None = None) -> Explanation:
         """Which parts of a hit are like the query when, and which frames stand beside one another.
@@ -227,4 +233,5 @@ def unpack(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Sea
 
 def _engine(method: str) -> type[Engine]:
     module, name = ENGINES[method]
-    return getattr(import_module(module), name)
+    engine: type[Engine] = getattr(import_module(module), name)
+    return engine

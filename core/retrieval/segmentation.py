@@ -11,8 +11,10 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
-from numba import njit
 from scipy.interpolate import CubicSpline
+
+from core.arrays import Float64Array, Int64Array
+from core.compiled import njit
 
 ENERGY = 0.95
 """Share of the variance that the principal axes keep (Barbic et al. 2004)."""
@@ -38,8 +40,10 @@ def ppca_cuts(
     return _cuts(values, float(threshold), int(window), int(ahead), int(shortest), float(energy), FLOOR)
 
 
-@njit(cache=True, nogil=True)
-def _cuts(x, threshold, window, ahead, shortest, energy, floor):
+@njit(nogil=True)
+def _cuts(
+    x: Float64Array, threshold: float, window: int, ahead: int, shortest: int, energy: float, floor: float
+) -> Int64Array:
     n, d = x.shape
     cuts = [0]
     start = 0
@@ -80,8 +84,17 @@ def _cuts(x, threshold, window, ahead, shortest, energy, floor):
     return np.array(cuts, dtype=np.int64)
 
 
-@njit(cache=True, nogil=True)
-def _surprise(x, start, size, ahead, total, moments, energy, floor):
+@njit(nogil=True)
+def _surprise(
+    x: Float64Array,
+    start: int,
+    size: int,
+    ahead: int,
+    total: Float64Array,
+    moments: Float64Array,
+    energy: float,
+    floor: float,
+) -> float:
     """Mean squared Mahalanobis distance of the ``ahead`` frames after ``size`` ones to the model of those."""
     d = len(total)
     covariance = np.empty((d, d))

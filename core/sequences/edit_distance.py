@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
+
+from core.arrays import Float32Array
+from core.compiled import njit
 
 
 def bounded_edit_distances(
@@ -26,8 +28,8 @@ def bounded_edit_distances(
     return _distances(a, many, np.float32(cap), np.float32(gap), reach)
 
 
-@njit(cache=True, nogil=True, fastmath=True)
-def _distances(a, many, cap, gap, reach):
+@njit(nogil=True, fastmath=True)
+def _distances(a: Float32Array, many: Float32Array, cap: np.float32, gap: np.float32, reach: int) -> Float32Array:
     n, (k, m, d) = len(a), many.shape
     found = np.empty(k, np.float32)
     turned = np.empty((d, m), np.float32)  # samples side by side: a row of costs at a time, without sums across

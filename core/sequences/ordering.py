@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
+
+from core.compiled import njit
 
 
-@njit(nogil=True, cache=True)
+@njit(nogil=True)
 def ascending(values: np.ndarray) -> np.ndarray:
     """Indices ``(n,)`` int64 that sort ``values`` ``(n,)``; equal values keep their order. Bottom-up merge sort."""
     n = len(values)

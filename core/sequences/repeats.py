@@ -6,6 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from core.arrays import FloatArray, IntArray
+
 
 class Runs(NamedTuple):
     """A frame-by-frame labelling with its consecutive repetitions removed (MMG section 3.2), all arrays ``(m,)`` int32.
@@ -23,12 +25,14 @@ class Runs(NamedTuple):
     @property
     def middles(self) -> np.ndarray:
         """Mean frame of each run, ``(m,)`` float32."""
-        return ((self.starts + self.ends - 1) * 0.5).astype(np.float32)
+        middles: FloatArray = (self.starts + self.ends - 1) * 0.5
+        return middles.astype(np.float32)
 
     @property
     def lengths(self) -> np.ndarray:
         """Frames of each run, ``(m,)`` float32."""
-        return (self.ends - self.starts).astype(np.float32)
+        lengths: IntArray = self.ends - self.starts
+        return lengths.astype(np.float32)
 
 
 def remove_runs(labels: np.ndarray, clip_starts: np.ndarray) -> Runs:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import numpy as np
-from numba import njit
+
+from core.arrays import Float32Array, Int64Array, UInt8Array
+from core.compiled import njit
 
 
 def warp_path(a: np.ndarray, b: np.ndarray, band: float | None = None) -> np.ndarray:
@@ -34,8 +36,8 @@ def registration(path: np.ndarray, n: int) -> np.ndarray:
     return total / np.maximum(count, 1)
 
 
-@njit(cache=True, nogil=True)
-def _steps(a, b, reach):
+@njit(nogil=True)
+def _steps(a: Float32Array, b: Float32Array, reach: float) -> UInt8Array:
     """Last step of the best path into each cell: 0 both, 1 first sequence only, 2 second only."""
     n, m = len(a), len(b)
     steps = np.zeros((n, m), np.uint8)
@@ -59,8 +61,8 @@ def _steps(a, b, reach):
     return steps
 
 
-@njit(cache=True, nogil=True)
-def _trace(steps):
+@njit(nogil=True)
+def _trace(steps: UInt8Array) -> Int64Array:
     i, j = steps.shape[0] - 1, steps.shape[1] - 1
     path = np.empty((i + j + 1, 2), np.int64)
     k = len(path)

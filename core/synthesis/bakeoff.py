@@ -120,8 +120,9 @@ def bake_off(
         report("new motion", k / len(CONTENDERS))
         if name == WALK:
             seconds = float(np.clip(np.mean(lasting), 3, 120)) if lasting else 20.0
-            made, why = _walks(dataset, graph, seconds, parameters)
-            new = _share(walk.path not in paths.known for walk in made)
+            walks, why = _walks(dataset, graph, seconds, parameters)
+            made: Sequence[Walk | Derivation] = walks
+            new = _share(walk.path not in paths.known for walk in walks)
             rules, bits = paths.edges, paths.bits
         else:
             write = writers[name]
@@ -160,10 +161,10 @@ def _held_out(
             told[name][0] += map(accepts, held)
             told[name][1] += [accepts(string) for string, same in shuffles if not same]
     for clip, path in paths.by_clip.items():
-        accepts = paths.without(clip)
-        told[WALK][0].append(accepts(path))
+        walks = paths.without(clip)
+        told[WALK][0].append(walks(path))
         shuffles = [_shuffled(path, rng) for _ in range(parameters.shuffles)]
-        told[WALK][1] += [accepts(string) for string, same in shuffles if not same]
+        told[WALK][1] += [walks(string) for string, same in shuffles if not same]
     shares = {name: (_share(held), _share(shuffled)) for name, (held, shuffled) in told.items()}
     return shares, len(told[GRAMMAR][1])
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable
 from dataclasses import replace
 from weakref import WeakKeyDictionary
@@ -22,10 +21,10 @@ def same_joints(a: Skeleton, b: Skeleton) -> bool:
 
 def commonest_body(clips: Iterable[Clip], seconds: Iterable[float]) -> Skeleton:
     """The skeleton that most of the time belongs to; ``seconds``: how much of each clip counts."""
-    votes: Counter[Skeleton] = Counter()
+    votes: dict[Skeleton, float] = {}
     for clip, time in zip(clips, seconds, strict=True):
-        votes[clip.skeleton] += time
-    return votes.most_common(1)[0][0]
+        votes[clip.skeleton] = votes.get(clip.skeleton, 0.0) + time
+    return max(votes, key=votes.__getitem__)
 
 
 def floor_of(clip: Clip) -> float:

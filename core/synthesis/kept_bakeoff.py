@@ -40,16 +40,18 @@ def bakeoff_json(found: Bakeoff) -> dict[str, Any]:
     }
 
 
+def _read_contender(entry: Mapping[str, Any]) -> Contender:
+    values: dict[str, Any] = {name: math.nan if value is None else value for name, value in entry.items()}
+    return Contender(**values)
+
+
 def unpack_bakeoff(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Bakeoff:
     """The bake-off back from :func:`pack_bakeoff`; arrays ``(n, ...)`` as there. Raises ValueError, KeyError, TypeError
     for others."""
     if document.get("format") != FORMAT:
         raise ValueError(f"not a bake-off: expected format {FORMAT}, found {document.get('format')}")
     return Bakeoff(
-        contenders=tuple(
-            Contender(**{name: math.nan if value is None else value for name, value in entry.items()})
-            for entry in document["contenders"]
-        ),
+        contenders=tuple(map(_read_contender, document["contenders"])),
         clips=tuple(
             Clip(
                 motion["name"],

@@ -31,6 +31,10 @@ _NEIGHBOURS = 64
 _MOMENTS = 48  # a motif's moments that are looked at, spread over its motions
 
 
+_NONE = -1  # no motif
+_Candidate = tuple[int, int, Moment]  # motif, motion and a moment of it
+
+
 class Link(NamedTuple):
     """One way from motif ``source`` to motif ``target``.
 
@@ -59,8 +63,8 @@ def seen_links(graph: MotifGraph, clips: Collection[str] | None = None) -> dict[
     for edge in graph.edges:
         links = []
         for between in edge.transitions:
-            source, leave = ends.get((between.clip, between.start), (None, 0))
-            target, enter = starts.get((between.clip, between.end), (None, 0))
+            source, leave = ends.get((between.clip, between.start), (_NONE, 0))
+            target, enter = starts.get((between.clip, between.end), (_NONE, 0))
             if (source, target) == (edge.source, edge.target) and (clips is None or between.clip in clips):
                 moments = Moment(between.clip, between.start), Moment(between.clip, between.end)
                 links.append(Link(SEEN, source, target, leave, enter, *moments))
@@ -83,9 +87,10 @@ def bridge_links(
     features = moments_apart(dataset, [moment for _, moment in ends + starts])
     apart = np.linalg.norm(features[: len(ends), None] - features[None, len(ends) :], axis=2)
     best = np.argsort(apart, axis=None, kind="stable")[:most]
+    rows, columns = np.unravel_index(best, apart.shape)
     return tuple(
-        _link(dataset, BRIDGE, source, *ends[i], target, *starts[k], float(apart[i, k]))
-        for i, k in zip(*np.unravel_index(best, apart.shape), strict=True)
+        _link(dataset, BRIDGE, (source, *ends[i]), (target, *starts[k]), float(apart[i, k]))
+        for i, k in zip(rows, columns, strict=True)
     )
 
 
@@ -119,14 +124,14 @@ def further_links(
     motifs = {motif.id: motif for motif in graph.motifs}
     taken = {(edge.source, edge.target) for edge in graph.edges} | {(motif, motif) for motif in motifs}
     count: dict[int, int] = {}
-    found = {}
+    found: dict[tuple[int, int], tuple[Link, ...]] = {}
     for at in np.argsort(apart, kind="stable"):
         (source, leave, here), (target, enter, there) = exits[i[at]], entries[k[at]]
         if apart[at] > limit or (source, target) in taken or count.get(source, 0) >= per_motif:
             continue
         taken.add((source, target))
         count[source] = count.get(source, 0) + 1
-        ends = motifs[source], leave, here, motifs[target], enter, there
+        ends = (motifs[source], leave, here), (motifs[target], enter, there)
         found[source, target] = (_link(dataset, FURTHER, *ends, float(apart[at])),)
     return found
 
@@ -164,11 +169,15 @@ def _motions(motif: Motif, clips: Collection[str] | None) -> list[tuple[int, Seg
     return [(k, s) for k, s in enumerate(motif.segments) if clips is None or s.clip in clips]
 
 
-def _candidates(dataset: Dataset, graph: MotifGraph, clips: Collection[str] | None) -> tuple[list, list]:
+def _candidates(
+    dataset: Dataset, graph: MotifGraph, clips: Collection[str] | None
+) -> tuple[list[_Candidate], list[_Candidate]]:
     """(motif, motion, moment) rows: where motions may be left, in their second halves, and entered, in their first."""
-    exits, entries = [], []
+    exits: list[_Candidate] = []
+    entries: list[_Candidate] = []
     for motif in graph.motifs:
-        leave, enter = [], []
+        leave: list[_Candidate] = []
+        enter: list[_Candidate] = []
         for k, s in _motions(motif, clips):
             middle, fps = _middle(dataset, motif, k), dataset.clip(s.clip).fps
             step, margin = max(1, round(_EVERY * fps)), _MARGIN * fps
@@ -179,27 +188,22 @@ def _candidates(dataset: Dataset, graph: MotifGraph, clips: Collection[str] | No
     return exits, entries
 
 
-def _spread(rows: list) -> list:
+def _spread(rows: list[_Candidate]) -> list[_Candidate]:
     """At most a motif's share of moments, taken evenly."""
     return [rows[i] for i in np.unique(np.linspace(0, len(rows) - 1, _MOMENTS).round().astype(int))] if rows else []
 
 
 def _link(
-    dataset: Dataset,
-    kind: str,
-    source: Motif,
-    leave: int,
-    here: Moment,
-    target: Motif,
-    enter: int,
-    there: Moment,
-    cost: float,
+    dataset: Dataset, kind: str, left: tuple[Motif, int, Moment], entered: tuple[Motif, int, Moment], cost: float
 ) -> Link:
-    """With a cross-fade that lasts the longer the more unlike the moments are.
+    """With a cross-fade that lasts the longer the more unlike the moments are. left, entered: a motion of a motif, and
+    the moment of it.
 
     It stays in the second half of the motion that is left and in the first half of the one that is entered, so that a
     motion may be entered and left by any two links.
     """
+    source, leave, here = left
+    target, enter, there = entered
     a, b = dataset.clip(here.clip), dataset.clip(there.clip)
     room_a = (here.frame - _middle(dataset, source, leave)) / a.fps - _HALF_ROOM
     room_b = (_middle(dataset, target, enter) - there.frame) / b.fps - _HALF_ROOM

@@ -16,12 +16,29 @@ from core.synthesis.stitching import Speeds
 class Made(Protocol):
     """A motion that was made of pieces: walks and derivations."""
 
-    clip: Clip
-    seams: tuple[tuple[int, int], ...]
-    contacts: np.ndarray
-    skate: Skate
-    speeds: Speeds
-    warnings: tuple[str, ...]
+    @property
+    def clip(self) -> Clip:
+        """The motion."""
+
+    @property
+    def seams(self) -> tuple[tuple[int, int], ...]:
+        """Half-open frames of each cross-fade."""
+
+    @property
+    def contacts(self) -> np.ndarray:
+        """``(n_frames, 2)`` bool: which foot stands."""
+
+    @property
+    def skate(self) -> Skate:
+        """How far standing feet slide."""
+
+    @property
+    def speeds(self) -> Speeds:
+        """Speeds at the seams and elsewhere."""
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What a person should know of it."""
 
 
 def head_of(made: Made, kind: str) -> dict[str, Any]:

@@ -8,11 +8,11 @@ beginning anywhere or in motif 3.
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.sparse import csr_matrix
@@ -101,7 +101,7 @@ class Ways:
         ids = list(self.following)
         # fewest steps: of two ways with as many, the more used one
         matrix = self._matrix(ids, lambda count: 1 + 1e-3 / count if way.by == "fewest" else 1 / count)
-        _, before = dijkstra(matrix, indices=ids.index(way.start), return_predecessors=True)
+        _, before = dijkstra(matrix, indices=np.array(ids.index(way.start)), return_predecessors=True)
         at, path = ids.index(way.target), [way.target]
         while ids[at] != way.start:
             at = int(before[at])
@@ -118,11 +118,12 @@ class Ways:
         if motif not in self.following:
             raise ValueError(f"Motif {motif} has no motion of the skeleton that this walk keeps to.")
 
-    def _matrix(self, ids: Sequence[int], cost) -> csr_matrix:
+    def _matrix(self, ids: Sequence[int], cost: Callable[[int], float]) -> csr_matrix:
         at = {motif: k for k, motif in enumerate(ids)}
         rows = [(at[s], at[t], cost(n)) for s, after in self.following.items() for t, n in after.items() if s != t]
-        i, k, values = (np.array(column) for column in zip(*rows, strict=True)) if rows else ([], [], [])
-        return csr_matrix((values, (i, k)), shape=(len(ids), len(ids)))
+        table = np.array(rows, np.float64).reshape(-1, 3)
+        i, k = table[:, 0].astype(np.int64), table[:, 1].astype(np.int64)
+        return csr_matrix((table[:, 2], (i, k)), shape=(len(ids), len(ids)))
 
 
 def open_ways(dataset: Dataset, graph: MotifGraph, further: bool = False, family: int = 0) -> Ways:
@@ -143,7 +144,7 @@ def skeleton_families(dataset: Dataset, graph: MotifGraph) -> list[frozenset[str
 
     Raises KeyError for a clip that the data set does not have.
     """
-    groups: dict[tuple, dict[str, float]] = {}
+    groups: dict[tuple[Any, ...], dict[str, float]] = {}
     for motif in graph.motifs:
         for segment in motif.segments:
             clip = dataset.clip(segment.clip)

@@ -129,7 +129,8 @@ def _cramped(dataset: Dataset, motif: Motif, before: Sequence[Link], after: Sequ
     low = np.array([_row_after(dataset, motif, link) for link in before])
     high = np.array([_row_before(dataset, motif, link) for link in after])
     same = np.equal.outer([link.enter for link in before], [link.leave for link in after])
-    return high[None] - low[:, None] < np.where(same, 0, min(_ROOM * rate, len(motif.warps[0]) - 1))
+    fits: np.ndarray = high[None] - low[:, None] < np.where(same, 0, min(_ROOM * rate, len(motif.warps[0]) - 1))
+    return fits
 
 
 def _row_after(dataset: Dataset, motif: Motif, link: Link) -> float:
@@ -162,4 +163,5 @@ def _apart(features: np.ndarray) -> np.ndarray:
     for sample in np.moveaxis(features.astype(np.float64), 1, 0):
         square = (sample**2).sum(1)
         total += np.sqrt(np.maximum(square[:, None] + square[None] - 2 * sample @ sample.T, 0))
-    return total / features.shape[1]
+    mean: np.ndarray = total / features.shape[1]
+    return mean

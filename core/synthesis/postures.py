@@ -43,7 +43,8 @@ def moments_apart(dataset: Dataset, moments: Sequence[Moment]) -> np.ndarray:
     for name in dict.fromkeys(clips.tolist()):
         chosen = np.flatnonzero(clips == name)
         features[chosen] = _clouds(dataset.clip(name), frames[chosen], names)
-    return features / np.sqrt(features.shape[1] / 3)
+    scaled: np.ndarray = features / np.sqrt(features.shape[1] / 3)
+    return scaled
 
 
 def _common_joints(dataset: Dataset) -> list[str]:

@@ -132,7 +132,8 @@ def overlaps_between(dataset: Dataset, pieces: Sequence[Segment], seconds: float
 
 def joint_speeds(clip: Clip) -> np.ndarray:
     """Metres a second of every joint from each frame to the next: ``(n_frames - 1, n_joints)``."""
-    return np.linalg.norm(np.diff(joint_positions(clip), axis=0), axis=-1) * clip.fps
+    speeds: np.ndarray = np.linalg.norm(np.diff(joint_positions(clip), axis=0), axis=-1) * clip.fps
+    return speeds
 
 
 def seam_speed(clip: Clip, seams: np.ndarray | Sequence[tuple[int, int]]) -> float:
@@ -162,7 +163,15 @@ def _sources(dataset: Dataset, pieces: Sequence[Segment]) -> tuple[dict[str, Cli
     return {n: fit_to_body(grounded(clip), body) for n, clip in clips.items()}, (fitted,) if bodies > 1 else ()
 
 
-def _assemble(sources, pieces, overlaps, timeline: Timeline, contacts, fps, name) -> tuple[Clip, list[Step]]:
+def _assemble(
+    sources: Mapping[str, Clip],
+    pieces: Sequence[Segment],
+    overlaps: Sequence[Overlap | None],
+    timeline: Timeline,
+    contacts: np.ndarray,
+    fps: float,
+    name: str,
+) -> tuple[Clip, list[Step]]:
     """The motion by blending alone, and the steps its feet need besides."""
     body = next(iter(sources.values())).skeleton
     weights, height = joint_weights(body), find_anatomy(body).body_height
@@ -183,7 +192,9 @@ def _assemble(sources, pieces, overlaps, timeline: Timeline, contacts, fps, name
         b = at_frames(sources[pieces[entering].clip], timeline.frames[start:end, 1])
         share = timeline.weights[start:end]
         at_a, at_b = joint_positions(a), joint_positions(b)
-        fits = lay_upon(at_a, at_b, weights, fps) if overlaps[leaving].along else lay_once(a, b, at_a, at_b, weights)
+        overlap = overlaps[leaving]
+        assert overlap is not None  # only pieces that overlap stand beside one another
+        fits = lay_upon(at_a, at_b, weights, fps) if overlap.along else lay_once(a, b, at_a, at_b, weights)
         way = travel(fits, place, a.root_positions, share)
         b = placed(b, fits)
         steps += footing.find_steps(

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.ndimage import gaussian_filter1d
 
+from core.arrays import FloatArray
 from core.editing.legs import smooth_step
 from core.mocap.clip import Clip, Segment
 
@@ -82,8 +83,8 @@ def schedule(
             at = float(overlap.rows[-1, 1])
         elif i < len(overlaps):
             at = float(pieces[i + 1].start)
-    parts = [np.concatenate(column) for column in zip(*blocks, strict=True)]
-    return Timeline(*parts, np.array(seams, np.int64).reshape(-1, 2))
+    numbers, frames, weights = (np.concatenate(column) for column in zip(*blocks, strict=True))
+    return Timeline(numbers, frames, weights, np.array(seams, np.int64).reshape(-1, 2))
 
 
 def crossfade(a: Clip, leave: float, b: Clip, enter: float, seconds: float) -> np.ndarray:
@@ -127,7 +128,7 @@ def _blended(overlap: Overlap, rates: tuple[float, float], fps: float) -> tuple[
     return np.column_stack([np.interp(at, rows, column) for column in overlap.rows.T]), smooth_step(at / rows[-1])
 
 
-def _slowed(u: np.ndarray, times: float) -> np.ndarray:
+def _slowed(u: FloatArray, times: float) -> FloatArray:
     """Shares of the way at shares ``u`` ``(n,)`` of a time that is ``times`` (1 to 3) as long as natural: natural speed
     at both ends, slowest in the middle."""
     return ((2 * times - 2) * u + 3 - 3 * times) * u * u + times * u

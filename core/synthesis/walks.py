@@ -143,10 +143,11 @@ def find_route(
             return _route(dataset, open_ways(dataset, graph, further, family), wanted, gaps, dead_end)
         except ValueError as error:
             refusal = refusal or error
+    assert refusal is not None
     raise refusal
 
 
-def _route(dataset: Dataset, ways: Ways, wanted, gaps: str, dead_end: str) -> Route:
+def _route(dataset: Dataset, ways: Ways, wanted: Between | Random | Sequence[int], gaps: str, dead_end: str) -> Route:
     """Raises ValueError where these ways do not allow it."""
     ended = ""
     if isinstance(wanted, Random):

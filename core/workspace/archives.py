@@ -84,7 +84,9 @@ def _choose(infos: list[zipfile.ZipInfo]) -> tuple[list[Entry], list[str]]:
     """The files to unpack, and what is left in the archive although it might be missed; raises WorkspaceError."""
     if len(infos) > MAX_ENTRIES:
         raise WorkspaceError(f"it lists {len(infos):,} files; pack only the recordings")
-    entries, taken, left = [], set(), {"links": [], "names that lead out of it": [], "archives within it": []}
+    entries: list[Entry] = []
+    taken: set[str] = set()
+    left: dict[str, list[str]] = {"links": [], "names that lead out of it": [], "archives within it": []}
     for info in infos:
         name = info.filename
         if info.is_dir() or any(part.startswith(".") or part == "__MACOSX" for part in name.split("/") if part != ".."):

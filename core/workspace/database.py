@@ -89,7 +89,8 @@ class Database:
             # A connection must not cross a fork, nor be closed there: the child keeps the old one untouched.
             local.inherited = getattr(local, "connection", None)
             local.connection, local.pid = _connect(self.path, self.patience), os.getpid()
-        return local.connection
+        connection: sqlite3.Connection = local.connection
+        return connection
 
 
 def _connect(path: Path, patience: float) -> sqlite3.Connection:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
@@ -21,7 +20,7 @@ from core.mocap.text import recording_format
 from core.progress import Report
 from core.workspace.errors import WorkspaceError
 
-Source = str | os.PathLike
+Source = str | Path
 
 
 @dataclass(frozen=True)
@@ -56,10 +55,10 @@ def store_recordings(folder: Path, name: str, what: Recordings, report: Report) 
         for clip, digest in zip(before.clips, before.digests, strict=True):
             writer.add(clip, digest)
         reading = read_recordings(what.sources, skeleton=what.skeleton, fps=what.fps, clips=what.clips, report=report)
-        for file, clip in reading:
-            clip = arrivals.take(file, clip)
-            if clip is not None:
-                writer.add(clip)
+        for file, recording in reading:
+            arrived = arrivals.take(file, recording)
+            if arrived is not None:
+                writer.add(arrived)
         labels, told = labels_for(what, arrivals.frames, arrivals.names)
         if not arrivals.names and not (before.clips and labels):
             raise WorkspaceError(arrivals.why_none(what.also))

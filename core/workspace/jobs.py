@@ -142,18 +142,16 @@ class JobTable:
         """The newest job for ``key``, or None."""
         return next(iter(self._read("WHERE key = ? ORDER BY id DESC LIMIT 1", key)), None)
 
-    def list(self, limit: int = 50) -> list[Job]:
-        """The newest jobs, newest first; dead workers have been noticed."""
-        return self._read("ORDER BY id DESC LIMIT ?", limit)
-
     def newest_queued(self) -> int | None:
         """The id of the newest job that waits, or None."""
-        return self._database.rows("SELECT max(id) FROM jobs WHERE state = 'queued'")[0][0]
+        newest: int | None = self._database.rows("SELECT max(id) FROM jobs WHERE state = 'queued'")[0][0]
+        return newest
 
     def running(self) -> int:
         """Number of jobs that run; dead workers have been noticed."""
         self.bury_dead()
-        return self._database.rows("SELECT count(*) FROM jobs WHERE state = 'running'")[0][0]
+        running: int = self._database.rows("SELECT count(*) FROM jobs WHERE state = 'running'")[0][0]
+        return running
 
     def bury_dead(self) -> None:
         """Marks running jobs as failed whose worker is gone; they may be submitted again."""
@@ -169,7 +167,7 @@ class JobTable:
         A thread sends heartbeats meanwhile. The job's end is the caller's to write.
         """
         asked, over = threading.Event(), threading.Event()
-        last = ["", 0.0]
+        last_stage, last_time = "", 0.0
 
         def beats() -> None:
             while not over.wait(HEARTBEAT):
@@ -179,12 +177,13 @@ class JobTable:
             self._database.close()
 
         def report(stage: str, fraction: float) -> None:
+            nonlocal last_stage, last_time
             if asked.is_set():
                 raise Cancelled
             now = time.monotonic()
-            if now - last[1] < (PROGRESS_EVERY if stage == last[0] else PROGRESS_EVERY / 4):
+            if now - last_time < (PROGRESS_EVERY if stage == last_stage else PROGRESS_EVERY / 4):
                 return
-            last[:] = stage, now
+            last_stage, last_time = stage, now
             with suppress(WorkspaceError):
                 self.progress(job_id, stage, fraction)
 
@@ -207,6 +206,10 @@ class JobTable:
     def _read(self, condition: str, *values: object) -> list[Job]:
         self.bury_dead()
         return [_job(row) for row in self._database.rows(f"SELECT * FROM jobs {condition}", *values)]
+
+    def list(self, limit: int = 50) -> list[Job]:
+        """The newest jobs, newest first; dead workers have been noticed."""
+        return self._read("ORDER BY id DESC LIMIT ?", limit)
 
 
 def _job(row: sqlite3.Row) -> Job:
@@ -241,7 +244,7 @@ def _bury_dead(table: sqlite3.Connection) -> None:
 
 def _is_gone(row: sqlite3.Row) -> bool:
     now = time.time()
-    silent = now - row["heartbeat"]
+    silent: float = now - row["heartbeat"]
     if row["cancel"] is not None and now - row["cancel"] > CANCEL_PATIENCE and silent > CANCEL_PATIENCE:
         return True
     if row["host"] != socket.gethostname():

@@ -6,6 +6,7 @@ so that it is found again when other settings, another seed or more clips number
 from __future__ import annotations
 
 import json
+import sqlite3
 import time
 import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
@@ -60,7 +61,8 @@ class Notes:
         note: str = "",
     ) -> MotifNote:
         """Writes what is said of a motif of a result; saying nothing removes it. Raises WorkspaceError (too long)."""
-        said = MotifNote(_line(name), _tags(tags), str(note).strip(), tuple(map(tuple, segments)), time.time())
+        plain = tuple((segment.clip, segment.start, segment.end) for segment in segments)
+        said = MotifNote(_line(name), _tags(tags), str(note).strip(), plain, time.time())
         if len(said.name) > LONGEST_NAME:
             raise WorkspaceError(f"A name has at most {LONGEST_NAME} letters; this one has {len(said.name)}.")
         if len(said.note) > LONGEST_NOTE:
@@ -116,7 +118,7 @@ def overlap(a: Sequence[tuple[str, int, int]], b: Sequence[tuple[str, int, int]]
     return both / either if either else 0.0
 
 
-def _read(row, carried: bool = False) -> MotifNote:
+def _read(row: sqlite3.Row, carried: bool = False) -> MotifNote:
     segments = tuple((str(clip), int(start), int(end)) for clip, start, end in json.loads(row["segments"]))
     return MotifNote(row["name"], tuple(json.loads(row["tags"])), row["note"], segments, row["changed"], carried)
 

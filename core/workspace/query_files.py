@@ -46,6 +46,7 @@ def read_query_file(workspace: Workspace, key: str, values: QueryFileParameters,
         file, clip = next(iter(read_recordings(folder, skeleton=only_skeleton(folder), report=report)))
         if isinstance(file, RecordingError):
             raise file
+        assert clip is not None
         if clip.n_frames < SHORTEST:
             raise WorkspaceError(f"{clip.name} has {clip.n_frames} frames; a query needs at least {SHORTEST}.")
     finally:

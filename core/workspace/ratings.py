@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import csv
 import io
+import sqlite3
 import time
 from collections.abc import Sequence
 
@@ -57,8 +58,14 @@ class Ratings:
         first, second = (vote.left, vote.left_engine), (vote.right, vote.right_engine)
         if first == second or min(vote.left_rank, vote.right_rank) < 1:
             raise WorkspaceError("A vote is between two different hits, with ranks from 1.")
-        segments = tuple(_segment(s) for s in vote[:3])
-        kept = Vote(*segments, _word(vote.left_engine), _word(vote.right_engine), *vote[5:8], _word(vote.person))
+        kept = vote._replace(
+            query=_segment(vote.query),
+            left=_segment(vote.left),
+            right=_segment(vote.right),
+            left_engine=_word(vote.left_engine),
+            right_engine=_word(vote.right_engine),
+            person=_word(vote.person),
+        )
         values = (*map(_text, kept[:3]), *kept[3:])
         turned = (values[0], values[2], values[1], values[4], values[3])  # the same two, shown the other way round
         with self._database.transaction("keep the vote") as table:
@@ -109,7 +116,7 @@ class Ratings:
                 table.execute(f"DELETE FROM {kind} WHERE dataset NOT IN (SELECT id FROM datasets)")
 
 
-def _segment(segment: Sequence) -> Segment:
+def _segment(segment: tuple[str, int, int]) -> Segment:
     clip, start, end = segment
     if not 0 <= int(start) < int(end):
         raise WorkspaceError(f"A segment ends after it starts, not {start} to {end}.")
@@ -138,16 +145,15 @@ def _name(text: str) -> str:
     return f"{clip}:{start}-{end}"
 
 
-def _rating(row) -> Rating:
+def _rating(row: sqlite3.Row) -> Rating:
     return Rating(_read(row["query"]), _read(row["hit"]), row["engine"], row["rank"], row["rating"], row["person"])
 
 
-def _vote(row) -> Vote:
-    segments = tuple(_read(row[name]) for name in ("query", "left_hit", "right_hit"))
-    return Vote(*segments, *tuple(row)[5:11])
+def _vote(row: sqlite3.Row) -> Vote:
+    return Vote(_read(row["query"]), _read(row["left_hit"]), _read(row["right_hit"]), *tuple(row)[5:11])
 
 
-def _csv(columns: Sequence[str], rows: Sequence[Sequence]) -> str:
+def _csv(columns: Sequence[str], rows: Sequence[Sequence[object]]) -> str:
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
     writer.writerow(columns)

@@ -64,7 +64,8 @@ class ResultStore:
             sweep_abandoned(path.parent)
             with atomic_file(path) as file:
                 if arrays:
-                    np.savez(file, **{_DOCUMENT: np.frombuffer(text, np.uint8)}, **arrays)
+                    entries: dict[str, Any] = {_DOCUMENT: np.frombuffer(text, np.uint8), **arrays}
+                    np.savez(file, **entries)
                 else:
                     file.write(text)
 

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from core.workspace.importing import Recordings
 
 TABLE = "workspace.sqlite"
-Source = str | os.PathLike
+Source = str | os.PathLike[str]
 
 
 class Workspace:
@@ -332,4 +332,5 @@ def _recordings(sources: Source | Sequence[Source], **how: object) -> Recordings
     paths = [sources] if isinstance(sources, str | os.PathLike) else list(sources)
     if not paths:
         raise WorkspaceError("Nothing to import: name at least one file or folder.")
-    return _importing().Recordings([Path(path) for path in paths], **how)
+    recordings: Recordings = _importing().Recordings([Path(path) for path in paths], **how)
+    return recordings

@@ -13,9 +13,10 @@ from __future__ import annotations
 from itertools import pairwise
 
 import numpy as np
-from numba import njit
 from scipy.spatial.distance import cdist
 
+from core.arrays import Float64Array
+from core.compiled import njit
 from core.mocap.dataset import Dataset
 from core.poses.postures import postures_of
 from core.progress import Report, silent
@@ -61,8 +62,8 @@ def by_steps(direct: np.ndarray, steps: int) -> np.ndarray:
     return found + 1e-6 * direct
 
 
-@njit(cache=True, nogil=True)
-def _best_chain(grid, reach):
+@njit(nogil=True)
+def _best_chain(grid: Float64Array, reach: int) -> float:
     """Least cost of a chain: its cells' distances, those of skipped rows their neighbours', rows outside it 1 each."""
     n, m = grid.shape
     cost = np.empty((n, m))  # of the rows up to here, if a chain goes through this cell
@@ -89,4 +90,5 @@ def _best_chain(grid, reach):
             cost[i, j] = least
             if least + (n - 1 - i) < best:
                 best = least + (n - 1 - i)
-    return best / n
+    mean: float = best / n
+    return mean

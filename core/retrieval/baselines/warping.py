@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import pairwise
 
 import numpy as np
-from numba import njit
 
+from core.arrays import Float32Array, Int64Array
+from core.compiled import njit
 from core.progress import Report
 
 
@@ -37,14 +39,16 @@ def all_warping_distances(values: np.ndarray, starts: np.ndarray, report: Report
     return _pairs(len(clips), lambda i, j: _warping(clips[i], clips[j]), report)
 
 
-def all_edit_distances(symbols: np.ndarray, starts: np.ndarray, prices: np.ndarray, gap: float, report: Report):
+def all_edit_distances(
+    symbols: np.ndarray, starts: np.ndarray, prices: np.ndarray, gap: float, report: Report
+) -> np.ndarray:
     """:func:`edit_distance` of all pairs of lists ``symbols[starts[i]:starts[i + 1]]``: ``(n, n)``."""
     symbols, prices = np.ascontiguousarray(symbols, np.int64), np.ascontiguousarray(prices, np.float32)
     lists = [symbols[i:j] for i, j in pairwise(starts)]
     return _pairs(len(lists), lambda i, j: _edit(lists[i], lists[j], prices, gap), report)
 
 
-def _pairs(n: int, distance, report: Report) -> np.ndarray:
+def _pairs(n: int, distance: Callable[[int, int], float], report: Report) -> np.ndarray:
     found = np.zeros((n, n))
     for i in range(n):
         for j in range(i + 1, n):
@@ -60,8 +64,8 @@ def _checked(a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     return a, b
 
 
-@njit(cache=True, nogil=True)
-def _warping(a, b):
+@njit(nogil=True)
+def _warping(a: Float32Array, b: Float32Array) -> float:
     n, m = len(a), len(b)
     row = np.full(m + 1, np.inf)
     row[0] = 0.0
@@ -77,11 +81,12 @@ def _warping(a, b):
             above = row[j + 1]
             row[j + 1] = min(min(above, row[j]) + cost, diagonal + 2 * cost)
             diagonal = above
-    return row[m] / (n + m)
+    mean: float = row[m] / (n + m)
+    return mean
 
 
-@njit(cache=True, nogil=True)
-def _edit(a, b, prices, gap):
+@njit(nogil=True)
+def _edit(a: Int64Array, b: Int64Array, prices: Float32Array, gap: float) -> float:
     n, m = len(a), len(b)
     row = np.arange(m + 1) * gap
     for i in range(n):
@@ -91,4 +96,5 @@ def _edit(a, b, prices, gap):
             above = row[j + 1]
             row[j + 1] = min(diagonal + prices[a[i], b[j]], min(above, row[j]) + gap)
             diagonal = above
-    return row[m] / max(n, m)
+    share: float = row[m] / max(n, m)
+    return share
