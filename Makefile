@@ -25,6 +25,7 @@ lint: $(VENV)/.installed-dev lint-js
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/lint-imports
+	$(BIN)/mypy core
 	$(BIN)/python scripts/check_docstrings.py core
 
 # the front end: modules in assets/ROOM/*.mjs, and the bundle of them in assets/bundle that the app serves
@@ -62,5 +63,5 @@ $(NODE_MODULES): assets/package-lock.json $(VENV)/.installed-dev
 	@touch $@
 
 clean:
-	rm -rf $(VENV) assets/node_modules build dist .pytest_cache .ruff_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) assets/node_modules build dist .pytest_cache .ruff_cache .mypy_cache .hypothesis .import_linter_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
