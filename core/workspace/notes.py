@@ -61,7 +61,7 @@ class Notes:
         note: str = "",
     ) -> MotifNote:
         """Writes what is said of a motif of a result; saying nothing removes it. Raises WorkspaceError (too long)."""
-        plain = tuple((segment.clip, segment.start, segment.end) for segment in segments)
+        plain = tuple((clip, start, end) for clip, start, end in segments)
         said = MotifNote(_line(name), _tags(tags), str(note).strip(), plain, time.time())
         if len(said.name) > LONGEST_NAME:
             raise WorkspaceError(f"A name has at most {LONGEST_NAME} letters; this one has {len(said.name)}.")
