@@ -19,7 +19,7 @@ from core.workspace import Workspace
 from tests.browser.app import wait_for_graph
 from tests.browser.start import running, start_chromium
 from webapp.app import create_app
-from webapp.playback import MOST_FIGURES
+from webapp.shell.playback import MOST_FIGURES
 
 COMMAND = "python -m benchmarks.bench_click"
 VIEW = {"width": 1280, "height": 800}

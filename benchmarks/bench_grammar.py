@@ -15,7 +15,7 @@ from joblib import Parallel, delayed
 
 from benchmarks.recordings import SHARED, asfamc, exercises
 from core.demo import make_demo
-from core.demo.grammar import ACTIONS, accepts, derive
+from core.demo.hidden_rules import ACTIONS, accepts, derive
 from core.grammar.baselines import sequitur, state_machine
 from core.grammar.build import GrammarParameters, grammar_of_terminals, learn_grammar
 from core.grammar.identification import find_terminals

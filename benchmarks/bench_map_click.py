@@ -16,10 +16,10 @@ from playwright.sync_api import Page, sync_playwright
 from core import analyses
 from core.demo import make_demo
 from core.workspace import Workspace
-from tests.browser.map_page import place_of, wait_for_map
+from tests.browser.motion_map.page import place_of, wait_for_map
 from tests.browser.start import running, start_chromium
-from webapp import settings
 from webapp.app import create_app
+from webapp.shell import settings
 
 COMMAND = "python -m benchmarks.bench_map_click"
 VIEW = {"width": 1280, "height": 800}

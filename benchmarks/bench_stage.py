@@ -18,8 +18,8 @@ from playwright.sync_api import Browser, Page, sync_playwright
 from core.mocap.posture_drawing import drawn_body
 from tests.browser.start import running, start_chromium
 from tests.webapp.generated import walkers
-from webapp.api.motion import motion_blueprint
-from webapp.components import stage
+from webapp.stage import player
+from webapp.stage.motion_routes import motion_blueprint
 
 COMMAND = "python -m benchmarks.bench_stage"
 COUNTS = (1, 4, 12, 24)
@@ -86,8 +86,8 @@ def make_app() -> Dash:
     """A page with the Stage at /, one with an empty Plotly chart at /plotly, and the motion route."""
     dataset = walkers(NAMES, seconds=30.0, fps=60.0)
     app = Dash(__name__, assets_folder=str(ASSETS))
-    app.layout = html.Div(stage.stage(), style={"height": "780px"})
-    stage.register(app)
+    app.layout = html.Div(player.stage(), style={"height": "780px"})
+    player.register(app)
     app.server.register_blueprint(motion_blueprint({"walkers": dataset}.__getitem__))
     script = plotly.offline.get_plotlyjs()
 

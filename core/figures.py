@@ -15,7 +15,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
-from core.evaluation.motifs import score_motifs
+from core.evaluation.coverage import score_motifs
 from core.mocap.clip import Label
 from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph, from_json

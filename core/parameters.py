@@ -1,7 +1,7 @@
 """What a method can be told: read from the fields of its parameters' dataclass, once, for command line, app and checks.
 
 A field's annotation gives its type (``int``, ``float``, ``bool``, ``str``, ``Literal[...]`` and unions of these); its
-metadata may give ``help``, ``min``, ``max``, ``step``, ``choices`` and ``advanced``.
+metadata may give ``label``, ``help``, ``min``, ``max``, ``step``, ``choices`` and ``advanced``.
 """
 
 from __future__ import annotations
@@ -21,10 +21,11 @@ def parameter(
     step: float | None = None,
     choices: tuple[Any, ...] = (),
     advanced: bool = False,
+    label: str = "",
 ) -> Any:
     """A field of a parameters' dataclass, with the metadata that this module reads."""
-    metadata = {"help": help, "min": low, "max": high, "step": step, "choices": choices, "advanced": advanced}
-    return field(default=default, metadata=metadata)
+    limits = {"min": low, "max": high, "step": step, "choices": choices}
+    return field(default=default, metadata={"help": help, "label": label, "advanced": advanced, **limits})
 
 
 class ParameterError(ValueError):
@@ -33,7 +34,10 @@ class ParameterError(ValueError):
 
 @dataclass(frozen=True)
 class Parameter:
-    """One parameter. ``kinds``: the types a value may have; ``words``: values that are meant literally (``auto``)."""
+    """One parameter. ``kinds``: the types a value may have; ``words``: values that are meant literally (``auto``);
+
+    ``label``: its everyday name, made from ``name`` where the field gives none.
+    """
 
     name: str
     default: Any
@@ -44,6 +48,7 @@ class Parameter:
     help: str = ""
     step: float | None = None
     advanced: bool = False
+    label: str = ""
 
     @property
     def required(self) -> bool:
@@ -125,9 +130,17 @@ def _read(field: Any, hint: Any) -> Parameter:
         kinds, words = (), tuple(meta["choices"])
     elif str in kinds and len(kinds) > 1:  # a number, or the one word that is its default
         kinds, words = tuple(kind for kind in kinds if kind is not str), (*words, default)
-    limits = meta.get("min"), meta.get("max")
     return Parameter(
-        field.name, default, kinds, words, *limits, meta.get("help", ""), meta.get("step"), meta.get("advanced", False)
+        field.name,
+        default,
+        kinds,
+        words,
+        minimum=meta.get("min"),
+        maximum=meta.get("max"),
+        help=meta.get("help", ""),
+        step=meta.get("step"),
+        advanced=meta.get("advanced", False),
+        label=meta.get("label") or field.name.replace("_", " ").capitalize(),
     )
 
 

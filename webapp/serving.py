@@ -13,7 +13,7 @@ from argparse import Namespace
 from typing import Any
 
 from core.workspace import Workspace, WorkspaceError, shared_workspace
-from webapp.access import is_loopback
+from webapp.shell.access import is_loopback
 
 TOKEN = "MOTIONSCAPE_TOKEN"
 THREADS = 12

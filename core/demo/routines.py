@@ -10,7 +10,7 @@ import numpy as np
 
 from core.demo.actions import RECORDED, RUN_ON, idle, perform, squat
 from core.demo.gaits import gait
-from core.demo.grammar import ACTIONS, derive
+from core.demo.hidden_rules import ACTIONS, derive
 from core.demo.motions import FPS
 from core.demo.performers import PERFORMERS, Performer
 from core.demo.settling import settle

@@ -23,32 +23,61 @@ class MotifParameters:
         "auto",
         "How many different poses to tell apart. More: stricter motifs, less of the motion covered. "
         "auto: 50 times the square root of how far the motion travels through different poses.",
-        2, 20_000, 1,
+        2, 20_000, 1, label="Distinct poses (kappa)",
     )  # fmt: skip
     rho: float = parameter(
-        1.0, "Below 1 prefers motifs with many motions, above 1 prefers motifs with long motions.", 0.2, 5.0, 0.1
+        1.0,
+        "Below 1 prefers motifs with many motions, above 1 prefers motifs with long motions.",
+        0.2,
+        5.0,
+        0.1,
+        label="Long or frequent (rho)",
     )
     gamma: float = parameter(
-        1.5, "How much faster or slower one motion of a motif may be than another (1.5: by half).", 1.0, 4.0, 0.05
+        1.5,
+        "How much faster or slower one motion of a motif may be than another (1.5: by half).",
+        1.0,
+        4.0,
+        0.05,
+        label="Speed tolerance (gamma)",
     )
     min_letters: int = parameter(
-        5, "Shortest motion, counted in changes of pose. Lower finds shorter motions, and more chance hits.", 2, 100, 1
+        5,
+        "Shortest motion, counted in changes of pose. Lower finds shorter motions, and more chance hits.",
+        2,
+        100,
+        1,
+        label="Shortest motion",
     )
-    max_letters: int = parameter(30, "Longest motion, counted in changes of pose.", 2, 400, 1)
+    max_letters: int = parameter(30, "Longest motion, counted in changes of pose.", 2, 400, 1, label="Longest motion")
     adjacency: str = parameter(
         "radius",
         "Which poses may stand for each other: radius = all within one distance; spheres = the 2008 paper's rule, "
         "whose reach depends on how many poses are told apart.",
         choices=("radius", "spheres"),
+        label="Alike poses",
     )
     pose: str = parameter(
-        "angles", "What makes poses alike: joint angles, or positions of the joints.", choices=("angles", "positions")
+        "angles",
+        "What makes poses alike: joint angles, or positions of the joints.",
+        choices=("angles", "positions"),
+        label="Compare",
     )
     analysis_fps: float = parameter(
-        30.0, "Frames a second that are looked at. 30 is fast and enough for most motion.", 5.0, 240.0, 5.0
+        30.0,
+        "Frames a second that are looked at. 30 is fast and enough for most motion.",
+        5.0,
+        240.0,
+        5.0,
+        label="Frames per second",
     )
     seed: int = parameter(
-        0, "Number that starts the random choices; the same number gives the same result.", 0, None, 1
+        0,
+        "Number that starts the random choices; the same number gives the same result.",
+        0,
+        None,
+        1,
+        label="Random seed",
     )
     reach: float = parameter(
         0.07,

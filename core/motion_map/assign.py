@@ -9,7 +9,7 @@ import numpy as np
 
 from core.mocap.dataset import Dataset
 from core.mocap.kinematics import resample
-from core.motion_map.keypose_search import runs_of
+from core.motion_map.key_poses import runs_of
 from core.motion_map.motion_map import MotionMap
 from core.motion_map.som import best_nodes
 from core.progress import Report, silent

@@ -10,7 +10,7 @@ import numpy as np
 from core.mocap.dataset import Dataset
 from core.motion_map.assign import assign_clips
 from core.motion_map.bones import bone_lengths
-from core.motion_map.keypose_search import runs_of
+from core.motion_map.key_poses import runs_of
 from core.motion_map.motion_map import MotionMap
 from core.motion_map.regions import find_regions, region_icons
 from core.motion_map.samples import reduce_samples, threshold_for

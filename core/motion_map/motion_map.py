@@ -12,7 +12,7 @@ import numpy as np
 from core.mocap.anatomy import find_anatomy
 from core.mocap.clip import Clip, Segment
 from core.motion_map.bones import refine, with_real_bones
-from core.motion_map.keypose_search import KeyHit, Pace, Runs, key_nodes, search_keys
+from core.motion_map.key_poses import KeyHit, Pace, Runs, key_nodes, search_keys
 from core.motion_map.som import best_nodes, u_matrix
 from core.poses.features import posture_joints
 from core.poses.postures import clip_postures

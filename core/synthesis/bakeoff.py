@@ -20,7 +20,7 @@ from core.motifs.graph import MotifGraph
 from core.parameters import parameter
 from core.progress import Report, silent
 from core.synthesis.derivations import Derivation, perform
-from core.synthesis.motif_paths import MotifPaths, motif_paths
+from core.synthesis.graph_paths import MotifPaths, motif_paths
 from core.synthesis.paths import Random
 from core.synthesis.walks import Walk, make_walk
 

@@ -8,8 +8,10 @@ import pytest
 
 from core.workspace import Workspace
 from tests.webapp.generated import walkers
-from webapp.app import choose_dataset, create_app
-from webapp.components import errors, job_bar
+from webapp.app import create_app
+from webapp.jobs import job_bar
+from webapp.shell import messages
+from webapp.shell.state import choose_dataset
 
 
 @pytest.fixture
@@ -126,5 +128,5 @@ def test_the_revision_changes_with_the_datasets(workspace):
 
 
 def test_words_of_the_error_page_are_escaped():
-    page, status = errors.error_page(404, "<b>", "a & b")
+    page, status = messages.error_page(404, "<b>", "a & b")
     assert status == 404 and "&lt;b&gt;" in page and "a &amp; b" in page

@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from core.evaluation.motifs import score_motifs
+from core.evaluation.coverage import score_motifs
 from core.mocap.clip import Label, Segment
 
 ACTIONS = ("jump", "walk", "wave")

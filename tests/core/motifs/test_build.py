@@ -181,7 +181,7 @@ def test_trends_of_the_paper(shared_data):
 @pytest.mark.slow
 def test_quality_floor(shared_data):
     """Default setting, median of eight seeds, against the labels; the error ratio is the benchmark's business."""
-    from core.evaluation.motifs import score_motifs
+    from core.evaluation.coverage import score_motifs
     from core.mocap.labels import read_labels
 
     dataset, labels = _exercises(shared_data), read_labels(shared_data / "labels" / "mocap6")

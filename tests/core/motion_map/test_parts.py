@@ -10,7 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from core.motion_map.bones import bone_lengths, bone_vectors, rebuild, refine, with_real_bones
-from core.motion_map.keypose_search import key_nodes, runs_of, search_keys
+from core.motion_map.key_poses import key_nodes, runs_of, search_keys
 from core.motion_map.regions import borders, find_regions, region_icons
 from core.motion_map.samples import reduce_samples, threshold_for
 from core.motion_map.som import u_matrix

@@ -15,8 +15,8 @@ from core.mocap.clip import Segment
 from core.motion_map import layers
 from core.motion_map.assign import assign_clips
 from core.motion_map.build import MapParameters, build_motion_map
-from core.motion_map.keypose_search import Pace, Runs, runs_of, search_keys
-from core.motion_map.path_search import CAP, FARTHEST, even_steps, follow, search_path
+from core.motion_map.key_poses import Pace, Runs, runs_of, search_keys
+from core.motion_map.path_queries import CAP, FARTHEST, even_steps, follow, search_path
 from core.poses.postures import postures_of
 
 
@@ -119,7 +119,7 @@ def brute_warp(nodes, path):
 @settings(max_examples=25)
 @given(st.integers(0, 10_000), st.integers(1, 14), st.integers(2, 7))
 def test_a_path_is_warped_as_the_textbook_says(seed, n, m):
-    from core.motion_map.path_search import _warped
+    from core.motion_map.path_queries import _warped
 
     rng = np.random.default_rng(seed)
     nodes, path = rng.integers(0, 6, (n, 2)).astype(float), rng.uniform(0, 6, (m, 2))

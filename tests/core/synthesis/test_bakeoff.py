@@ -14,8 +14,8 @@ from core.grammar.labelled import terminals_of_labels
 from core.mocap.clip import Segment
 from core.motifs.build import MotifParameters, find_motifs
 from core.synthesis.bakeoff import CONTENDERS, BakeoffParameters, bake_off
+from core.synthesis.graph_paths import motif_paths
 from core.synthesis.kept_bakeoff import bakeoff_json, pack_bakeoff, unpack_bakeoff
-from core.synthesis.motif_paths import motif_paths
 
 QUICK = BakeoffParameters(routines=1, shuffles=5, max_terminals=8)
 

@@ -1,0 +1,169 @@
+"""Workers: processes of their own that take jobs from the table, outlive who started them, and can be ended."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import psutil
+import pytest
+
+from core import analyses
+from core.workspace import Workspace, WorkspaceError
+from tests import toy_method
+from tests.core.workspace.test_jobs import wait_for
+from tests.toy_method import REPOSITORY, make_dataset
+from webapp import jobs
+from webapp.jobs import launching
+
+
+@pytest.fixture
+def workspace(tmp_path, monkeypatch):
+    for name, value in toy_method.environment(tmp_path).items():
+        monkeypatch.setenv(name, value)
+    workspace = Workspace(tmp_path / "space")
+    workspace.add_dataset("toy", make_dataset())
+    yield workspace
+    for job in workspace.jobs.list():
+        workspace.jobs.cancel(job.id)
+    wait_for(lambda: workspace.jobs.running() == 0)
+
+
+def ended(workspace, job):
+    return wait_for(lambda: (now := workspace.jobs.get(job.id)) and not now.alive and now, 60)
+
+
+def counting(workspace, job):
+    return wait_for(lambda: (now := workspace.jobs.get(job.id)).stage == "counting" and now, 60)
+
+
+def test_a_job_is_worked_on_in_another_process(workspace):
+    job = jobs.start(workspace, toy_method.request(seconds=0.5))
+    assert job.state == "queued"
+    done = ended(workspace, job)
+    assert done.state == "done" and done.pid != os.getpid()
+    assert analyses.stored(workspace, toy_method.request(seconds=0.5))["frames"] == 81
+
+
+def test_who_waits_gets_the_end(workspace):
+    assert jobs.work(str(workspace.path), jobs.start(workspace, toy_method.request()).id) == "done"
+    assert jobs.work(str(workspace.path), jobs.start(workspace, toy_method.request(mode="refuse")).id) == "failed"
+    assert jobs.work(str(workspace.path), 10_000) == "unknown"
+
+
+def test_faults_are_told_in_plain_words(workspace):
+    refused = ended(workspace, jobs.start(workspace, toy_method.request(mode="refuse")))
+    assert (refused.state, refused.error) == ("failed", "These clips are too short.")
+    broken = ended(workspace, jobs.start(workspace, toy_method.request(mode="break")))
+    assert broken.state == "failed" and "secret" not in broken.error and "Traceback" not in broken.error
+    assert "secret detail" in (workspace.logs / f"job-{broken.id}.log").read_text()
+    died = ended(workspace, jobs.start(workspace, toy_method.request(mode="die")))
+    assert died.died and "run it again" in died.error
+
+
+def test_cancel_stops_work_that_listens_and_work_that_does_not(workspace):
+    for mode in ("count", "deaf"):
+        job = jobs.start(workspace, toy_method.request(seconds=300, mode=mode))
+        running = wait_for(lambda job=job: (now := workspace.jobs.get(job.id)).state == "running" and now, 60)
+        if mode == "count":
+            counting(workspace, job)
+        worker = psutil.Process(running.pid)
+        children = wait_for(worker.children)
+        workspace.jobs.cancel(job.id)
+        assert ended(workspace, job).state == "cancelled"
+        wait_for(lambda children=children: not any(child.is_running() for child in children))
+
+
+def test_a_killed_worker_is_noticed_its_child_leaves_and_the_job_can_be_restarted(workspace):
+    job = jobs.start(workspace, toy_method.request(seconds=300))
+    pid = counting(workspace, job).pid
+    children = psutil.Process(pid).children()
+    os.kill(pid, signal.SIGKILL)
+    dead = ended(workspace, job)
+    assert dead.state == "failed" and dead.died and "run it again" in dead.error
+    again = jobs.restart(workspace, job.id)
+    assert again.id != job.id and again.request == job.request
+    assert counting(workspace, again).pid != pid
+    wait_for(lambda: not any(child.is_running() for child in children))
+    with pytest.raises(WorkspaceError):
+        jobs.restart(workspace, 10_000)
+
+
+def test_a_child_that_the_system_ends_is_put_down_to_memory(workspace):
+    job = jobs.start(workspace, toy_method.request(seconds=300))
+    (child,) = psutil.Process(counting(workspace, job).pid).children()
+    child.kill()
+    assert "memory" in ended(workspace, job).error
+
+
+def test_more_jobs_than_cores_wait_their_turn_in_order(workspace, monkeypatch):
+    job_ids = [jobs.start(workspace, toy_method.request(seconds=1 + k / 1000)).id for k in range(5)]
+    most = 0
+    while any(workspace.jobs.get(job_id).alive for job_id in job_ids):
+        most = max(most, workspace.jobs.running())
+        time.sleep(0.02)
+    done = [workspace.jobs.get(job_id) for job_id in job_ids]
+    assert {job.state for job in done} == {"done"}
+    assert 1 <= most <= jobs.limit()
+    assert [job.id for job in sorted(done, key=lambda job: job.started)] == job_ids
+
+
+def test_a_worker_outlives_the_server_that_started_it(workspace):
+    server = subprocess.Popen(
+        [
+            sys.executable,
+            "-c",
+            "import sys, time, tests.toy_method as toy\nfrom core.workspace import Workspace\nfrom webapp import jobs\n"
+            "jobs.start(Workspace(sys.argv[1]), toy.request(seconds=4))\ntime.sleep(600)",
+            str(workspace.path),
+        ],
+        cwd=REPOSITORY,
+        start_new_session=True,
+    )
+    job = wait_for(lambda: next(iter(workspace.jobs.list()), None), 60)
+    counting(workspace, job)
+    os.killpg(server.pid, signal.SIGKILL)  # with all that hangs on it
+    server.wait()
+    assert ended(workspace, job).state == "done"
+
+
+def test_jobs_left_waiting_are_taken_up_later(workspace):
+    job = analyses.submit(workspace, toy_method.request(seconds=0.1))
+    assert jobs.tend(workspace)
+    assert ended(workspace, job).state == "done"
+    assert not jobs.tend(workspace)
+
+
+def test_two_who_ask_at_once_share_one_job(workspace, tmp_path):
+    request, found = toy_method.request(seconds=1, log=str(tmp_path / "log")), []
+    threads = [threading.Thread(target=lambda: found.append(jobs.start(workspace, request).id)) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(set(found)) == 1
+    assert ended(workspace, workspace.jobs.get(found[0])).state == "done"
+    assert (tmp_path / "log").read_text().count("\n") == 1
+
+
+def test_dash_gets_processes_here_and_celery_where_redis_is_set(tmp_path, monkeypatch):
+    from dash import DiskcacheManager
+
+    monkeypatch.delenv(launching.REDIS, raising=False)
+    manager = jobs.background_manager(tmp_path)
+    assert isinstance(manager, DiskcacheManager)
+    assert not list(tmp_path.iterdir())  # its pickles do not lie in the workspace
+    monkeypatch.setenv(launching.REDIS, "redis://localhost:1/0")
+    monkeypatch.setitem(sys.modules, "celery", None)
+    with pytest.raises(RuntimeError, match="pip install"):
+        jobs.background_manager(tmp_path)
+
+
+def test_celery_is_asked_where_redis_is_set(tmp_path, monkeypatch):
+    pytest.importorskip("celery")
+    from dash import CeleryManager
+
+    monkeypatch.setenv(launching.REDIS, "redis://localhost:1/0")
+    assert isinstance(jobs.background_manager(tmp_path), CeleryManager)

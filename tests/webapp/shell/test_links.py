@@ -1,0 +1,97 @@
+"""Links: what one sees, there and back; broken ones never raise."""
+
+from __future__ import annotations
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+import webapp.features  # noqa: F401  registers the pages
+from core import analyses
+from webapp.shell.links import STAGE_KEYS, View, format_link, page_of, parse, view_keys, without_selection
+
+PARAMETERS = ("kappa", "rho", "adjacency")
+NAMES = st.text(st.characters(exclude_categories=("Cs", "Cc")), min_size=1, max_size=40)
+NUMBERS = st.integers(0, 10**6)
+SELECTIONS = st.one_of(
+    st.just({}),
+    st.fixed_dictionaries({"motif": NUMBERS}, optional={"motion": NUMBERS}),
+    st.builds(lambda a, b: {"edge": f"{a}-{b}"}, st.integers(0, 999), st.integers(0, 999)),
+    st.builds(lambda name, start, n: {"clip": name, "start": start, "end": start + n + 1}, NAMES, NUMBERS, NUMBERS),
+    st.builds(lambda name: {"clip": name}, NAMES),
+    st.fixed_dictionaries({"action": NUMBERS}, optional={"segment": NUMBERS}),
+    st.builds(lambda name: {"clip": name, "as": "actions"}, NAMES),
+)
+VIEWS = st.builds(
+    View,
+    st.sampled_from(sorted(view_keys())),
+    NAMES,
+    st.dictionaries(st.sampled_from(PARAMETERS), st.sampled_from(["200", "0.5", "spheres"])),
+    SELECTIONS,
+    st.dictionaries(st.sampled_from(["time", "camera"]), st.sampled_from(["1.5", "0.6,-0.2,3,0,1,0,1"])),
+)
+
+
+def split(link: str) -> tuple[str, str]:
+    path, _, query = link.partition("?")
+    return path, f"?{query}" if query else ""
+
+
+@given(VIEWS)
+def test_a_link_gives_its_view_back(view: View):
+    assert parse(*split(format_link(view)), PARAMETERS) == (view, ())
+
+
+@given(st.text(max_size=60), st.text(max_size=300))
+def test_any_text_is_read_without_raising(path: str, query: str):
+    view, problems = parse(path, query, PARAMETERS)
+    assert view.page in view_keys()
+    assert all(isinstance(problem, str) and problem.endswith(".") for problem in problems)
+
+
+def test_the_root_is_the_library_and_unknown_pages_are_named():
+    assert page_of("/") == "library" and page_of("/motifs/") == "motifs" and page_of("/admin") is None
+    assert "admin" in parse("/admin", "")[1][0]
+
+
+def test_what_cannot_be_understood_is_left_out_and_said():
+    view, problems = parse("/motifs", "?dataset=demo&motif=three&kappa=200&colour=red", PARAMETERS)
+    assert view == View("motifs", "demo", {"kappa": "200"})
+    assert any("motif" in problem for problem in problems) and any("colour" in problem for problem in problems)
+    view, problems = parse("/map", "?keys=3-4,a-b&drawn=1.5-2,3&region=x&within=0.5")
+    assert view.view == {"within": "0.5"} and len(problems) == 3
+    assert parse("/map", "?keys=3-4,12-0&region=7")[1] == parse("/map", "?drawn=1.5-2,3-0.4")[1] == ()
+
+
+def test_an_interval_needs_both_ends_in_order():
+    assert parse("/library", "?clip=a&start=3")[0].selection == {"clip": "a"}
+    assert parse("/library", "?clip=a&start=9&end=3")[0].selection == {"clip": "a"}
+    assert parse("/library", "?clip=a&start=3&end=9")[0].selection == {"clip": "a", "start": 3, "end": 9}
+
+
+def test_several_motifs_are_marked_together():
+    assert parse("/motifs", "?motifs=3-7-12")[0].selection == {"motifs": "3-7-12"}
+    for wrong in ("3-", "a-b", "-".join(["1"] * 500)):
+        view, problems = parse("/motifs", f"?motifs={wrong}")
+        assert view.selection == {} and "3-7-9" in problems[0]
+
+
+def test_only_what_we_know_colours_a_clip():
+    assert parse("/grammar", "?clip=a&as=actions")[0].selection == {"clip": "a", "as": "actions"}
+    assert parse("/grammar", "?clip=a&as=ghosts")[0].selection == {"clip": "a"}
+
+
+def test_a_flood_is_refused():
+    assert parse("/library", "?dataset=" + "x" * 5000)[1] == ("The link is too long to be one of ours.",)
+    many = "&".join(f"a{i}=1" for i in range(150))
+    assert "could not be read" in parse("/library", f"?{many}")[1][0]
+
+
+def test_nothing_selected_keeps_the_rest():
+    view = View("motifs", "demo", {"rho": "2"}, {"motif": 3}, {"time": "1"})
+    assert without_selection(view) == View("motifs", "demo", {"rho": "2"})
+
+
+def test_a_key_of_a_link_means_one_thing():
+    """The parameters of the motifs stand in the links of all pages, so no page may call anything the same."""
+    taken = {"dataset", *STAGE_KEYS, *(parameter.name for parameter in analyses.parameters("motifs"))}
+    assert {page: taken & set(keys) for page, keys in view_keys().items()} == {page: set() for page in view_keys()}

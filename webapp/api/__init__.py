@@ -1,1 +1,0 @@
-"""Flask routes: binary motion for the Stage, small pictures of motions."""

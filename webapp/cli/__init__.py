@@ -1,0 +1,1 @@
+"""The command line: ``main`` runs a command; the other modules hold what several commands share."""

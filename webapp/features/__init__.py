@@ -1,0 +1,13 @@
+"""The features of the app, one folder each: a page with its figures, routes, commands and what its selections play.
+
+To add one, write its folder (see ``webapp/shell/feature.py``) and put its name into this list.
+"""
+
+from importlib import import_module
+
+from webapp.shell.feature import register
+
+NAMES = ("library", "motifs", "sweeps", "motion_map", "search", "grammar", "clip")  # as in the navigation
+
+for _name in NAMES:
+    register(import_module(f"{__name__}.{_name}").FEATURE)

@@ -1,0 +1,230 @@
+"""Edits of the clip that is shown: asked for in a dialog, done as a job, told like all changes of a dataset."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import dash_mantine_components as dmc
+from dash import Dash, Input, Output, State, dcc, html, no_update, set_props
+from dash.dependencies import ClientsideFunction
+from dash.development.base_component import Component
+
+from core import requests
+from core.editing import edits
+from core.editing.mirror import partners
+from core.mocap.dataset import Dataset
+from core.parameters import ParameterError
+from core.workspace import Workspace, WorkspaceError, check_name
+from webapp.jobs import changes
+from webapp.shell import results
+from webapp.shell.buttons import sends
+from webapp.shell.icons import icon
+from webapp.shell.messages import notice
+
+ACTIONS = {  # name: what the menu says, what the dialog says, what its button says
+    "trim": ("Make the selected range a clip", "A new clip of the selected frames.", "Make the clip"),
+    "mirror": (
+        "Mirror left and right",
+        "A new clip with left and right exchanged, as seen in a mirror. Labels keep their words.",
+        "Mirror",
+    ),
+    "rate": ("Change the frame rate", "A new clip of the same motion at another rate.", "Make the clip"),
+    "split": ("Split at a frame", "Two new clips: up to this frame, and from it on.", "Split"),
+    "labels": ("Split at its labels", "A new clip for every stretch between the ends of labels.", "Split"),
+}
+HERE, NEW = "here", "new"
+
+
+def menu() -> Component:
+    """The menu of edits."""
+    items = [
+        dmc.MenuItem(ACTIONS[name][0], **sends("clip-edit", {"action": name}, every_time=True)) for name in ACTIONS
+    ]
+    return dmc.Menu(
+        [
+            dmc.MenuTarget(
+                dmc.Button("Edit", variant="default", rightSection=icon("chevron", 14), id="clip-edit-menu")
+            ),
+            dmc.MenuDropdown([dmc.MenuLabel("The clip itself stays as it is"), *items]),
+        ],
+        shadow="md",
+        position="bottom-end",
+    )
+
+
+def dialogs() -> list[Component]:
+    """The dialog, and the stores of its callbacks."""
+    number = {"size": "sm", "mt": "md", "allowNegative": False}
+    where = dmc.RadioGroup(
+        dmc.Stack(
+            [dmc.Radio("Add it to this dataset", value=HERE), dmc.Radio("Into a dataset of its own", value=NEW)],
+            gap=6,
+            mt=4,
+        ),
+        id="clip-edit-where",
+        label="Where",
+        value=HERE,
+        mt="md",
+    )
+    dialog = dmc.Modal(
+        id="clip-edit-dialog",
+        children=[
+            html.Div(id="clip-edit-says"),
+            dmc.NumberInput(id="clip-edit-fps", label="Frames per second", min=1, max=1000, value=30, **number),
+            dmc.NumberInput(
+                id="clip-edit-frame", label="First frame of the second clip", min=1, allowDecimal=False, **number
+            ),
+            where,
+            dmc.TextInput(id="clip-edit-name", label="Name of the new dataset", mt="sm"),
+            html.Div(id="clip-edit-effect", className="muted clip-edit-effect"),
+            html.Div(id="clip-edit-problem", className="form-problem", role="alert"),
+            dmc.Group(dmc.Button("Make the clip", id="clip-edit-do"), justify="flex-end", mt="md"),
+        ],
+    )
+    return [dialog, dcc.Store(id="clip-edit"), dcc.Store(id="clip-edit-asked")]
+
+
+def problem(dataset: Dataset, clip: str, action: str, options: Mapping[str, Any]) -> str:
+    """Why an edit cannot be made, "" where it can; costs next to nothing."""
+    try:
+        recording, labels = dataset.clip(clip), [label for label in dataset.labels if label.clip == clip]
+        if action == "trim":
+            edits.trim(recording, labels, options["start"], options["end"])
+        elif action == "mirror":
+            partners(recording.skeleton)
+        elif action == "rate":
+            edits.check_rate(recording, options["fps"])
+        else:
+            cuts = [options["frame"]] if action == "split" else edits.label_cuts(recording, labels)
+            edits.split(recording, labels, cuts)
+    except (KeyError, TypeError):
+        return "Select a range of the clip first." if action == "trim" else "This clip is no longer there."
+    except ValueError as error:
+        return f"{error}."
+    return ""
+
+
+def effect(workspace: Workspace, name: str, where: str) -> str:
+    """What the edit means for results that are there already."""
+    if where == NEW:
+        return f"{name} and its results stay as they are."
+    if not results.earlier(workspace, name):
+        return f"{name} gets the new clip; nothing else changes, and it can be undone."
+    return (
+        f"{name} gets the new clip. Its motif graphs belong to what it holds now: with the new clip in it they must be "
+        "computed again. Undo brings dataset and graphs back as they are."
+    )
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """The dialog, and the job it starts; webapp/jobs/changes.py tells its end and undoes it."""
+    _open(app, workspace)
+    _do(app, workspace)
+
+
+def _open(app: Dash, workspace: Workspace) -> None:
+    app.clientside_callback(  # the frame at the cursor goes with what was asked
+        ClientsideFunction("clip", "asked"), Output("clip-edit-asked", "data"), Input("clip-edit", "data")
+    )
+
+    @app.callback(
+        Output("clip-edit-dialog", "opened"),
+        Output("clip-edit-dialog", "title"),
+        Output("clip-edit-says", "children"),
+        Output("clip-edit-do", "children"),
+        Output("clip-edit-fps", "style"),
+        Output("clip-edit-frame", "style"),
+        Output("clip-edit-frame", "value"),
+        Output("clip-edit-name", "value"),
+        Output("clip-edit-problem", "children"),
+        Input("clip-edit-asked", "data"),
+        State("clip-shown", "data"),
+        State("selection", "data"),
+        prevent_initial_call=True,
+    )
+    def open_dialog(asked, shown, selection):
+        action = (asked or {}).get("action")
+        if action not in ACTIONS or not shown:
+            return (no_update,) * 9
+        title, says, button = ACTIONS[action]
+        if action == "trim":
+            start, end = selected(shown, selection)
+            if start is None:
+                hint = notice("No range is selected", "Drag over the chart to select one.", "orange")
+                set_props("notices", {"sendNotifications": [hint]})
+                return (no_update,) * 9
+            says = f"A new clip of frames {start} to {end}, {(end - start) / shown['fps']:.2f} s."
+        elif action == "rate":
+            says = f"{says} It has {shown['fps']:g} frames per second now."
+        hidden = {"display": "none"}
+        frame = min(max(int(asked.get("frame") or 0), 1), max(shown["frames"] - 1, 1))
+        name = workspace.free_name(f"{shown['clip']} {'parts' if action in ('split', 'labels') else 'edited'}")
+        return (
+            *(True, title, says, button),
+            None if action == "rate" else hidden,
+            None if action == "split" else hidden,
+            *(frame, name, None),
+        )
+
+    @app.callback(
+        Output("clip-edit-effect", "children"),
+        Output("clip-edit-name", "style"),
+        Input("clip-edit-where", "value"),
+        Input("clip-edit-dialog", "opened"),
+        State("clip-shown", "data"),
+        prevent_initial_call=True,
+    )
+    def say_effect(where, opened, shown):
+        if not opened or not shown:
+            return no_update, no_update
+        return effect(workspace, shown["dataset"], where), None if where == NEW else {"display": "none"}
+
+
+def _do(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("clip-edit-problem", "children", allow_duplicate=True),
+        Output("clip-edit-dialog", "opened", allow_duplicate=True),
+        Input("clip-edit-do", "n_clicks"),
+        State("clip-edit-asked", "data"),
+        State("clip-shown", "data"),
+        State("selection", "data"),
+        State("clip-edit-fps", "value"),
+        State("clip-edit-frame", "value"),
+        State("clip-edit-where", "value"),
+        State("clip-edit-name", "value"),
+        prevent_initial_call=True,
+    )
+    def do(_clicks, asked, shown, selection, fps, frame, where, name):
+        action = (asked or {}).get("action")
+        if action not in ACTIONS or not shown:
+            return no_update, False
+        options = _options(action, shown, selection, fps, frame)
+        try:
+            dataset = workspace.open(shown["dataset"])
+            if wrong := problem(dataset, shown["clip"], action, options):
+                return wrong, no_update
+            if where == NEW:
+                options["into"] = workspace.check_free(check_name(name or ""))
+            changes.ask(workspace, requests.edit_request(dataset.name, shown["clip"], action, **options))
+        except (WorkspaceError, ParameterError) as error:
+            return str(error), no_update
+        return None, False
+
+
+def selected(shown: Mapping[str, Any], selection: Mapping[str, Any] | None) -> tuple[int | None, int | None]:
+    """The selected frames of the clip that is shown, cut to it; None twice where there are none."""
+    chosen = selection or {}
+    if chosen.get("clip") != shown["clip"] or "end" not in chosen or "start" not in chosen:
+        return None, None
+    start, end = int(chosen["start"]), min(int(chosen["end"]), shown["frames"])
+    return (start, end) if 0 <= start < end else (None, None)
+
+
+def _options(action: str, shown, selection, fps: Any, frame: Any) -> dict[str, Any]:
+    if action == "trim":
+        start, end = selected(shown, selection)
+        return {"start": start, "end": end}
+    if action == "rate":
+        return {"fps": float(fps) if isinstance(fps, int | float) else 0.0}
+    return {"frame": int(frame) if isinstance(frame, int | float) else 0} if action == "split" else {}

@@ -1,0 +1,104 @@
+"""Download of a clip's curves as a table: which columns, of which joints, of which frames."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+from urllib.parse import quote, urlencode
+
+import dash_mantine_components as dmc
+from dash import Dash, Input, Output, State, html, no_update
+from dash.development.base_component import Component
+
+from webapp.features.clip.routes import COLUMNS
+from webapp.shell.icons import icon
+
+_JOINTS = {"shown": "Those of the chart", "all": "All"}
+_FRAMES = {"range": "The selected range", "all": "The whole clip"}
+
+
+def button() -> Component:
+    """Opens the dialog."""
+    return dmc.Button("Table", id="clip-table-open", variant="default", leftSection=icon("download", 16))
+
+
+def dialogs() -> list[Component]:
+    """What to put into the table."""
+
+    def radios(name: str, choices: Mapping[str, str], value: str, label: str) -> Component:
+        group = dmc.Group([dmc.Radio(text, value=key) for key, text in choices.items()], gap="md", mt=4)
+        return dmc.RadioGroup(group, id=name, value=value, label=label, mt="md")
+
+    checks = dmc.Stack([dmc.Checkbox(label=text, value=name) for name, text in COLUMNS.items()], gap=6, mt=4)
+    return [
+        dmc.Modal(
+            id="clip-table-dialog",
+            title="Download a table",
+            children=[
+                dmc.CheckboxGroup(checks, id="clip-table-columns", label="Columns", value=["angles", "speeds", "feet"]),
+                radios("clip-table-joints", _JOINTS, "all", "Joints of angles, speeds and positions"),
+                radios("clip-table-frames", _FRAMES, "range", "Frames"),
+                html.Div(id="clip-table-what", className="muted clip-table-what", role="status"),
+                dmc.Group(
+                    html.A(
+                        [icon("download", 16), "Download CSV"],
+                        id="clip-table-link",
+                        href="",
+                        className="clip-download",
+                    ),
+                    justify="flex-end",
+                    mt="md",
+                ),
+            ],
+        )
+    ]
+
+
+def address(
+    shown: Mapping[str, Any],
+    selection: Mapping[str, Any],
+    columns: Sequence[str],
+    joints: Sequence[str] | None,
+    whole: bool,
+) -> str:
+    """Where the table is; ``joints``: only these (None: all); ``whole``: all frames, not only the selected ones."""
+    query = {"columns": ",".join(name for name in COLUMNS if name in columns)}
+    if joints:
+        query["joints"] = ",".join(joints)
+    if not whole and selection.get("clip") == shown["clip"] and "end" in selection:
+        query |= {"start": selection["start"], "end": selection["end"]}
+    return f"/api/clip-table/{quote(shown['dataset'], safe='')}/{quote(shown['clip'])}?{urlencode(query, safe=',')}"
+
+
+def register(app: Dash) -> None:
+    """The dialog and its link."""
+
+    @app.callback(
+        Output("clip-table-dialog", "opened"), Input("clip-table-open", "n_clicks"), prevent_initial_call=True
+    )
+    def open_dialog(clicks):
+        return True if clicks else no_update
+
+    @app.callback(
+        Output("clip-table-link", "href"),
+        Output("clip-table-what", "children"),
+        Input("clip-shown", "data"),
+        Input("selection", "data"),
+        Input("clip-table-columns", "value"),
+        Input("clip-table-joints", "value"),
+        Input("clip-table-frames", "value"),
+        State("clip-joints", "value"),
+        State("clip-kind", "value"),
+        Input("clip-table-dialog", "opened"),
+    )
+    def update(shown, selection, columns, which, frames, joints, kind, _opened):
+        if not shown:
+            return "", ""
+        if not columns:
+            return "", "Choose at least one kind of column."
+        listed = joints if which == "shown" and kind != "file" else None
+        href = address(shown, selection or {}, columns, listed, frames == "all")
+        chosen = "start=" in href
+        n = selection["end"] - selection["start"] if chosen else shown["frames"]
+        part = f"frames {selection['start']} to {selection['end']}" if chosen else "all frames"
+        return href, f"{n:,} rows, one a frame: {part}. Units stand in the header."

@@ -1,0 +1,42 @@
+"""Grammar: the actions of the recordings, what follows what, and new motion that keeps to it."""
+
+from webapp.shell.feature import Command, Feature, LinkKeys, SelectionKind, later
+
+FEATURE = Feature(
+    path="grammar",
+    label="Grammar",
+    symbol="branches",
+    page=later("webapp.features.grammar.layout:page"),
+    register=later("webapp.features.grammar.callbacks:register"),
+    keys=LinkKeys(
+        names=("show", "routine", "sentence", "pick", "up", "alt", "counts"),
+        of_dataset=("routine", "sentence", "pick", "up", "alt"),
+        patterns=dict.fromkeys(("routine", "pick", "up", "alt"), r"\d{1,6}"),
+    ),
+    methods={"grammar": "grammar"},
+    routes=later("webapp.features.grammar.routes:blueprints"),
+    commands={
+        "grammar": Command(
+            "Learn elementary actions and the rules of what follows what.",
+            later("webapp.features.grammar.arguments:grammar"),
+            later("webapp.features.grammar.commands:grammar"),
+        ),
+        "derive": Command(
+            "Make new motion that obeys a grammar.",
+            later("webapp.features.grammar.arguments:derive"),
+            later("webapp.features.grammar.commands:derive_"),
+        ),
+    },
+    recipes={
+        "grammar": later("webapp.shell.recipes:command"),
+        "derive": later("webapp.features.grammar.recipes:derive_commands"),
+    },
+    selections=(SelectionKind("action", numbers=("segment",)),),
+    clip_colours=("actions",),
+    plays=later("webapp.features.grammar.playing:plays"),
+    missing=later("webapp.features.grammar.playing:missing"),
+    motion_kinds={
+        "derive": later("webapp.features.grammar.compositions:open_derivation"),
+        "bakeoff": later("webapp.features.grammar.bakeoffs:open_bakeoff"),
+    },
+)

@@ -1,0 +1,119 @@
+"""The actions as cards, and the occurrences of the chosen one: played by a click, named in a field."""
+
+from __future__ import annotations
+
+import dash_mantine_components as dmc
+from dash import Dash, Input, Output, State, dcc, html, no_update
+from dash.development.base_component import Component
+
+from core.workspace import MotifNote, Workspace, WorkspaceError
+from core.workspace.notes import LONGEST_NAME
+from webapp.features.grammar import grammars
+from webapp.shell.icons import icon
+
+ORDERS = (("id", "By number"), ("count", "Most frequent first"), ("seconds", "Longest first"), ("name", "By name"))
+CARRIED = "Carried over from an earlier result that has most of these frames."
+
+
+def layout() -> Component:
+    """Cards on the left, the chosen action on the right; assets/grammar_actions.js fills both."""
+    return html.Div(
+        className="actions-view",
+        children=[
+            html.Div(
+                [
+                    dmc.Select(
+                        id="action-order",
+                        data=[{"value": value, "label": label} for value, label in ORDERS],
+                        value="id",
+                        size="xs",
+                        w=190,
+                        allowDeselect=False,
+                        **{"aria-label": "Order of the actions"},
+                    ),
+                    html.Div(id="action-cards", className="action-cards"),
+                ],
+                className="actions-all",
+            ),
+            html.Div(className="card actions-one", children=_one()),
+        ],
+    )
+
+
+def _one() -> list[Component]:
+    return [
+        html.Div(
+            [
+                html.Div(icon("play", 26), className="empty-icon"),
+                html.P("Choose an action to see all its occurrences play together.", className="muted"),
+            ],
+            id="action-hint",
+            className="selection-hint",
+        ),
+        html.Div(
+            id="action-detail",
+            className="hidden",
+            children=[
+                html.Div(
+                    [
+                        html.H2(id="action-title"),
+                        html.Span(id="action-count", className="muted"),
+                        html.Div(className="spacer"),
+                        html.Button(
+                            [icon("play", 14), "Play all"], id="action-all", type="button", className="walk-button"
+                        ),
+                    ],
+                    className="section-head",
+                ),
+                dmc.TextInput(
+                    id="action-name",
+                    label="Name",
+                    placeholder="side step",
+                    debounce=True,
+                    attributes={"input": {"maxLength": LONGEST_NAME, "autoComplete": "off"}},
+                ),
+                html.Div(id="action-name-status", className="muted notes-status", role="status"),
+                html.Div(id="occurrences", className="occurrences"),
+                dcc.Store(id="action-named"),  # the action that the field speaks of
+            ],
+        ),
+    ]
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """Fill the field with the name, and keep what is typed."""
+
+    @app.callback(
+        Output("action-name", "value"),
+        Output("action-named", "data"),
+        Output("action-name-status", "children"),
+        Input("selection", "data"),
+        Input("action-name", "id"),
+        State("dataset", "data"),
+        State("view", "data"),
+    )
+    def fill(selection, _field, name, view):
+        action = (selection or {}).get("action")
+        notes = grammars.notes_of(workspace, name, view) if name and action is not None else None
+        if notes is None:
+            return "", None, ""
+        note = notes.get(int(action), MotifNote())
+        return note.name, int(action), CARRIED if note.carried and note.name else ""
+
+    @app.callback(
+        Output("action-name-status", "children", allow_duplicate=True),
+        Output("grammar-names", "data", allow_duplicate=True),
+        Input("action-name", "value"),
+        State("action-named", "data"),
+        State("dataset", "data"),
+        State("view", "data"),
+        prevent_initial_call=True,
+    )
+    def save(text, action, name, view):
+        if action is None or not name:
+            return no_update, no_update
+        try:
+            kept = grammars.name_action(workspace, name, view, action, text or "")
+        except WorkspaceError as error:
+            return html.Span(str(error), className="error-text"), no_update
+        return ("Saved.", grammars.names_mark(workspace, name, view)) if kept else (no_update, no_update)

@@ -1,0 +1,68 @@
+"""The Grammar page's callbacks: what is there, and the data that the browser draws."""
+
+from __future__ import annotations
+
+from urllib.parse import urlencode
+
+from dash import Dash, Input, Output, State, no_update
+from dash.dependencies import ClientsideFunction
+
+from core.workspace import Workspace
+from webapp.features.grammar import grammars, layout, views
+from webapp.features.grammar.figures.tiles import tiles
+from webapp.features.grammar.layout import METHOD
+from webapp.shell import settings
+from webapp.ui import method_page
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """All of the page's callbacks."""
+    method_page.register(app, workspace, METHOD)
+    _show(app, workspace)
+    views.register(app, workspace)
+
+
+def _show(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("grammar-result", "children"),
+        Output("grammar-menus", "children"),
+        Input("grammar-result-key", "data"),
+        State("dataset", "data"),
+        State("grammar-settings", "data"),
+    )
+    def show_result(key, name, view):
+        found = grammars.learned(workspace, name, view) if key and name else None
+        menus = method_page.earlier_menu(workspace, METHOD, name, found is not None)
+        if found is None:
+            return [], menus
+        query = urlencode({"dataset": name, **(view or {})})
+        copies = method_page.copy_items(workspace, METHOD, name, view)
+        return layout.result(tiles(workspace.open(name), found)), [*menus, layout.downloads(query, copies)]
+
+    @app.callback(
+        Output("grammar-data", "data"),
+        Input("grammar-result-key", "data"),
+        Input("grammar-names", "data"),
+        Input("revision", "data"),
+        State("dataset", "data"),
+        State("grammar-settings", "data"),
+        State("grammar-data", "data"),
+    )
+    def gather(key, _names, _revision, name, view, before):
+        found = grammars.learned(workspace, name, view) if key and name else None
+        if found is None or settings.key_of(workspace, grammars.PAGE, name, view) != key:
+            return no_update
+        notes = grammars.notes_of(workspace, name, view) or {}
+        names = grammars.names_mark(workspace, name, view)
+        if before and (before["key"], before["names"], before["dataset"]) == (key, names, name):
+            return no_update
+        return grammars.page_data(workspace.open(name), found, key, notes) | {"names": names}
+
+    app.clientside_callback(
+        ClientsideFunction("grammar", "draw"),
+        Output("grammar-drawn", "data"),
+        Input("grammar-data", "data"),
+        Input("selection", "data"),
+        Input("action-order", "value"),
+        Input("grammar-string", "id"),
+    )

@@ -1,0 +1,167 @@
+"""The rules held against three simpler ways of making motion: figures as a table and a chart, motions side by side."""
+
+from __future__ import annotations
+
+import json
+
+import dash_mantine_components as dmc
+from dash import Dash, Input, Output, State, dcc, html, no_update, set_props
+from dash.development.base_component import Component
+
+from core.parameters import ParameterError
+from core.workspace import Job, Workspace, WorkspaceError
+from webapp import jobs
+from webapp.features.grammar import bakeoffs
+from webapp.features.grammar.figures import bakeoff as figures
+from webapp.jobs.running import running
+from webapp.shell import recipes
+from webapp.shell.buttons import copies, sends
+from webapp.shell.icons import icon
+from webapp.shell.messages import empty_state, notice
+from webapp.ui import tables
+from webapp.ui.charts import CONFIG
+from webapp.ui.downloads import chart_menu, table_download
+
+HINT = (
+    "Routines are held out to see whether the rules, learned from the others, could have made them, and shuffled ones "
+    "to see whether they refuse nonsense. A chain of neighbours, repeated strings and walks on the motif graph do the "
+    "same, and all of them make new motion to look at."
+)
+
+
+def layout() -> Component:
+    """The place of the figures, or of what stands there until they are known."""
+    return html.Div(
+        [
+            html.Div(id="bakeoff-place"),
+            *(dcc.Store(id=f"bakeoff-{name}") for name in ("ask", "asked", "shown", "play")),
+        ],
+        className="bakeoff-view",
+    )
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """Ask, follow, show, play."""
+
+    @app.callback(
+        Output("bakeoff-asked", "data"),
+        Input("bakeoff-ask", "data"),
+        State("dataset", "data"),
+        State("view", "data"),
+        prevent_initial_call=True,
+    )
+    def ask(_clicked, name, view):
+        try:
+            job = jobs.start(workspace, bakeoffs.request(name, view))
+        except (ParameterError, WorkspaceError) as error:
+            set_props("notices", {"sendNotifications": [notice("Cannot compare", str(error), "red")]})
+            return no_update
+        set_props("job-started", {"data": job.id})
+        return job.id
+
+    @app.callback(
+        Output("bakeoff-place", "children"),
+        Output("bakeoff-shown", "data"),
+        Input("view", "data"),
+        Input("bakeoff-asked", "data"),
+        Input("jobs-finished", "data"),
+        Input("theme", "data"),
+        Input("bakeoff-place", "id"),
+        State("bakeoff-shown", "data"),
+        State("dataset", "data"),
+    )
+    def show(view, _asked, _finished, scheme, _place, shown, name):
+        if (view or {}).get("show") != "compare" or not name:
+            return no_update, no_update
+        there = bakeoffs.found(workspace, name, view)
+        job = None if there else bakeoffs.latest_job(workspace, name, view)
+        now = [name, scheme, there[1] if there else "", [job.id, job.state] if job else None]
+        if now == shown:
+            return no_update, no_update
+        if there is None:
+            return html.Div(_waiting(job), className="card"), now
+        again = recipes.both(workspace.path, bakeoffs.request(name, view))
+        return _result(*there, scheme, again), now
+
+    @app.callback(
+        Output("stage-request", "data", allow_duplicate=True),
+        Input("bakeoff-play", "data"),
+        State("dataset", "data"),
+        State("view", "data"),
+        prevent_initial_call=True,
+    )
+    def play(asked, name, view):
+        there = bakeoffs.found(workspace, name, view) if asked else None  # it is called when the view appears, too
+        return bakeoffs.stage_request(*there, asked.get("only")) if there else no_update
+
+
+def _waiting(job: Job | None) -> Component:
+    if job is not None and job.alive:
+        return running(job, "Comparing four ways", "branches")
+    title, words = "Not compared yet", HINT
+    if job is not None and job.state == "failed":
+        title, words = "Comparing failed", job.error
+    elif job is not None and job.state == "cancelled":
+        title, words = "Comparing was cancelled", "Nothing was kept of it."
+    asks = sends("bakeoff-ask", {"ask": True}, every_time=True)
+    return empty_state("branches", title, words, dmc.Button("Compare four ways", variant="light", **asks))
+
+
+def _result(result, key: str, scheme: str | None, again: dict[str, str]) -> list[Component]:
+    names = [clip.name for clip in result.clips]
+    plays = [_play("All side by side", {})] + [_play(figures.NAMES.get(n, n), {"only": n}) for n in names]
+    grid = tables.grid(
+        "bakeoff-table",
+        figures.columns(),
+        figures.rows(result.contenders),
+        "Four ways of making motion",
+        row_height=36,
+        headerHeight=50,
+    )
+    said = f"{result.sentences} routines were held out in turn, and {result.shuffles} shuffles of them tried."
+    return [
+        html.Div(plays, className="compose-bar", role="group", **{"aria-label": "Play"}),
+        html.P([said, *(f" {note[:1].upper()}{note[1:]}." for note in result.notes)], className="muted view-hint"),
+        html.Div(
+            [
+                html.Div(
+                    [html.H3("How they compare"), chart_menu("bakeoff-chart", "four ways")], className="chart-head"
+                ),
+                dcc.Graph(
+                    id="bakeoff-chart",
+                    figure=figures.chart(result.contenders, scheme),
+                    config=CONFIG,
+                    style={"height": "470px"},
+                ),
+            ],
+            className="card chart-card compare-charts",
+        ),
+        html.Div(
+            [
+                html.H2("All figures"),
+                html.Div(className="spacer"),
+                *(
+                    html.Button(label, type="button", className="walk-button", **copies(text))
+                    for label, text in again.items()
+                ),
+                html.A(
+                    [icon("download", 14), "JSON"],
+                    href=f"/api/bakeoff/{key}.json",
+                    className="walk-button",
+                    download="",
+                ),
+                table_download("bakeoff-table", "four ways"),
+            ],
+            className="section-head section",
+        ),
+        grid,
+    ]
+
+
+def _play(label: str, value: dict[str, str]) -> Component:
+    return html.Button(
+        [icon("play", 14), label],
+        type="button",
+        className="walk-button",
+        **{"data-store": "bakeoff-play", "data-value": json.dumps(value), "data-stamp": "yes"},
+    )

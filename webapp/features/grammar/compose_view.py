@@ -1,0 +1,172 @@
+"""New routines that keep to the rules: by chance, then part by part as one likes (assets/grammar_compose.js draws)."""
+
+from __future__ import annotations
+
+import dash_mantine_components as dmc
+from dash import Dash, Input, Output, State, dcc, html, no_update
+from dash.dependencies import ClientsideFunction
+from dash.development.base_component import Component
+
+from core.workspace import Workspace, WorkspaceError
+from webapp.features.grammar import compositions
+from webapp.features.grammar.routines_view import tree_link
+from webapp.shell.icons import icon
+
+
+def layout() -> Component:
+    """The controls; what they stand for comes with the routine."""
+    return html.Div(
+        className="compose-view",
+        children=[
+            html.Div(_buttons(), className="compose-bar", role="group", **{"aria-label": "The new routine"}),
+            html.Div(id="compose-error", className="walk-error hidden", role="alert"),
+            html.P(id="compose-said", className="muted view-hint", role="status"),
+            html.Ol(id="compose-string", className="compose-string", **{"aria-label": "Actions of the new routine"}),
+            html.Div(_chosen(), className="compose-bar", role="group", **{"aria-label": "The chosen part"}),
+            html.Div(id="compose-others", className="compose-others hidden"),
+            html.Div(
+                html.Div(id="compose-tree", className="tree", role="group", **{"aria-label": "How it is built"}),
+                className="card tree-card",
+            ),
+            html.Div(
+                [
+                    html.Div(id="compose-meters", className="walk-meters hidden"),
+                    html.Div(_save(), className="compose-save"),
+                ],
+                className="compose-foot",
+            ),
+            html.Div(id="compose-warnings", className="walk-notes muted"),
+            *(dcc.Store(id=f"compose-{name}") for name in ("data", "drawn", "other-data", "other-drawn")),
+        ],
+    )
+
+
+def _buttons() -> list[Component]:
+    return [
+        _button([icon("dice", 16), "New routine"], "new", "Another routine by chance"),
+        html.Label("at most", htmlFor="compose-most", className="compose-most"),
+        dcc.Input(
+            id="compose-most",
+            type="number",
+            className="walk-number",
+            value=compositions.USUAL_LENGTH,
+            min=1,
+            max=compositions.MOST_LENGTH,
+            step=1,
+        ),
+        html.Span("actions"),
+        _button([icon("restore", 14), "Undo"], "undo", "Back to the routine before (Ctrl+Z)"),
+        _button([icon("retry", 14), "Redo"], "redo", "Forward again (Ctrl+Shift+Z)"),
+        html.Div(className="spacer"),
+        _button([icon("play", 14), "Play"], "play", "Play the routine from its start"),
+        html.A(
+            [icon("download", 14), "BVH"], id="compose-bvh", className="walk-button", title="Save the motion as BVH"
+        ),
+        tree_link("compose-json", "JSON", "Save where every frame comes from, and the meters"),
+        *(
+            html.Button(label, type="button", className="walk-button compose-recipe", **{"data-recipe": words})
+            for label, words in (("Command", "Copy as commands"), ("Python", "Copy as Python"))
+        ),
+    ]
+
+
+def _chosen() -> list[Component]:
+    return [
+        html.Div(id="compose-chosen", className="compose-chosen muted", role="status"),
+        html.Div(className="spacer"),
+        _button([icon("plus", 14), "Larger"], "larger", "Take in more: the phrase around it"),
+        _button([icon("minus", 14), "Smaller"], "smaller", "Take in less: the phrase within it"),
+        _button([icon("dice", 14), "Four others"], "others", "Show four other ways for the chosen part, side by side"),
+        tree_link("compose-svg", "Tree", "Save the tree as a drawing (SVG)"),
+        html.Button(
+            [icon("download", 14), "PNG"],
+            type="button",
+            className="walk-button tree-png",
+            title="Save the tree as a picture",
+            **{"data-link": "compose-svg"},
+        ),
+    ]
+
+
+def _save() -> list[Component]:
+    return [
+        dmc.TextInput(
+            id="compose-name",
+            label="Keep it in the library",
+            placeholder="a name",
+            size="xs",
+            attributes={"input": {"maxLength": 60, "autoComplete": "off"}},
+        ),
+        html.Button([icon("check", 14), "Keep"], id="compose-save", type="button", className="walk-button"),
+        html.Div(id="compose-kept", className="muted", role="status"),
+    ]
+
+
+def _button(label, action: str, tip: str) -> Component:
+    return html.Button(label, type="button", className="walk-button", title=tip, **{"data-compose": action})
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """The routine of the link and its alternatives are made on the server; all else happens in the browser."""
+
+    @app.callback(
+        Output("compose-data", "data"),
+        Input("view", "data"),
+        Input("grammar-data", "data"),
+        Input("compose-tree", "id"),
+        State("dataset", "data"),
+        State("compose-data", "data"),
+    )
+    def make(view, _data, _place, name, before):
+        if not compositions.is_composing(view) or not name or not (view or {}).get("sentence"):
+            return no_update
+        try:
+            data = compositions.composed(workspace, name, view)
+        except WorkspaceError as error:
+            data = {"asked": compositions.asked_of(view), "error": str(error)}
+        return no_update if data is None or data == before else data
+
+    @app.callback(
+        Output("compose-other-data", "data"),
+        Input("view", "data"),
+        Input("compose-data", "data"),
+        State("dataset", "data"),
+        State("compose-other-data", "data"),
+    )
+    def others(view, _data, name, before):
+        if not compositions.is_composing(view) or not name or not (view or {}).get("alt"):
+            return no_update
+        try:
+            data = compositions.alternatives(workspace, name, view)
+        except WorkspaceError as error:
+            data = {"asked": compositions.asked_of(view), "error": str(error)}
+        return no_update if data is None or data == before else data
+
+    @app.callback(
+        Output("compose-kept", "children"),
+        Input("compose-save", "n_clicks"),
+        State("compose-name", "value"),
+        State("dataset", "data"),
+        State("view", "data"),
+        prevent_initial_call=True,
+    )
+    def keep(_clicks, text, name, view):
+        try:
+            return compositions.keep(workspace, name, view, text or "")
+        except WorkspaceError as error:
+            return html.Span(str(error), className="error-text")
+
+    app.clientside_callback(
+        ClientsideFunction("grammar", "compose"),
+        Output("compose-drawn", "data"),
+        Input("compose-data", "data"),
+        Input("view", "data"),
+        Input("grammar-data", "data"),
+        State("selection", "data"),
+    )
+    app.clientside_callback(
+        ClientsideFunction("grammar", "others"),
+        Output("compose-other-drawn", "data"),
+        Input("compose-other-data", "data"),
+        Input("view", "data"),
+    )

@@ -1,0 +1,266 @@
+"""New routines in the app: what the link says of one, its tree and motion, other ways for a part of it.
+
+A link says ``sentence=random:SEED:MOST`` (by chance, at most so many actions) or the routine's rule indices,
+``sentence=0.3.1`` (SYN 5.1); ``pick`` is the number of the chosen action and ``up`` how many phrases further out the
+chosen part reaches. ``~derive~KEY`` holds the motion, a clip called ``routine``; KEY is that of its result.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
+
+from core import analyses
+from core.grammar import authoring
+from core.grammar.trees import Node, at_path, leaves, preorder
+from core.mocap.clip import Label
+from core.mocap.dataset import Dataset
+from core.parameters import ParameterError
+from core.synthesis import Derivation
+from core.synthesis.derivations import read_sentence
+from core.workspace import Workspace, WorkspaceError
+from webapp.features.grammar import grammars
+from webapp.features.grammar.figures import actions
+from webapp.shell import recipes, settings
+from webapp.shell.virtual import virtual_name
+
+if TYPE_CHECKING:
+    from core.grammar.learned import LearnedGrammar
+
+DERIVE = "derive"
+USUAL_LENGTH, MOST_LENGTH = 40, 200
+N_OTHERS = 4
+CONTEXT = 0.7  # seconds played before and after a part that is shown in another way
+LONGEST = 300  # letters that a link can hold
+ASKED = ("sentence", "pick", "up")
+View = Mapping[str, str] | None
+
+
+def is_composing(view: View) -> bool:
+    """Whether the Grammar page makes routines: then a new routine plays, and not what is selected."""
+    return (view or {}).get("show") == "compose"
+
+
+def asked_of(view: View, *more: str) -> dict[str, str]:
+    """What of the link says which routine it is, and what of it is chosen."""
+    return {key: view[key] for key in (*ASKED, *more) if (view or {}).get(key)}
+
+
+def kept(workspace: Workspace, key: str) -> Derivation | None:
+    """A routine that has been made, or None."""
+    return analyses.kept(workspace, DERIVE, key) if re.fullmatch(r"[0-9a-f]{8,64}", key) else None
+
+
+def open_derivation(workspace: Workspace, key: str) -> Dataset:
+    """The made-up data set of a kept routine. Raises WorkspaceError where there is none."""
+    made = kept(workspace, key)
+    if made is None:
+        raise WorkspaceError("This routine is no longer there; make it again on the Grammar page.")
+    return Dataset(virtual_name(DERIVE, key), (made.clip,))
+
+
+def tree_of(found: LearnedGrammar, sentence: str) -> Node:
+    """The tree that a link's ``sentence`` stands for. Raises ValueError in plain words."""
+    try:
+        return read_sentence(found.grammar, sentence)
+    except ValueError as error:
+        if sentence.startswith("random"):
+            raise
+        raise ValueError("The routine of the link does not obey these rules: it was made with others") from error
+
+
+def code_of(found: LearnedGrammar, tree: Node) -> str:
+    """A tree as it stands in a link."""
+    return ".".join(map(str, found.grammar.rule_indices(tree)))
+
+
+def composed(workspace: Workspace, name: str, view: View) -> dict[str, Any] | None:
+    """All that assets/grammar_compose.js shows of a routine; None while there is no grammar. Raises WorkspaceError."""
+    found, key = grammars.learned(workspace, name, view), settings.key_of(workspace, grammars.PAGE, name, view)
+    if found is None or key is None:
+        return None
+    data = {"key": key, "asked": asked_of(view)}
+    try:
+        tree = tree_of(found, view["sentence"])
+        request = derive_request(found, name, view, tree)
+        made = analyses.at_once(workspace, request)
+    except (ParameterError, ValueError) as error:
+        return data | {"error": _sentence(str(error))}
+    dataset, notes = workspace.open(name), grammars.notes_of(workspace, name, view) or {}
+    again = {"recipes": recipes.both(workspace.path, request)}
+    shown = shown_routine(found, made, analyses.key(workspace, request), notes)
+    chosen = chosen_part(found, tree, view)
+    svg = grammars.routine_svg(
+        dataset,
+        found,
+        grammars.Routine(None, tuple(zip(leaves(tree), made.pieces, strict=True)), tree),
+        notes,
+        marked=chosen and chosen["at"],
+        picked=_number(view, "pick"),
+    )
+    return (
+        data | shown | again | {"code": code_of(found, tree), "svg": svg, "chosen": chosen, "parents": _parents(tree)}
+    )
+
+
+def derive_request(found: LearnedGrammar, dataset: str, view: View, tree: Node) -> analyses.Request:
+    """The request for the motion of a routine. Raises ValueError where it is too long for a link."""
+    code = code_of(found, tree)
+    if len(code) > LONGEST:
+        raise ValueError("This routine is too long for a link; choose fewer actions")
+    return analyses.Request(
+        dataset, DERIVE, {**settings.request_of(grammars.PAGE, dataset, view).parameters, "sentence": code}
+    )
+
+
+def shown_routine(found: LearnedGrammar, made: Derivation, key: str, notes: actions.Notes) -> dict[str, Any]:
+    """The motion: its actions, when which one is on, its meters, and where it is played and saved from."""
+    return {
+        "name": virtual_name(DERIVE, key),
+        "clip": made.clip.name,
+        "actions": list(made.terminals),
+        "spans": [list(span) for span in made.spans],
+        "frames": made.clip.n_frames,
+        "seconds": round(made.clip.seconds, 2),
+        "skate": [round(value, 4) for value in made.skate],
+        "speeds": [round(value, 2) for value in made.speeds],
+        "jump": made.speeds.jump,
+        "warnings": list(made.warnings),
+        "bands": bands(made, notes),
+        "novel": tuple(made.terminals) not in {sentence.terminals for sentence in found.sentences},
+    }
+
+
+def bands(made: Derivation, notes: actions.Notes) -> list[dict[str, Any]]:
+    """Coloured spans for the Stage, one an action."""
+    return [
+        {
+            "start": start,
+            "end": end,
+            "colour": actions.action_colour(action),
+            "label": actions.short_name(action, notes),
+        }
+        for action, (start, end) in zip(made.terminals, made.spans, strict=True)
+        if end > start
+    ]
+
+
+def chosen_part(found: LearnedGrammar, tree: Node, view: View) -> dict[str, Any] | None:
+    """The part that the link chooses: see the keys below; None where there is none.
+
+    ways: rules for it; varies: whether it, or a part of it, can go in another way.
+    """
+    picked = _number(view, "pick")
+    if picked is None or not 0 <= picked < tree.end:
+        return None
+    around = authoring.constituents(tree, picked)  # paths, smallest first
+    level = min(_number(view, "up") or 0, len(around) - 1)
+    path = around[level]
+    node = at_path(tree, path)
+    return {
+        "at": path,
+        "path": ".".join(map(str, path)),
+        "first": node.start,
+        "end": node.end,
+        "name": grammars.tree_names(found, {})(node.symbol),
+        "ways": len(found.grammar.choices[node.symbol]),
+        "varies": any(len(found.grammar.choices[n.symbol]) > 1 for n in preorder(node) if not n.is_leaf),
+        "larger": level + 1 < len(around),
+        "smaller": level > 0,
+    }
+
+
+def alternatives(workspace: Workspace, name: str, view: View) -> dict[str, Any] | None:
+    """Four other ways for the chosen part, each with its motion; None without a grammar. Raises WorkspaceError."""
+    found = grammars.learned(workspace, name, view)
+    if found is None:
+        return None
+    data = {"asked": asked_of(view, "alt")}
+    notes = grammars.notes_of(workspace, name, view) or {}
+    try:
+        tree = tree_of(found, view["sentence"])
+        chosen = chosen_part(found, tree, view)
+        if chosen is None:
+            return data | {"error": "Choose an action first."}
+        seed = _number(view, "alt") or 1
+        others = authoring.alternatives(found.grammar, tree, chosen["at"], N_OTHERS, seed)
+        shown = [_alternative(workspace, found, name, view, other, chosen["at"], notes) for other in others]
+    except (ParameterError, ValueError) as error:
+        return data | {"error": _sentence(str(error))}
+    return data | {"part": chosen["name"], "others": shown}
+
+
+def _alternative(
+    workspace: Workspace,
+    found: LearnedGrammar,
+    name: str,
+    view: View,
+    tree: Node,
+    path: tuple[int, ...],
+    notes: actions.Notes,
+) -> dict[str, Any]:
+    request = derive_request(found, name, view, tree)
+    made = analyses.at_once(workspace, request)
+    node = at_path(tree, path)
+    frames, fps = made.clip.n_frames, made.clip.fps
+    start = made.spans[node.start][0] if node.start < len(made.spans) else frames
+    stop = made.spans[node.end - 1][1] if node.end > node.start else start
+    margin = round(CONTEXT * fps)
+    return {
+        "code": code_of(found, tree),
+        "name": virtual_name(DERIVE, analyses.key(workspace, request)),
+        "clip": made.clip.name,
+        "actions": list(made.terminals),
+        "first": node.start,
+        "end": node.end,
+        "start": max(0, start - margin),
+        "stop": min(frames, stop + margin),
+        "seconds": round((stop - start) / fps, 2),
+        "bands": bands(made, notes),
+    }
+
+
+def keep(workspace: Workspace, name: str | None, view: View, called: str) -> str:
+    """Keeps the routine of the link as a clip of the data set ``NAME routines``; what to tell of it.
+
+    Raises WorkspaceError (no name, a name that is taken).
+    """
+    called = " ".join(called.split())
+    if not called:
+        raise WorkspaceError("Give it a name first.")
+    found = grammars.learned(workspace, name, view)
+    if found is None or name is None or not (view or {}).get("sentence"):
+        raise WorkspaceError("There is no routine to keep.")
+    try:
+        made = analyses.at_once(workspace, derive_request(found, name, view, tree_of(found, view["sentence"])))
+    except (ParameterError, ValueError) as error:
+        raise WorkspaceError(_sentence(str(error))) from error
+    notes = grammars.notes_of(workspace, name, view) or {}
+    labels = tuple(
+        Label(called, start, end, actions.action_name(action, notes))
+        for action, (start, end) in zip(made.terminals, made.spans, strict=True)
+        if end > start
+    )
+    home = f"{name} routines"
+    more = Dataset(home, (replace(made.clip, name=called),), labels)
+    if home in {info.name for info in workspace.datasets()}:
+        workspace.add_clips(home, more)
+    else:
+        workspace.add_dataset(home, more)
+    return f"Kept as “{called}” in the data set “{home}”."
+
+
+def _parents(tree: Node) -> list[str]:
+    """For every action the path of the smallest phrase around it, as text."""
+    return [".".join(map(str, authoring.constituents(tree, at)[0])) for at in range(tree.end)]
+
+
+def _number(view: View, key: str) -> int | None:
+    text = (view or {}).get(key, "")
+    return int(text) if text.isdecimal() and len(text) < 7 else None
+
+
+def _sentence(text: str) -> str:
+    return text if text.endswith((".", "?", "!")) else f"{text}."

@@ -1,0 +1,136 @@
+"""Grammars in the app: what a link says of one, the result behind it, and what people call its actions."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from core.mocap.clip import Segment
+from core.mocap.dataset import Dataset
+from core.workspace import MotifNote, Workspace, WorkspaceError
+from webapp.features.grammar.figures import actions, rules
+from webapp.features.grammar.figures.parse_tree import tree_svg
+from webapp.shell import settings
+
+if TYPE_CHECKING:
+    from core.grammar.learned import LearnedGrammar
+    from core.grammar.trees import Node, Symbol
+
+PAGE = "grammar"
+View = Mapping[str, str] | None
+
+
+def learned(workspace: Workspace, dataset: str | None, view: View) -> LearnedGrammar | None:
+    """The grammar that a view shows where it has been computed."""
+    return settings.result_of(workspace, PAGE, dataset, view)
+
+
+def notes_of(workspace: Workspace, dataset: str, view: View) -> dict[int, MotifNote] | None:
+    """What people said of the actions of this result, by number; None where there is no result."""
+    found, key = learned(workspace, dataset, view), settings.key_of(workspace, PAGE, dataset, view)
+    if found is None or key is None:
+        return None
+    segments = dict(enumerate(found.terminals.segments))
+    return workspace.notes.of(workspace.info(dataset).id, key, segments)
+
+
+def name_action(workspace: Workspace, dataset: str, view: View, action: int, name: str) -> bool:
+    """Keeps what someone calls an action; False where nothing changes. Raises WorkspaceError (too long)."""
+    notes, key = notes_of(workspace, dataset, view), settings.key_of(workspace, PAGE, dataset, view)
+    found = learned(workspace, dataset, view)
+    if notes is None or key is None or found is None or not 0 <= action < found.terminals.n_terminals:
+        return False
+    before = notes.get(action, MotifNote())
+    if name.strip() == before.name:
+        return False
+    home, own = workspace.info(dataset).id, found.terminals.segments[action]
+    workspace.notes.put(home, key, action, own, name=name, tags=before.tags, note=before.note)
+    return True
+
+
+def names_mark(workspace: Workspace, dataset: str, view: View) -> str:
+    """Changes whenever an action is called something else, or the labels of the recordings change."""
+    said = {action: note.name for action, note in (notes_of(workspace, dataset, view) or {}).items()}
+    known = (sorted(said.items()), workspace.open(dataset).labels)
+    return hashlib.blake2b(repr(known).encode(), digest_size=6).hexdigest()
+
+
+def page_data(dataset: Dataset, found: LearnedGrammar, key: str, notes: Mapping[int, MotifNote]) -> dict[str, Any]:
+    """All that assets/grammar_*.js draw of a result, but for trees and new routines."""
+    segments = found.terminals.segments
+    cuts: dict[str, list[int]] = {}
+    for routine in routines(found):
+        cuts.setdefault(routine.span.clip, []).append(routine.span.start)
+    return {
+        "key": key,
+        "dataset": dataset.name,
+        "version": dataset.fingerprint[:8],
+        "actions": actions.actions_data(dataset, segments, found.terminals.medoids, notes),
+        "rows": actions.string_rows(dataset, segments, cuts),
+        "rules": rules.rules_data(found.grammar.rules, found.grammar.start),
+        "routines": [routine_data(dataset, routine) for routine in routines(found)],
+    }
+
+
+class Routine(NamedTuple):
+    """A sentence of the recordings: where it lies, the segments of its actions in order, and its tree."""
+
+    span: Segment
+    pieces: tuple[tuple[int, Segment], ...]
+    tree: Node
+
+
+def routines(found: LearnedGrammar) -> list[Routine]:
+    """The sentences of the recordings, with their trees."""
+    return [
+        Routine(Segment(sentence.clip, sentence.pieces[0][1].start, sentence.pieces[-1][1].end), sentence.pieces, tree)
+        for sentence, tree in zip(found.sentences, found.trees, strict=True)
+    ]
+
+
+def routine_data(dataset: Dataset, routine: Routine) -> dict[str, Any]:
+    """A routine as assets/grammar_routines.js lists it: {clip, seconds: [start, end], actions, leaves: [[start, end]]}
+
+    (leaves in frames of the clip's own rate).
+    """
+    fps = dataset.clip(routine.span.clip).fps
+    return {
+        "clip": routine.span.clip,
+        "seconds": [round(routine.span.start / fps, 3), round(routine.span.end / fps, 3)],
+        "actions": [action for action, _ in routine.pieces],
+        "leaves": [[segment.start, segment.end] for _, segment in routine.pieces],
+    }
+
+
+def routine_number(found: LearnedGrammar, view: View) -> int:
+    """The routine that a view shows: the first where it says none that is there."""
+    text = (view or {}).get("routine", "")
+    return int(text) if text.isdecimal() and int(text) < len(found.sentences) else 0
+
+
+def tree_names(found: LearnedGrammar, notes: Mapping[int, MotifNote]) -> Callable[[Symbol], str]:
+    """What stands in the boxes of a tree."""
+    phrases = rules.phrase_names(found.grammar.rules, found.grammar.start)
+    return lambda symbol: phrases[symbol] if isinstance(symbol, str) else actions.short_name(symbol, notes)
+
+
+def routine_svg(
+    dataset: Dataset, found: LearnedGrammar, routine: Routine, notes: Mapping[int, MotifNote], **look
+) -> str:
+    """The tree of a routine with a posture below every action; look: as for parse_tree.tree_svg."""
+    pictures = [actions.icon_address(dataset, segment) for _, segment in routine.pieces]
+    return tree_svg(
+        routine.tree,
+        tree_names(found, notes),
+        actions.tones(found.terminals.n_terminals),
+        **({"pictures": pictures} | look),
+    )
+
+
+def dataset_of(workspace: Workspace, name: str | None) -> Dataset | None:
+    """The data set, or None where there is none."""
+    try:
+        return workspace.open(name) if name else None
+    except WorkspaceError:
+        return None

@@ -1,0 +1,129 @@
+"""What the Grammar page consists of."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import dash_mantine_components as dmc
+from dash import dcc, html
+from dash.development.base_component import Component
+
+from webapp.features.grammar import views
+from webapp.shell.icons import icon
+from webapp.ui import method_page
+from webapp.ui.method_page import MethodPage
+from webapp.ui.tile import metric_tile
+
+LABELS = {
+    "n_terminals": "Number of actions",
+    "weight": "Repeated or alike",
+    "min_seconds": "Shortest piece (s)",
+    "max_seconds": "Longest piece (s)",
+    "method": "How they are found",
+    "mirror": "Left and right alike",
+    "pose": "What a posture is",
+    "velocity": "Movement counts",
+    "starts": "Beginnings tried",
+    "grid": "Frames between cuts",
+    "population": "Population",
+    "generations": "Generations",
+    "iterations": "Fine steps",
+    "sentences": "A routine is",
+    "repeats": "The same action in a row",
+    "min_sentence": "Shortest routine (actions)",
+    "candidates": "Ways to cut that are tried",
+    "align": "Routines are laid side by side",
+    "select": "Overlapping phrases",
+    "touching": "Phrases may meet",
+    "merge": "Phrases of one kind",
+    "analysis_fps": "Frames per second",
+    "seed": "Random seed",
+}
+HINT = (
+    "It cuts the recordings into short actions that recur, and finds out which actions follow which. Then you can see "
+    "every recording as a string of actions, and make new motion that keeps to the same order."
+)
+METHOD = MethodPage(
+    page="grammar",
+    title="Actions",
+    action="Learn the order",
+    doing="Learning what follows what",
+    symbol="branches",
+    hint=HINT,
+    labels=LABELS,
+)
+STORES = ("data", "names")
+
+
+def page() -> Component:
+    """The page before it knows what there is to show."""
+    return html.Div(
+        className="grammar",
+        children=[
+            html.Div(
+                className="page-head",
+                children=[
+                    html.H1("Grammar"),
+                    html.Span("what follows what", className="muted"),
+                    html.Div(className="spacer"),
+                    html.Div(id="grammar-menus", className="head-menus"),
+                    method_page.run_button(METHOD),
+                ],
+            ),
+            method_page.settings_fold(METHOD),
+            method_page.status_place(METHOD),
+            *(dcc.Store(id=f"grammar-{name}") for name in STORES),
+            html.Div(id="grammar-result"),
+        ],
+    )
+
+
+def result(tiles: Sequence[tuple[str, str, str]]) -> Component:
+    """The figures, every recording as a string, and the views below; assets/grammar_*.js fill them."""
+    return html.Div(
+        [
+            html.Div([metric_tile(*tile) for tile in tiles], className="tiles grammar-tiles section"),
+            html.Div(
+                [
+                    html.H2("Recordings"),
+                    html.Span("a colour an action, ▾ where a routine begins", className="muted"),
+                    html.Div(className="spacer"),
+                    _zoom("minus", "Show more time", "out"),
+                    _zoom("plus", "Show less time, larger", "in"),
+                ],
+                className="section-head section",
+            ),
+            html.Div(id="grammar-string", className="card string", role="list", **{"aria-label": "Recordings"}),
+            html.Div([views.switch()], className="section-head section"),
+            *views.panels(),
+            dcc.Store(id="grammar-drawn"),
+        ]
+    )
+
+
+def _zoom(symbol: str, label: str, direction: str) -> Component:
+    return html.Button(
+        icon(symbol, 14),
+        type="button",
+        title=label,
+        className="walk-button string-zoom",
+        **{"aria-label": label, "data-zoom": direction},
+    )
+
+
+def downloads(query: str, copies: Sequence[Component]) -> Component:
+    """The menu of what can be saved; copies: items that give the result elsewhere."""
+    items = [
+        _download("Everything (JSON)", f"/api/grammar.json?{query}"),
+        _download("All occurrences (CSV)", f"/api/grammar-actions.csv?{query}"),
+        _download("Rules (CSV)", f"/api/grammar-rules.csv?{query}"),
+        dmc.MenuDivider(),
+        *copies,
+    ]
+    target = dmc.Button("Download", variant="default", leftSection=icon("download", 16))
+    children = [dmc.MenuTarget(target), dmc.MenuDropdown(items)]
+    return dmc.Menu(shadow="md", position="bottom-end", children=children)
+
+
+def _download(label: str, address: str) -> Component:
+    return dmc.MenuItem(label, href=address, refresh=True)

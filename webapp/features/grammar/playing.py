@@ -1,0 +1,81 @@
+"""What the Stage plays of actions: all occurrences of one, one alone, or a stretch of a clip in their colours."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from core.mocap.clip import Segment
+from core.mocap.dataset import Dataset
+from core.workspace import Workspace
+from webapp.features.grammar import grammars
+from webapp.features.grammar.figures import actions
+from webapp.shell.playback import MOST_FIGURES, Shown, StageRequest
+
+
+def plays(workspace: Workspace, dataset: Dataset, shown: Shown) -> StageRequest | None:
+    """What plays for a selection of this page; None where there is nothing to play."""
+    return stage_request(workspace, dataset, shown.view, shown.selection)
+
+
+def missing(workspace: Workspace, shown: Shown) -> str | None:
+    """What a selection names that is not there, in plain words; None where it is, or where nobody can tell yet."""
+    learned, selection = grammars.learned(workspace, shown.dataset, shown.view), shown.selection
+    if learned is None or int(selection["action"]) < learned.terminals.n_terminals:
+        return None
+    return f"The result shown has no action {selection['action']}; it has {learned.terminals.n_terminals} actions."
+
+
+def stage_request(
+    workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None, selection: Mapping[str, Any]
+) -> StageRequest | None:
+    """What plays for a selection of an action, or of a clip ``as`` actions; None where there is nothing to play."""
+    found = grammars.learned(workspace, dataset.name, view)
+    if found is None:
+        return None
+    notes = grammars.notes_of(workspace, dataset.name, view) or {}
+    segments = found.terminals.segments
+    if "action" not in selection:
+        return _stretch(dataset, segments, notes, selection)
+    action, number = int(selection["action"]), selection.get("segment")
+    if not 0 <= action < len(segments):
+        return None
+    own, name = segments[action], actions.action_name(action, notes)
+    if number is not None and 0 <= int(number) < len(own):
+        title = f"{name}, {int(number) + 1} of {len(own)}"
+        return _request(dataset, [_item(own[int(number)])], title)
+    shown = typical_first(own, found.terminals.medoids[action])
+    count = f"{len(shown)} of {len(own)}" if len(shown) < len(own) else str(len(own))
+    title = f"{name}: {count} time{'s' if len(own) != 1 else ''}"
+    return _request(dataset, [_item(segment) for segment in shown], title)
+
+
+def typical_first(own: Sequence[Segment], typical: Segment, most: int = MOST_FIGURES) -> list[Segment]:
+    """Segments that play together: all, or the typical one and others spread evenly over the list; it comes first."""
+    others = [segment for segment in own if segment != typical]
+    if len(own) > most:
+        others = [others[round(i * (len(others) - 1) / (most - 2))] for i in range(most - 1)]
+    return [typical, *others]
+
+
+def _stretch(
+    dataset: Dataset, segments: Sequence[Sequence[Segment]], notes: actions.Notes, selection: Mapping[str, Any]
+) -> dict[str, Any] | None:
+    try:
+        clip = dataset.clip(str(selection["clip"]))
+    except (KeyError, ValueError):
+        return None
+    start, end = int(selection.get("start", 0)), min(int(selection.get("end", clip.n_frames)), clip.n_frames)
+    start, end = (start, end) if start < end else (0, clip.n_frames)
+    span = Segment(clip.name, start, end)
+    item = _item(span) | {"colours": actions.spans(segments, notes, span)}
+    return _request(dataset, [item], clip.name)
+
+
+def _item(segment: Segment) -> dict[str, Any]:
+    return {"clip": segment.clip, "start": int(segment.start), "end": int(segment.end), "label": segment.clip}
+
+
+def _request(dataset: Dataset, items: list[dict[str, Any]], title: str) -> dict[str, Any]:
+    content = {"dataset": dataset.name, "version": dataset.fingerprint, "items": items, "title": title}
+    return {**content, "layout": "overlay", "sync": "start"}

@@ -1,0 +1,126 @@
+"""Downloads of grammars: ``GET /api/grammar.json``, ``grammar-actions.csv``, ``grammar-rules.csv`` and
+
+``grammar-tree.svg``, each with ``?dataset=...&grammar-n_terminals=...`` (a tree: ``&routine=N`` of the recordings, or
+``&sentence=CODE`` of a new one), ``GET /api/derivation/<key>.json``: where every frame of a new routine comes from, and
+``GET /api/bakeoff/<key>.json``: the comparison of four ways.
+"""
+
+from __future__ import annotations
+
+import json
+
+from flask import Blueprint, Response, request
+
+from core.grammar.learned import LearnedGrammar
+from core.grammar.trees import leaves
+from core.mocap.dataset import Dataset
+from core.synthesis.kept_bakeoff import bakeoff_json
+from core.synthesis.kept_derivations import derivation_json
+from core.workspace import MotifNote, Workspace, WorkspaceError
+from webapp.features.grammar import bakeoffs, compositions, grammars
+from webapp.features.grammar.figures import actions, rules
+from webapp.features.grammar.figures.parse_tree import tree_svg
+from webapp.shell import settings, theme
+from webapp.shell.routes import Refusal, answer_refusals, attachment
+from webapp.ui.filmstrip import icon_data_uri
+
+COLOURS = theme.CANVAS["light"] | {"selected": "#e6eefb"}
+
+
+def blueprints(workspace: Workspace) -> list[Blueprint]:
+    """The routes of the page for one workspace."""
+    return [grammar_blueprint(workspace)]
+
+
+def grammar_blueprint(workspace: Workspace) -> Blueprint:
+    """The routes of one workspace; errors are JSON in plain words."""
+    routes = Blueprint("grammar", __name__, url_prefix="/api")
+    answer_refusals(routes)
+    _learned(routes, workspace)
+    _made(routes, workspace)
+    return routes
+
+
+def _learned(routes: Blueprint, workspace: Workspace) -> None:
+    """What was learned from recordings."""
+
+    @routes.get("/grammar.json")
+    def grammar_json() -> Response:
+        dataset, found, notes = _asked(workspace)
+        document = found.to_json()
+        for terminal in document["terminals"]:
+            note = notes.get(terminal["id"])
+            if note is not None and note.name:
+                terminal["name"] = note.name
+        text = json.dumps(document, ensure_ascii=False, allow_nan=False)
+        return attachment(text, "application/json", f"{dataset.name}-grammar.json")
+
+    @routes.get("/grammar-actions.csv")
+    def actions_csv() -> Response:
+        dataset, found, notes = _asked(workspace)
+        text = actions.segments_csv(dataset, found.terminals.segments, notes)
+        return attachment(text, "text/csv", f"{dataset.name}-actions.csv")
+
+    @routes.get("/grammar-rules.csv")
+    def rules_csv() -> Response:
+        dataset, found, notes = _asked(workspace)
+        names = {k: actions.action_name(k, notes) for k in range(found.terminals.n_terminals)}
+        text = rules.rules_csv(found.grammar.rules, found.grammar.start, names)
+        return attachment(text, "text/csv", f"{dataset.name}-rules.csv")
+
+    @routes.get("/grammar-tree.svg")
+    def tree() -> Response:
+        dataset, found, notes = _asked(workspace)
+        if request.args.get("sentence"):
+            try:
+                drawn = compositions.tree_of(found, request.args["sentence"])
+            except ValueError as error:
+                raise Refusal(f"{error}.", 400) from error
+            typical = found.terminals.medoids
+            segments = [typical[action] for action in leaves(drawn)]
+        else:
+            number = grammars.routine_number(found, dict(request.args))
+            routine = grammars.routines(found)[number]
+            drawn, segments = routine.tree, [segment for _, segment in routine.pieces]
+        svg = tree_svg(
+            drawn,
+            grammars.tree_names(found, notes),
+            actions.tones(found.terminals.n_terminals),
+            colours=COLOURS,
+            pictures=[icon_data_uri(dataset, segment, "light") for segment in segments],
+        )
+        return attachment(svg, "image/svg+xml", f"{dataset.name}-tree.svg")
+
+
+def _made(routes: Blueprint, workspace: Workspace) -> None:
+    """What was made with it."""
+
+    @routes.get("/derivation/<key>.json")
+    def derivation(key: str) -> Response:
+        made = compositions.kept(workspace, key)
+        if made is None:
+            raise Refusal("This routine is no longer there; make it again on the Grammar page.", 404)
+        return attachment(json.dumps(derivation_json(made)), "application/json", "routine.json")
+
+    @routes.get("/bakeoff/<key>.json")
+    def bakeoff(key: str) -> Response:
+        made = bakeoffs.kept(workspace, key)
+        if made is None:
+            raise Refusal("This comparison is no longer there; make it again on the Grammar page.", 404)
+        return attachment(json.dumps(bakeoff_json(made)), "application/json", "comparison.json")
+
+
+def _asked(workspace: Workspace) -> tuple[Dataset, LearnedGrammar, dict[int, MotifNote]]:
+    """Data set, grammar and notes of the current request; raises Refusal."""
+    name, view = request.args.get("dataset", ""), dict(request.args)
+    problems = settings.refused(grammars.PAGE, view)
+    if problems:
+        raise Refusal(" ".join(problems), 400)
+    try:
+        dataset = workspace.open(name)
+    except WorkspaceError as error:
+        raise Refusal(str(error), 404) from error
+    found = grammars.learned(workspace, name, view)
+    if found is None:
+        raise Refusal("This has not been computed yet; press Learn the order on the Grammar page.", 404)
+    return dataset, found, grammars.notes_of(workspace, name, view) or {}

@@ -1,0 +1,91 @@
+"""The routines of the recordings, and how each is built: a tree whose parts play."""
+
+from __future__ import annotations
+
+from dash import Dash, Input, Output, State, dcc, html, no_update
+from dash.dependencies import ClientsideFunction
+from dash.development.base_component import Component
+
+from core.workspace import Workspace
+from webapp.features.grammar import grammars
+from webapp.shell import settings
+from webapp.shell.icons import icon
+
+
+def layout() -> Component:
+    """The list, and the place of the tree; assets/grammar_routines.js fills both."""
+    return html.Div(
+        className="routines-view",
+        children=[
+            html.P(
+                "A routine is a stretch of a recording that obeys the rules as a whole. Choose one to see how it is "
+                "built, and a part of the tree to play it.",
+                className="muted view-hint",
+            ),
+            html.Ol(id="routine-list", className="card routine-list", **{"aria-label": "Routines"}),
+            html.Div(
+                className="card tree-card",
+                children=[
+                    html.Div(
+                        [
+                            html.H3(id="routine-title"),
+                            html.Span(id="routine-count", className="muted"),
+                            html.Div(className="spacer"),
+                            html.Button(
+                                [icon("play", 14), "Play"], id="routine-play", type="button", className="walk-button"
+                            ),
+                            tree_link("routine-svg", "SVG", "Save the tree as a drawing"),
+                            html.Button(
+                                [icon("download", 14), "PNG"],
+                                type="button",
+                                className="walk-button tree-png",
+                                title="Save the tree as a picture",
+                                **{"data-link": "routine-svg"},
+                            ),
+                        ],
+                        className="tree-head",
+                    ),
+                    html.Div(id="routine-tree", className="tree", role="group", **{"aria-label": "How it is built"}),
+                ],
+            ),
+            dcc.Store(id="routine-data"),
+            dcc.Store(id="routine-drawn"),
+        ],
+    )
+
+
+def tree_link(identity: str, label: str, tip: str) -> Component:
+    """A link that saves a tree; its address is set in the browser."""
+    return html.A([icon("download", 14), label], id=identity, className="walk-button disabled", title=tip)
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """The tree of the routine that the link names, drawn on the server."""
+
+    @app.callback(
+        Output("routine-data", "data"),
+        Input("view", "data"),
+        Input("grammar-data", "data"),
+        Input("routine-tree", "id"),
+        State("dataset", "data"),
+        State("routine-data", "data"),
+    )
+    def draw(view, _data, _place, name, before):
+        if (view or {}).get("show") != "routines" or not name:
+            return no_update
+        found, key = grammars.learned(workspace, name, view), settings.key_of(workspace, grammars.PAGE, name, view)
+        if found is None or key is None:
+            return no_update
+        notes = grammars.notes_of(workspace, name, view) or {}
+        number = grammars.routine_number(found, view)
+        routine = grammars.routines(found)[number]
+        data = {"key": key, "number": number, "svg": grammars.routine_svg(workspace.open(name), found, routine, notes)}
+        return no_update if data == before else data
+
+    app.clientside_callback(
+        ClientsideFunction("grammar", "routine"),
+        Output("routine-drawn", "data"),
+        Input("routine-data", "data"),
+        Input("grammar-data", "data"),
+        Input("view", "data"),
+    )

@@ -1,0 +1,273 @@
+"""How many actions to tell apart: a table and charts of what each number gives, filled as they are computed."""
+
+from __future__ import annotations
+
+import dash_mantine_components as dmc
+from dash import Dash, Input, Output, State, dcc, html, no_update, set_props
+from dash.dependencies import ClientsideFunction
+from dash.development.base_component import Component
+
+from core import analyses
+from core.parameters import ParameterError
+from core.workspace import Workspace, WorkspaceError
+from webapp import jobs
+from webapp.features.grammar import action_counts, grammars
+from webapp.features.grammar.figures import table as grammar_table
+from webapp.jobs.running import running
+from webapp.shell import settings
+from webapp.shell.icons import icon
+from webapp.shell.messages import notice
+from webapp.ui import method_page, tables
+from webapp.ui.charts import CONFIG, empty
+from webapp.ui.downloads import chart_menu, table_download
+
+EXPLAINED = (
+    "More actions look more alike within each, but recur less, so that less can be learned about their order. "
+    "Find the number after which more of them no longer bring much."
+)
+
+
+def layout() -> Component:
+    """Two sliders, what to try, the charts and the table."""
+    return html.Div(
+        className="tune-view",
+        children=[
+            html.Div(_sliders(), className="card tune-bar tune-sliders"),
+            html.Div(
+                className="card tune-bar",
+                children=[
+                    dmc.TextInput(
+                        id="tune-counts",
+                        label="Numbers of actions to compare",
+                        debounce=500,
+                        size="sm",
+                        w=300,
+                        attributes={"input": {"autoComplete": "off"}},
+                    ),
+                    html.Button(
+                        [icon("sweep", 14), "Compare them"], id="tune-run", type="button", className="walk-button tall"
+                    ),
+                    html.Div(id="tune-plan", className="muted number", role="status"),
+                ],
+            ),
+            html.P(EXPLAINED, className="muted tune-note"),
+            html.Div(id="tune-status"),
+            dcc.Store(id="tune-status-of"),
+            dcc.Store(id="tune-seen"),
+            html.Div(
+                id="tune-result",
+                className="hidden",
+                children=[
+                    html.Div(
+                        [
+                            _chart("tune-quality", "How good the actions are", "actions quality"),
+                            _chart("tune-rules", "How many rules", "actions rules"),
+                        ],
+                        className="tune-charts",
+                    ),
+                    html.Div(
+                        [html.H2("All of them"), html.Div(className="spacer"), table_download("tune-table", "actions")],
+                        className="section-head section",
+                    ),
+                    html.Div(id="tune-table-place"),
+                ],
+            ),
+        ],
+    )
+
+
+def _sliders() -> list[Component]:
+    count, weight = (
+        next(p for p in settings.parameters(grammars.PAGE) if p.name == name) for name in ("n_terminals", "weight")
+    )
+    return [
+        _slider("tune-actions", "Number of actions", 2, 60, 1, count.default, ""),
+        _slider("tune-weight", "Alike … repeated", 0, 1, 0.01, weight.default, "wide"),
+        html.Button(
+            [icon("spark", 14), "Learn with these"], id="tune-learn", type="button", className="walk-button tall"
+        ),
+    ]
+
+
+def _slider(identity: str, label: str, low: float, high: float, step: float, value: float, kind: str) -> Component:
+    return html.Div(
+        [
+            html.Div(label, className="tune-label", id=f"{identity}-label"),
+            dmc.Slider(
+                id=identity,
+                min=low,
+                max=high,
+                step=step,
+                value=value,
+                size="sm",
+                labelAlwaysOn=True,
+                thumbLabel=label,
+                marks=[{"value": at, "label": f"{at:g}"} for at in (low, (low + high) / 2, high)],
+            ),
+        ],
+        className=f"tune-slider {kind}",
+    )
+
+
+def _chart(identity: str, title: str, name: str) -> Component:
+    return html.Div(
+        [
+            html.Div([html.H3(title), chart_menu(identity, name)], className="chart-head"),
+            dcc.Graph(id=identity, figure=empty(), config=CONFIG, style={"height": "400px"}),
+        ],
+        className="card chart-card",
+    )
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """Fill, ask, follow and draw."""
+    _fill(app, workspace)
+    _ask(app, workspace)
+    _follow(app, workspace)
+    _draw(app, workspace)
+
+
+def _fill(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("tune-counts", "value"),
+        Output("tune-actions", "value"),
+        Output("tune-weight", "value"),
+        Input("view", "data"),
+        Input("tune-run", "id"),
+    )
+    def fill(view, _there):
+        values = analyses.normalise(settings.request_of(grammars.PAGE, "", view)).parameters
+        return action_counts.counts_text(view), values["n_terminals"], values["weight"]
+
+    @app.callback(
+        Output("tune-plan", "children"),
+        Output("tune-counts", "error"),
+        Input("tune-counts", "value"),
+        Input("tune-seen", "data"),
+        State("dataset", "data"),
+        State("view", "data"),
+    )
+    def plan(text, _seen, name, view):
+        try:
+            points = action_counts.points(workspace, name, {**(view or {}), "counts": text or ""})
+        except (ParameterError, WorkspaceError) as error:
+            return "", str(error)
+        there, total = sum(point is not None for point in points), len(points)
+        return f"{total} numbers" + (f", {there} of them computed" if there else ""), None
+
+
+def _ask(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("tune-run", "disabled"),
+        Input("tune-run", "n_clicks"),
+        State("tune-counts", "value"),
+        State("dataset", "data"),
+        State("view", "data"),
+        prevent_initial_call=True,
+    )
+    def run(_clicks, text, name, view):
+        wanted = {**(view or {}), "counts": text or ""}
+        try:
+            if not name:
+                raise WorkspaceError("Choose a dataset first; the library has none yet.")
+            if any(point is None for point in action_counts.points(workspace, name, wanted)):
+                set_props("job-started", {"data": jobs.start(workspace, action_counts.request(name, wanted)).id})
+            set_props("view-change", {"data": {"counts": action_counts.counts_change(text)}})
+        except (ParameterError, WorkspaceError) as error:
+            set_props("notices", {"sendNotifications": [notice("Cannot compare these", str(error), "red")]})
+        return False
+
+    @app.callback(
+        Output("tune-learn", "disabled"),
+        Input("tune-learn", "n_clicks"),
+        State("tune-actions", "value"),
+        State("tune-weight", "value"),
+        State("dataset", "data"),
+        State("view", "data"),
+        prevent_initial_call=True,
+    )
+    def learn(_clicks, count, weight, name, view):
+        values = {
+            **settings.request_of(grammars.PAGE, name or "", view).parameters,
+            "n_terminals": count,
+            "weight": weight,
+        }
+        try:
+            method_page.ask(workspace, grammars.PAGE, name, values)
+        except (ParameterError, WorkspaceError) as error:
+            set_props("notices", {"sendNotifications": [notice("Cannot learn with these", str(error), "red")]})
+        return False
+
+
+def _follow(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("tune-status", "children"),
+        Output("tune-status-of", "data"),
+        Output("tune-seen", "data"),
+        Output("tune-result", "className"),
+        Input("view", "data"),
+        Input("dataset", "data"),
+        Input("jobs-seen", "data"),
+        Input("jobs-finished", "data"),
+        Input("tune-run", "id"),
+        State("tune-status-of", "data"),
+        State("tune-seen", "data"),
+    )
+    def look(view, name, _seen, _finished, _there, spoken, seen):
+        if (view or {}).get("show") != "tune" or not name:
+            return (no_update,) * 4
+        try:
+            points = action_counts.points(workspace, name, view)
+            job = workspace.jobs.latest(analyses.key(workspace, action_counts.request(name, view)))
+        except (ParameterError, WorkspaceError):
+            return [], None, None, "hidden"
+        ready = [point.key for point in points if point is not None]
+        now = [name, job.id, job.state] if job is not None else [name]
+        alive = job is not None and job.alive
+        strip = _strip(running(job, "Comparing", "sweep")) if alive else _ended(job)
+        return (
+            no_update if now == spoken else strip,
+            no_update if now == spoken else now,
+            no_update if ready == seen else ready,
+            "" if ready else "hidden",
+        )
+
+
+def _strip(box: Component) -> Component:
+    box.className = "card sweep-running section"
+    return box
+
+
+def _ended(job) -> Component | list:
+    if job is None or job.state not in ("failed", "cancelled"):
+        return []
+    words = {"failed": f"Comparing failed: {job.error}", "cancelled": "Comparing was cancelled."}[job.state]
+    words += " What is there stays; Compare them computes the others."
+    return html.Div([icon("info", 16), html.Span(words)], className="card sweep-note section", role="status")
+
+
+def _draw(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("tune-quality", "figure"),
+        Output("tune-rules", "figure"),
+        Output("tune-table-place", "children"),
+        Input("tune-seen", "data"),
+        Input("theme", "data"),
+        State("dataset", "data"),
+        State("view", "data"),
+    )
+    def draw(seen, scheme, name, view):
+        if not seen or not name:
+            return (no_update,) * 3
+        try:
+            points = [p for p in action_counts.points(workspace, name, view) if p is not None]
+        except (ParameterError, WorkspaceError):
+            return (no_update,) * 3
+        shown = analyses.normalise(settings.request_of(grammars.PAGE, name, view)).parameters["n_terminals"]
+        table = tables.grid(
+            "tune-table", grammar_table.COLUMNS, grammar_table.rows(points), "Numbers of actions", row_height=34
+        )
+        return grammar_table.quality(points, scheme, shown), grammar_table.counts(points, scheme, shown), table
+
+    for chart in ("tune-quality", "tune-rules"):
+        app.clientside_callback(ClientsideFunction("grammar", "open"), Input(chart, "clickData"))

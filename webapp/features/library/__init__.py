@@ -1,0 +1,42 @@
+"""Library: datasets, clips, the import report, labels, and what is brought in or taken out as files."""
+
+from webapp.shell.feature import Command, Feature, LinkKeys, later
+
+_ARGUMENTS = "webapp.features.library.arguments"
+_COMMANDS = "webapp.features.library.commands"
+
+FEATURE = Feature(
+    path="library",
+    label="Library",
+    symbol="library",
+    page=later("webapp.features.library.layout:page"),
+    register=later("webapp.features.library.callbacks:register"),
+    keys=LinkKeys(names=("tab", "files")),
+    routes=later("webapp.features.library.routes:blueprints"),
+    stores=later("webapp.features.library.feature_files:stores"),
+    commands={
+        "import": Command(
+            "Read recordings into a workspace.", later(f"{_ARGUMENTS}:import_"), later(f"{_COMMANDS}:import_")
+        ),
+        "labels": Command(
+            "Bring labels (CSV) to a dataset of a workspace.",
+            later(f"{_ARGUMENTS}:labels"),
+            later("webapp.features.library.label_commands:labels"),
+        ),
+        "inspect": Command(
+            "Say of every file whether it can be read, and what is odd about it.",
+            later(f"{_ARGUMENTS}:inspect"),
+            later(f"{_COMMANDS}:inspect"),
+        ),
+        "demo": Command(
+            "Write the demo dataset: labelled motion as BVH files.",
+            later(f"{_ARGUMENTS}:demo"),
+            later(f"{_COMMANDS}:demo"),
+        ),
+        "export": Command(
+            "Write features (npz, Parquet) or clips (BVH) for other tools.",
+            later(f"{_ARGUMENTS}:export"),
+            later("webapp.features.library.export_commands:export"),
+        ),
+    },
+)

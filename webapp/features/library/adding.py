@@ -1,0 +1,260 @@
+"""Adding recordings: a dialog that takes files, says where they go, and asks for the job."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import dash_mantine_components as dmc
+from dash import ALL, Dash, Input, Output, State, ctx, html, no_update, set_props
+from dash.dependencies import ClientsideFunction
+from dash.development.base_component import Component
+
+from core import analyses, requests
+from core.parameters import ParameterError
+from core.workspace import Workspace, WorkspaceError, check_name
+from webapp import jobs
+from webapp.jobs import changes
+from webapp.shell.icons import icon
+from webapp.shell.uploads import SUFFIXES, Limits
+
+NEW = "new"
+INTO = "into:"  # and the name of the dataset
+HIDDEN = {"display": "none"}  # not by a class: the dialog's focus trap looks at styles only
+
+
+def dialog(limits: Limits) -> Component:
+    """Choose or drop files, see each arrive, say where they go, add them."""
+    return dmc.Modal(
+        id="upload-dialog",
+        title="Add recordings or labels",
+        size="xl",
+        keepMounted=True,
+        closeOnClickOutside=False,
+        children=[
+            _drop_zone(limits),
+            html.Div(html.Div(id="upload-bar"), id="upload-progress", className="upload-progress hidden"),
+            html.Div(id="upload-summary", className="muted upload-summary", role="status", **{"aria-live": "polite"}),
+            html.Ul(id="upload-list", className="upload-list", tabIndex="0", **{"aria-label": "Files"}),
+            html.Div(
+                className="upload-choices",
+                children=[
+                    dmc.Select(
+                        id="upload-target",
+                        label="Add to",
+                        data=targets(()),
+                        value=NEW,
+                        allowDeselect=False,
+                        searchable=True,
+                        comboboxProps={"shadow": "md"},
+                    ),
+                    dmc.TextInput(id="upload-name", label="Name of the dataset", placeholder="Walks in the park"),
+                    html.Div(
+                        id="upload-labels-box",
+                        style=HIDDEN,
+                        children=[
+                            html.Label("Labels there now", className="choice-label", id="upload-labels-label"),
+                            dmc.SegmentedControl(
+                                id="upload-labels",
+                                data=[{"value": "add", "label": "Keep"}, {"value": "replace", "label": "Replace"}],
+                                value="add",
+                                fullWidth=True,
+                                **{"aria-labelledby": "upload-labels-label"},
+                            ),
+                        ],
+                    ),
+                    html.Div(
+                        dmc.NumberInput(
+                            id="upload-fps",
+                            label="AMC frames per second",
+                            placeholder="120",
+                            min=1,
+                            max=1000,
+                            debounce=False,
+                        ),
+                        id="upload-fps-box",
+                        style=HIDDEN,
+                    ),
+                    dmc.Button("Import", id="upload-import", disabled=True),
+                ],
+            ),
+            html.Div(id="upload-problem", className="form-problem", role="alert"),
+        ],
+    )
+
+
+def _drop_zone(limits: Limits) -> Component:
+    buttons = [("Choose files", "files"), ("Choose a folder", "folder")]
+    return html.Div(
+        id="drop-zone",
+        className="drop-zone",
+        children=[
+            icon("upload", 30),
+            html.Div("Drop files, folders or a zip here", className="drop-title"),
+            html.Div(
+                [
+                    dmc.Button(words, variant="default", size="compact-sm", **{"data-chooses": what})
+                    for words, what in buttons
+                ],
+                className="drop-buttons",
+            ),
+            html.Div(limits.sentence(), className="muted drop-limits"),
+        ],
+        **{
+            "data-file-bytes": limits.file_bytes,
+            "data-total-bytes": limits.total_bytes,
+            "data-files": limits.files,
+            "data-suffixes": " ".join(SUFFIXES),
+        },
+    )
+
+
+def targets(names: Sequence[str]) -> list[dict[str, Any]]:
+    """What the files can be added to: a new dataset, or one of ``names``."""
+    here = [{"value": f"{INTO}{name}", "label": name} for name in names]
+    new = {"value": NEW, "label": "A new dataset"}
+    return [new, {"group": "Datasets here", "items": here}] if here else [new]
+
+
+def into(target: str | None) -> str | None:
+    """The dataset that is meant by a choice of the dialog; None for a new one."""
+    return target.removeprefix(INTO) if target and target.startswith(INTO) else None
+
+
+def ready(upload: Mapping[str, Any] | None, name: str | None) -> str:
+    """Why what has arrived cannot be added yet to the dataset ``name`` (None: a new one); empty where it can."""
+    upload = upload or {}
+    if not (upload.get("done") and upload.get("received")):
+        return "Add at least one file, and wait until all have arrived."
+    if not upload.get("recordings") and not (name and upload.get("labels")):
+        if upload.get("labels"):
+            return "Labels alone need a dataset that is there: choose it under “Add to”."
+        return "There is no recording among these files (BVH, or AMC with its ASF)."
+    return ""
+
+
+def request_for(upload: Mapping[str, Any], name: str | None, new: str, labels: str, fps: object) -> analyses.Request:
+    """The request that adds an upload to the dataset ``name``, or makes the dataset ``new`` of it.
+
+    Raises WorkspaceError, ValueError in plain words.
+    """
+    asked = fps not in (None, "") and (upload.get("amc") or upload.get("archives"))
+    options = {"fps": float(fps)} if asked else {}
+    token = str(upload.get("token"))
+    if name:
+        return requests.add_request(name, token, labels=labels or "add", **options)
+    return requests.import_request(check_name(new), token, **options)
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """The dialog's callbacks."""
+    _open(app, workspace)
+    _choose(app, workspace)
+    _ask(app, workspace)
+    app.clientside_callback(
+        ClientsideFunction("upload", "closed"),
+        Output("upload", "data"),
+        Input("upload-dialog", "opened"),
+        State("uploaded", "data"),
+        prevent_initial_call=True,
+    )
+
+
+def _open(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("upload-dialog", "opened"),
+        Output("upload-target", "data"),
+        Output("upload-target", "value"),
+        Input("upload-open", "n_clicks"),
+        Input({"type": "add", "at": ALL}, "n_clicks"),
+        Input("upload-into", "data"),
+        prevent_initial_call=True,
+    )
+    def open_dialog(clicked, others, asked):
+        if ctx.triggered_id != "upload-into" and not (clicked or any(others)):
+            return no_update, no_update, no_update
+        names = [info.name for info in workspace.datasets()]
+        wanted = (asked or {}).get("dataset") if ctx.triggered_id == "upload-into" else None
+        return True, targets(names), f"{INTO}{wanted}" if wanted in names else NEW
+
+
+def _choose(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("upload-target", "value", allow_duplicate=True),
+        Output("upload-suggested", "data"),
+        Input("upload", "data"),
+        State("upload-target", "value"),
+        State("dataset", "data"),
+        prevent_initial_call=True,
+    )
+    def name_upload(upload, target, chosen):
+        upload = upload or {}
+        if not upload.get("total"):
+            return no_update, ""
+        only_labels = upload.get("done") and upload.get("labels") and not upload.get("recordings")
+        target = f"{INTO}{chosen}" if only_labels and target == NEW and chosen else no_update
+        return target, workspace.free_name(str(upload.get("name") or ""))
+
+    app.clientside_callback(
+        ClientsideFunction("upload", "name"),
+        Output("upload-name", "value"),
+        Input("upload-suggested", "data"),
+        State("upload-name", "value"),
+        prevent_initial_call=True,
+    )
+
+    @app.callback(
+        Output("upload-import", "disabled"),
+        Output("upload-import", "children"),
+        Output("upload-name", "style"),
+        Output("upload-labels-box", "style"),
+        Output("upload-fps-box", "style"),
+        Output("upload-problem", "children", allow_duplicate=True),
+        Input("upload", "data"),
+        Input("upload-target", "value"),
+        prevent_initial_call=True,
+    )
+    def show_choices(upload, target):
+        upload, name = upload or {}, into(target)
+        shown = {True: {}, False: HIDDEN}
+        why = ready(upload, name)
+        return (
+            bool(why),
+            "Add" if name else "Import",
+            shown[name is None],
+            shown[name is not None and bool(upload.get("labels") or upload.get("archives"))],
+            shown[bool(upload.get("amc") or upload.get("archives"))],
+            why if upload.get("done") and upload.get("received") else None,
+        )
+
+
+def _ask(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("upload-problem", "children"),
+        Output("uploaded", "data"),
+        Output("upload-dialog", "opened", allow_duplicate=True),
+        Input("upload-import", "n_clicks"),
+        Input("upload-name", "n_submit"),
+        State("upload", "data"),
+        State("upload-target", "value"),
+        State("upload-name", "value"),
+        State("upload-labels", "value"),
+        State("upload-fps", "value"),
+        prevent_initial_call=True,
+    )
+    def add_upload(_clicks, _submits, upload, target, new, labels, fps):
+        name = into(target)
+        if why := ready(upload, name):
+            return why, no_update, no_update
+        try:
+            request = request_for(upload, name, new or "", labels, fps)
+            if name:
+                changes.ask(workspace, request)
+            else:
+                set_props("job-started", {"data": jobs.start(workspace, request).id})
+                set_props("awaited", {"data": request.dataset})
+            set_props("job-poke", {"data": time.time()})
+        except (WorkspaceError, ParameterError, ValueError) as error:
+            return str(error), no_update, no_update
+        return None, upload.get("token"), False

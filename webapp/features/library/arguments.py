@@ -1,0 +1,65 @@
+"""Arguments of the commands: each function gives those of one command to its parser."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+from webapp.cli.arguments import SOURCE_HELP, common, number, of_method, whole
+
+
+def import_(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``import``."""
+    parser.add_argument("workspace", type=Path, metavar="WORKSPACE", help="folder of the workspace, made where missing")
+    parser.add_argument("paths", nargs="+", type=Path, metavar="PATH", help="recordings, or folders of them")
+    parser.add_argument("--name", help="name of the dataset (default: that of the first PATH)")
+    parser.add_argument("--add", action="store_true", help="add to the dataset of that name, which is there already")
+    common(parser)
+
+
+def labels(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``labels``."""
+    parser.add_argument("source", metavar="WORKSPACE/NAME", help="the dataset")
+    parser.add_argument("paths", nargs="+", type=Path, metavar="FILE|DIR", help="labels: CSV files or folders of them")
+    parser.add_argument("--replace", action="store_true", help="the labels that are there go")
+    parser.add_argument("--quiet", action="store_true", help="no summary")
+
+
+def inspect(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``inspect``."""
+    parser.add_argument("paths", nargs="+", type=Path, metavar="PATH", help="recordings, or folders of them")
+    parser.add_argument("--json", action="store_true", help="print JSON instead of lines")
+    common(parser)
+
+
+def demo(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``demo``."""
+    parser.add_argument("folder", type=Path, metavar="DIR", help="where to write, made where missing")
+    parser.add_argument("--minutes", type=_minutes, default=6.0, help="length (default 6)")
+    parser.add_argument("--seed", type=whole, default=0, metavar="N", help="the same seed gives the same bytes")
+    parser.add_argument("--quiet", action="store_true", help="no progress and no summary")
+
+
+def export(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``export``."""
+    parser.add_argument("source", metavar="SOURCE", help=SOURCE_HELP)
+    parser.add_argument(
+        "--out", type=Path, required=True, metavar="FILE", help="features.npz, features.parquet, clip.bvh, or a folder"
+    )
+    parser.add_argument("--frames", type=_interval, metavar="START-END", help="only these frames of the clip (BVH)")
+    of_method(parser, "features")
+    common(parser)
+
+
+def _minutes(text: str) -> float:
+    value = number(text)
+    if not 0.5 <= value <= 6000:
+        raise argparse.ArgumentTypeError(f"{text!r}: expected minutes from 0.5 to 6000")
+    return value
+
+
+def _interval(text: str) -> tuple[int, int]:
+    start, dash, end = text.partition("-")
+    if not (dash and start.isdecimal() and end.isdecimal() and int(start) < int(end) < 10**9):
+        raise argparse.ArgumentTypeError(f"{text!r}: expected START-END, frames of the clip, the end excluded")
+    return int(start), int(end)

@@ -1,0 +1,187 @@
+"""The Library page's callbacks: look at the workspace, show; take an action, do it."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping
+
+from dash import ALL, Dash, Input, Output, State, ctx, dcc, no_update, set_props
+from dash.dependencies import ClientsideFunction
+
+from core import analyses, requests
+from core.workspace import Workspace, WorkspaceError
+from webapp import jobs
+from webapp.features.library import adding, feature_files, layout
+from webapp.features.library.figures import tables
+from webapp.jobs import changes
+from webapp.shell.messages import empty_state, notice
+from webapp.ui.tables import grid
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """All of the page's callbacks."""
+    _show(app, workspace)
+    _act(app, workspace)
+    _choose_clips(app, workspace)
+    adding.register(app, workspace)
+    feature_files.register(app, workspace)
+
+
+def _show(app: Dash, workspace: Workspace) -> None:
+    @app.callback(Output("dataset-cards", "children"), Input("revision", "data"), Input("dataset", "data"))
+    def show_cards(_revision, chosen):
+        return layout.dataset_cards(workspace.datasets(), chosen)
+
+    @app.callback(
+        Output("dataset-detail", "children"),
+        Input("dataset", "data"),
+        Input("revision", "data"),
+        State("view", "data"),
+    )
+    def show_detail(name, _revision, view):
+        if not name:
+            return []
+        try:
+            dataset = workspace.open(name)
+        except WorkspaceError as error:
+            return empty_state("warning", "This dataset cannot be shown", str(error))
+        tab, files = _looked_at(view)
+        shown = {
+            "clips": grid(
+                "clips-table", tables.clip_columns(dataset), tables.clip_rows(dataset), "Clips", **tables.CHOICE
+            ),
+            "report": grid("report-table", tables.REPORT_COLUMNS, [], "Import report"),
+            "rows": dcc.Store(id="report-rows", data=tables.report_rows(dataset.report.files)),
+        }
+        return layout.detail(name, shown, dataset.report, tab, files)
+
+    app.clientside_callback(
+        ClientsideFunction("library", "filter"),
+        Output("report-table", "rowData"),
+        Input("report-filter", "value"),
+        Input("report-rows", "data"),
+    )
+    app.clientside_callback(
+        ClientsideFunction("library", "look"),
+        Input("dataset-tabs", "value"),
+        Input("report-filter", "value"),
+        State("view", "data"),
+    )
+    app.clientside_callback(
+        ClientsideFunction("library", "show"),
+        Output("dataset-tabs", "value"),
+        Output("report-filter", "value"),
+        Input("view", "data"),
+        State("report-filter", "data"),
+        prevent_initial_call=True,
+    )
+    app.clientside_callback(
+        ClientsideFunction("tables", "mark"),
+        Output("clips-marked", "data"),
+        Input("selection", "data"),
+        Input("clips-table", "rowData"),
+        State("clips-table", "id"),
+    )
+
+
+def _looked_at(view: Mapping[str, str] | None) -> tuple[str, str]:
+    """The tab and the files of the report that the store "view" names."""
+    tab, files = ((view or {}).get(key) for key in ("tab", "files"))
+    return tab if tab == "report" else "clips", files if files in dict(layout.REPORTS) else "all"
+
+
+def _act(app: Dash, workspace: Workspace) -> None:
+    @app.callback(Input("dataset-action", "data"), prevent_initial_call=True)
+    def act(request):
+        try:
+            perform(workspace, request or {})
+        except WorkspaceError as error:
+            _say(notice("That did not work", str(error), "red"))
+        set_props("job-poke", {"data": time.time()})
+
+    @app.callback(
+        Output("rename-dialog", "opened"),
+        Output("rename-problem", "children"),
+        Input("rename-save", "n_clicks"),
+        Input("rename-name", "n_submit"),
+        State("rename-old", "data"),
+        State("rename-name", "value"),
+        State("dataset", "data"),
+        prevent_initial_call=True,
+    )
+    def rename(_clicks, _submits, old, new, chosen):
+        try:
+            info = workspace.rename(old, new or "")
+        except WorkspaceError as error:
+            return no_update, str(error)
+        if chosen == old:
+            set_props("dataset", {"data": info.name})
+        set_props("job-poke", {"data": time.time()})
+        return False, None
+
+    @app.callback(
+        Output("trash-dialog", "opened"),
+        Output("trash-list", "children"),
+        Input("trash-open", "n_clicks"),
+        Input("revision", "data"),
+        prevent_initial_call=True,
+    )
+    def show_trash(_clicks, _revision):
+        return True if ctx.triggered_id == "trash-open" else no_update, layout.trash_list(workspace.trashed())
+
+    @app.callback(Input({"type": "demo", "at": ALL}, "n_clicks"), prevent_initial_call=True)
+    def open_demo(clicks):
+        if any(clicks):
+            _ask(workspace, analyses.Request(analyses.DEMO, "demo"))
+            _say(notice("Making the demo", "It appears here in a moment, with its motif graph."))
+
+
+def perform(workspace: Workspace, request: Mapping[str, object]) -> None:
+    """Does what a button of a dataset's card or of the trash asks for; raises WorkspaceError."""
+    action, name = (str(request.get(key) or "") for key in ("action", "dataset"))
+    if action == "rename":
+        set_props("rename-old", {"data": name})
+        set_props("rename-name", {"value": name})
+        set_props("rename-problem", {"children": None})
+        set_props("rename-dialog", {"opened": True})
+    elif action == "trash":
+        _say(changes.undo_notice("Dataset deleted", f"{name} is in the trash.", {"restore": workspace.trash(name)}))
+    elif action == "empty":
+        gone = workspace.empty_trash()
+        set_props("trash-list", {"children": layout.trash_list(workspace.trashed())})
+        _say(notice("Trash emptied", f"{gone} dataset{'s' if gone != 1 else ''} deleted for good."))
+
+
+def _choose_clips(app: Dash, workspace: Workspace) -> None:
+    @app.callback(Output("clips-chosen", "children"), Input("clips-table", "selectedRows"))
+    def show_chosen(rows):
+        return layout.clips_chosen(len(rows or ()))
+
+    @app.callback(
+        Output("clips-table", "selectedRows"),
+        Input("clips-action", "data"),
+        State("clips-table", "selectedRows"),
+        State("dataset", "data"),
+        prevent_initial_call=True,
+    )
+    def act_on_clips(request, rows, name):
+        if (request or {}).get("action") == "remove" and rows:
+            try:
+                if len(rows) == workspace.info(name).clips:
+                    raise WorkspaceError("These are all its clips; delete the dataset instead.")
+                changes.ask(workspace, requests.remove_request(name, [row["clip"] for row in rows]))
+            except WorkspaceError as error:
+                _say(notice("That did not work", str(error), "red"))
+                return no_update
+        return []
+
+
+def _ask(workspace: Workspace, request: analyses.Request) -> None:
+    """Enters a job and has the bar look at once; raises WorkspaceError, ParameterError."""
+    job = jobs.start(workspace, request)
+    set_props("job-started", {"data": job.id})
+    set_props("job-poke", {"data": time.time()})
+
+
+def _say(message: dict) -> None:
+    set_props("notices", {"sendNotifications": [message]})

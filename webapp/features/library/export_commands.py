@@ -1,0 +1,64 @@
+"""``motionscape export``: features of a data set, or its clips as BVH."""
+
+from __future__ import annotations
+
+from argparse import Namespace
+from dataclasses import replace
+from pathlib import Path
+
+from core.export import FeatureParameters, feature_table, write_features
+from core.export.files import SUFFIXES
+from core.mocap.bvh import write_bvh
+from core.mocap.clip import Clip
+from core.mocap.dataset import Dataset
+from core.workspace import WorkspaceError, clean_name
+from webapp.cli.progress_bar import progress_bar
+from webapp.cli.sources import open_source
+
+
+def export(asked: Namespace) -> int:
+    """Writes what ``--out`` names: .npz or .parquet (features), .bvh (one clip or a part of it), a folder (all clips).
+
+    Raises WorkspaceError, ValueError or OSError in plain words.
+    """
+    suffix = asked.out.suffix.lower()
+    if suffix not in (*SUFFIXES, ".bvh", "") or (asked.out.is_dir() and suffix):
+        raise WorkspaceError(f"{asked.out}: --out names a file .npz, .parquet or .bvh, or a folder for BVH files.")
+    if asked.frames is not None and suffix != ".bvh":
+        raise WorkspaceError("--frames: only for one clip, with --out clip.bvh.")
+    with progress_bar(asked.quiet) as report:
+        dataset = open_source(asked, report)
+        if suffix in SUFFIXES:
+            table = feature_table(dataset, FeatureParameters(asked.analysis_fps, asked.test_share), report)
+            write_features(asked.out, table)
+            tested = sum(split == "test" for split in table.splits)
+            written = (
+                f"{len(table.frames)} frames of {len(table.clips)} clips at {table.fps:g} frames a second; "
+                f"{len(set(table.subjects))} groups, {tested} clips kept for testing"
+            )
+        elif suffix == ".bvh":
+            write_bvh(asked.out, clip := _one_clip(dataset, asked))
+            written = f"{clip.name}: {clip.n_frames} frames"
+        else:
+            written = f"{_write_all(asked.out, dataset, report)} clips as BVH"
+    if not asked.quiet:
+        print(f"{written}; written to {asked.out}")
+    return 0
+
+
+def _one_clip(dataset: Dataset, asked: Namespace) -> Clip:
+    if len(dataset.clips) != 1:
+        names = ", ".join(clip.name for clip in dataset.clips[:5]) + (" ..." if len(dataset.clips) > 5 else "")
+        raise WorkspaceError(f"--out {asked.out.name} takes one clip; choose it with --clips, of: {names}.")
+    clip = dataset.clips[0]
+    start, end = asked.frames or (0, clip.n_frames)
+    return clip.cut(start, end, clip.name)
+
+
+def _write_all(folder: Path, dataset: Dataset, report) -> int:
+    folder.mkdir(parents=True, exist_ok=True)
+    for k, clip in enumerate(dataset.clips):
+        name = clean_name(clip.name.replace("/", "_"))
+        write_bvh(folder / f"{name}.bvh", replace(clip, name=name))
+        report("writing", (k + 1) / len(dataset.clips))
+    return len(dataset.clips)

@@ -1,0 +1,59 @@
+"""Features of a dataset for other tools: asked for in the Library, computed as a job, downloaded when there."""
+
+from __future__ import annotations
+
+from urllib.parse import quote
+
+from dash import Dash, Input, Output, State, dcc, no_update, set_props
+from dash.dependencies import ClientsideFunction
+from dash.development.base_component import Component
+
+from core import analyses
+from core.parameters import ParameterError
+from core.workspace import Workspace, WorkspaceError
+from webapp import jobs
+from webapp.shell.messages import notice
+
+
+def stores() -> list[Component]:
+    """For the frame of the app: features may be done when one has gone to another page."""
+    return [
+        dcc.Store(id="features-asked"),  # {"dataset": name, "suffix": ".npz"} that someone waits for
+        dcc.Store(id="features-ready"),  # address of the download
+    ]
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """Start what is missing; hand over what is there."""
+
+    @app.callback(
+        Output("features-ready", "data"),
+        Input("features-asked", "data"),
+        Input("jobs-finished", "data"),
+        State("features-asked", "data"),
+        prevent_initial_call=True,
+    )
+    def give(_asked, _finished, asked):
+        if not asked:
+            return no_update
+        request = analyses.Request(str(asked.get("dataset")), "features")
+        try:
+            if analyses.stored(workspace, request) is not None:
+                set_props("features-asked", {"data": None})
+                address = f"/api/features/{quote(request.dataset, safe='')}{asked.get('suffix')}"
+                return {"address": address, "at": asked.get("at")}
+            job = workspace.jobs.latest(analyses.key(workspace, request))
+            if asked.get("job") is None:
+                job = jobs.start(workspace, request)
+                set_props("job-started", {"data": job.id})
+                set_props("features-asked", {"data": asked | {"job": job.id}})
+            elif job is None or not job.alive:
+                set_props("features-asked", {"data": None})
+                if job is not None and job.state == "failed":
+                    raise WorkspaceError(job.error)
+        except (ParameterError, WorkspaceError) as error:
+            set_props("features-asked", {"data": None})
+            set_props("notices", {"sendNotifications": [notice("Cannot give the features", str(error), "red")]})
+        return no_update
+
+    app.clientside_callback(ClientsideFunction("downloads", "fetch"), Input("features-ready", "data"))

@@ -1,0 +1,118 @@
+"""Rows and columns of the Library's tables: the clips of a dataset, and the files of its import report."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable
+from pathlib import PurePath
+from urllib.parse import quote, urlencode
+
+from core.mocap.clip import Segment
+from core.mocap.dataset import Dataset, FileReport
+from webapp.shell.advice import in_the_browser
+from webapp.ui.tables import NUMBER, SECONDS, STRIP, TEXT, Row, column, strip_address
+
+CLIP_COLUMNS = [
+    column("clip", "Clip", 176, flex=2, minWidth=170, tooltipField="clip", cellRenderer="ClipLink", **TEXT),
+    {"field": "strip", **STRIP, "minWidth": 128},
+    column("seconds", "Seconds", 84, tooltipField="frames", **SECONDS),
+    column("fps", "Rate", 56, "Frames per second", **NUMBER),
+    column(
+        "labels", "Labels", 92, "What people say is done in it", flex=1, minWidth=84, tooltipField="counted", **TEXT
+    ),
+    column("verdict", "Import", 66, "What the import said of it", cellRenderer="Mark", cellClass="strip-cell"),
+]
+REPORT_COLUMNS = [
+    column("verdict", "Result", 118, cellRenderer="Verdict", cellClass="wrapped-cell"),
+    column(
+        "name", "File", 200, flex=2, minWidth=150, maxWidth=320, tooltipField="path", cellClass="wrapped-cell", **TEXT
+    ),
+    column(
+        *("messages", "What was found", 240),
+        **{"flex": 3, "wrapText": True, "autoHeight": True, "cellClass": "wrapped-cell wrapped-lines"},
+        **TEXT,
+    ),
+]
+CHOICE = {  # clips are chosen by their boxes; a click on the row plays the clip
+    "rowSelection": {
+        "mode": "multiRow",
+        "checkboxes": True,
+        "headerCheckbox": True,
+        "enableClickSelection": False,
+        "selectAll": "filtered",
+    },
+    "selectionColumnDef": {"width": 40, "minWidth": 40, "resizable": False, "cellClass": "choice-cell"},
+}
+
+
+def clip_columns(dataset: Dataset) -> list[dict]:
+    """The columns of the table of clips; labels only where there are any."""
+    return [column for column in CLIP_COLUMNS if column["field"] != "labels" or dataset.labels]
+
+
+def clip_rows(dataset: Dataset) -> list[Row]:
+    """One row a clip, in the dataset's order; ``selection`` is what a click selects, ``href`` opens the clip."""
+    actions: dict[str, Counter[str]] = {}
+    for label in dataset.labels:
+        actions.setdefault(label.clip, Counter())[label.action] += 1
+    reports = {file.clip: file for file in dataset.report.files if file.clip}
+    rows = []
+    for clip in dataset.clips:
+        report, done = reports.get(clip.name), actions.get(clip.name, Counter())
+        rows.append(
+            {
+                "key": clip.name,
+                "clip": clip.name,
+                "href": f"/clip?{urlencode({'dataset': dataset.name, 'clip': clip.name}, quote_via=quote)}",
+                "strip": strip_address(dataset.name, Segment(clip.name, 0, clip.n_frames), 6, dataset.fingerprint),
+                "seconds": round(clip.seconds, 2),
+                "frames": f"{clip.n_frames:,} frames",
+                "fps": round(clip.fps, 2),
+                "labels": ", ".join(done),
+                "counted": ", ".join(f"{action} ({n}\N{MULTIPLICATION SIGN})" for action, n in done.items()),
+                "verdict": report.verdict if report else "ok",
+                "messages": "\n".join(report.messages) if report else "",
+                "selection": {"clip": clip.name},
+            }
+        )
+    return rows
+
+
+def report_rows(files: Iterable[FileReport]) -> list[Row]:
+    """One row a file of the import report, worst first; ``added``: it came with the newest addition."""
+    files = list(files)
+    newest = max((file.addition for file in files), default=0)
+    worst_first = sorted(enumerate(files), key=lambda pair: ("error", "warning", "ok").index(pair[1].verdict))
+    return [
+        {
+            "key": f"{i}",
+            "verdict": file.verdict,
+            "added": bool(newest) and file.addition == newest,
+            "name": PurePath(file.path).name,
+            "path": file.path,
+            "messages": messages(file),
+            **({"selection": {"clip": file.clip}} if file.clip else {}),
+        }
+        for i, file in worst_first
+    ]
+
+
+def messages(file: FileReport) -> str:
+    """What the report says of a file, in sentences; many of them stand on lines of their own."""
+    said = [_sentence(in_the_browser(_without_file(message, file.path))) for message in file.messages]
+    return ("\n" if len(said) > 3 else " ").join(said) or "Read without remarks."
+
+
+def _without_file(message: str, path: str) -> str:
+    """The file stands in a column of its own: ``a.bvh:7: what`` becomes ``Line 7: what``."""
+    place, _, what = message.partition(": ")
+    name, _, line = place.partition(PurePath(path).name)
+    if name or not what or place == line:
+        return message
+    return f"line {line[1:]}: {what}" if line[1:].isdigit() else what if not line else message
+
+
+def _sentence(message: str) -> str:
+    message = message.strip()
+    message = message[:1].upper() + message[1:]
+    return message if message.endswith((".", "!", "?")) else message + "."

@@ -1,0 +1,30 @@
+"""The command that brings labels to a data set of a workspace."""
+
+from __future__ import annotations
+
+import sys
+from argparse import Namespace
+
+from core.workspace import WorkspaceError
+from webapp.cli.sources import named_dataset
+from webapp.features.library.commands import line_of
+
+
+def labels(asked: Namespace) -> int:
+    """Adds label files to a data set; rows that do not fit are named on stderr. Raises WorkspaceError."""
+    named = named_dataset(asked.source)
+    if named is None:
+        raise WorkspaceError(f"{asked.source}: labels belong to a dataset of a workspace, as WORKSPACE/NAME.")
+    missing = [str(path) for path in asked.paths if not path.expanduser().exists()]
+    if missing:
+        raise WorkspaceError(f"{missing[0]}: no such file or folder")
+    workspace, name = named
+    before = workspace.info(name).labels
+    report = workspace.add_labels(name, [path.expanduser() for path in asked.paths], replace=asked.replace)
+    came = [file for file in report.files if file.addition == report.last_addition]
+    for file in came:
+        if file.verdict != "ok":
+            print(line_of(file), file=sys.stderr)
+    if not asked.quiet:
+        print(f"{name}: {workspace.info(name).labels} labels, {before} before")
+    return 0

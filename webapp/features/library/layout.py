@@ -1,0 +1,280 @@
+"""What the Library page consists of."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+
+import dash_mantine_components as dmc
+from dash import dcc, html
+from dash.development.base_component import Component
+
+from core.mocap.reports import ImportReport
+from core.workspace import DatasetInfo
+from core.workspace.datasets import is_version
+from webapp.features.library import adding
+from webapp.shell.buttons import sends
+from webapp.shell.icons import icon
+from webapp.shell.messages import empty_state
+from webapp.shell.uploads import Limits
+from webapp.ui.page_head import page_head
+
+REPORTS = (("all", "All"), ("added", "Added last"), ("error", "Not read"), ("warning", "Warnings"), ("ok", "Fine"))
+
+
+def page() -> Component:
+    """The page before it knows what the workspace holds."""
+    limits = Limits.from_environment()
+    return html.Div(
+        className="library",
+        children=[
+            page_head(
+                "Library",
+                dmc.Button("Trash", id="trash-open", variant="subtle", color="gray", leftSection=icon("restore", 16)),
+                dmc.Button("Add recordings", id="upload-open", leftSection=icon("upload", 16)),
+            ),
+            html.Div(id="dataset-cards"),
+            html.Div(id="dataset-detail"),
+            adding.dialog(limits),
+            _rename_dialog(),
+            dmc.Modal(id="trash-dialog", title="Trash", size="lg", children=html.Div(id="trash-list")),
+            dcc.Store(id="dataset-action"),  # {"action": "rename" | "trash" | "empty", "dataset"}
+            dcc.Store(id="clips-action"),  # {"action": "remove" | "clear"}
+            dcc.Store(id="upload-into"),  # {"dataset": name}: open the dialog for it
+            dcc.Store(id="upload", data={}),  # written by assets/upload.js
+            dcc.Store(id="upload-suggested"),  # a name for what is sent; "" where nothing is
+            dcc.Store(id="uploaded"),  # the token whose import was asked for
+        ],
+    )
+
+
+def dataset_cards(datasets: Sequence[DatasetInfo], chosen: str | None) -> Component:
+    """All datasets as cards; an invitation where there are none."""
+    if not datasets:
+        demo = dmc.Button("Open the demo", id={"type": "demo", "at": "empty"}, leftSection=icon("spark", 16))
+        add = dmc.Button(
+            "Add recordings", id={"type": "add", "at": "empty"}, variant="default", leftSection=icon("upload", 16)
+        )
+        return html.Div(
+            empty_state(
+                "person",
+                "No recordings yet",
+                "Drop BVH or AMC files, whole folders or a zip of them anywhere on this page; "
+                "or look at the demo: six minutes of labelled motion.",
+                demo,
+                add,
+            ),
+            className="card",
+        )
+    return html.Div([_card(info, info.name == chosen) for info in datasets], className="dataset-cards", role="list")
+
+
+def _card(info: DatasetInfo, chosen: bool) -> Component:
+    facts = f"{info.clips:,} clip{'s' if info.clips != 1 else ''} · {duration(info.seconds)}"
+    pills = []
+    if info.errors:
+        pills.append(html.Span(f"{info.errors:,} not read", className="verdict verdict-error"))
+    if info.warnings:
+        words = f"{info.warnings:,} warnings" if info.warnings > 1 else "1 warning"
+        pills.append(html.Span(words, className="verdict verdict-warning"))
+    pills = pills or [html.Span("All files read", className="verdict verdict-ok")]
+    if info.labels:
+        words = f"{info.labels:,} labels" if info.labels > 1 else "1 label"
+        pills.append(html.Span(words, className="verdict verdict-plain"))
+    return html.Div(
+        className="card dataset-card" + (" chosen" if chosen else ""),
+        role="listitem",
+        **{"data-dataset": info.name},
+        children=[
+            html.Button(
+                className="dataset-open",
+                title=info.name,
+                children=[
+                    html.Span(info.name, className="dataset-name ellipsis"),
+                    html.Span(facts, className="muted number"),
+                    html.Span(pills, className="dataset-doubts"),
+                ],
+                **sends("dataset-choice", {"dataset": info.name}, every_time=True),
+                **{"aria-current": "true" if chosen else "false"},
+            ),
+            _card_menu(info.name),
+        ],
+    )
+
+
+def _card_menu(name: str) -> Component:
+    return dmc.Menu(
+        position="bottom-end",
+        shadow="md",
+        children=[
+            dmc.MenuTarget(
+                dmc.ActionIcon(
+                    icon("dots"),
+                    variant="subtle",
+                    color="gray",
+                    className="dataset-menu",
+                    **{"aria-label": f"More for {name}"},
+                )
+            ),
+            dmc.MenuDropdown(
+                [
+                    dmc.MenuItem(
+                        "Add recordings or labels",
+                        leftSection=icon("upload", 16),
+                        **sends("upload-into", {"dataset": name}, every_time=True),
+                    ),
+                    dmc.MenuItem(
+                        "Rename",
+                        leftSection=icon("edit", 16),
+                        **sends("dataset-action", {"action": "rename", "dataset": name}, every_time=True),
+                    ),
+                    dmc.MenuItem(
+                        "Features (npz)",
+                        leftSection=icon("download", 16),
+                        **sends("features-asked", {"dataset": name, "suffix": ".npz"}, every_time=True),
+                    ),
+                    dmc.MenuItem(
+                        "Features (Parquet)",
+                        leftSection=icon("download", 16),
+                        **sends("features-asked", {"dataset": name, "suffix": ".parquet"}, every_time=True),
+                    ),
+                    dmc.MenuItem(
+                        "Delete",
+                        color="red",
+                        leftSection=icon("trash", 16),
+                        **sends("dataset-action", {"action": "trash", "dataset": name}, every_time=True),
+                    ),
+                ]
+            ),
+        ],
+    )
+
+
+def duration(seconds: float) -> str:
+    """Length of motion in words: 42 s, 17.7 min, 3.2 h."""
+    if seconds < 90:
+        return f"{seconds:.0f} s"
+    return f"{seconds / 60:.1f} min" if seconds < 5400 else f"{seconds / 3600:.1f} h"
+
+
+def detail(name: str, tables: dict[str, Component], report: ImportReport, tab: str, files: str) -> Component:
+    """The chosen dataset: its clips, and its import report, of which ``files`` are shown."""
+    doubtful = report.count("warning") + report.count("error")
+    badge = dmc.Badge(doubtful, size="sm", color="orange", variant="light") if doubtful else None
+    chips = report_chips(report)
+    chosen = files if files in {chip["value"] for chip in chips} else "all"
+    return dmc.Tabs(
+        id="dataset-tabs",
+        value=tab,
+        className="section dataset-tabs",
+        keepMounted=True,
+        children=[
+            dmc.TabsList(
+                [
+                    dmc.TabsTab(f"Clips of {name}", value="clips", className="clips-tab"),
+                    dmc.TabsTab("Import report", value="report", rightSection=badge),
+                    html.Div(id="clips-chosen", className="clips-chosen"),
+                ]
+            ),
+            dmc.TabsPanel([tables["clips"], dcc.Store(id="clips-marked")], value="clips", pt="sm"),
+            dmc.TabsPanel(
+                [
+                    dmc.SegmentedControl(id="report-filter", data=chips, value=chosen, size="xs", mb="xs"),
+                    *(dmc.Text(message, size="sm", c="dimmed", mb="xs") for message in report.messages),
+                    tables["report"],
+                    tables["rows"],
+                ],
+                value="report",
+                pt="sm",
+            ),
+        ],
+    )
+
+
+def report_chips(report: ImportReport) -> list[dict[str, str]]:
+    """What of a report one can look at, with the number of its files; only what there is."""
+    counts = Counter(file.verdict for file in report.files)
+    counts["all"] = len(report.files)
+    newest = report.last_addition
+    counts["added"] = sum(file.addition == newest for file in report.files) if newest else 0
+    kept = [(key, label) for key, label in REPORTS if counts[key] or key == "all"]
+    return [{"value": key, "label": f"{label} {counts[key]:,}"} for key, label in kept]
+
+
+def clips_chosen(chosen: int) -> Component | None:
+    """What can be done to the clips that are chosen; nothing where none is."""
+    if not chosen:
+        return None
+    words = f"{chosen:,} clip{'s' if chosen != 1 else ''} chosen"
+    return dmc.Group(
+        [
+            html.Span(words, className="muted number", role="status"),
+            dmc.Button(
+                "Remove",
+                size="compact-sm",
+                color="red",
+                variant="light",
+                leftSection=icon("trash", 14),
+                **sends("clips-action", {"action": "remove"}, every_time=True),
+            ),
+            dmc.Button(
+                "Clear",
+                size="compact-sm",
+                variant="subtle",
+                color="gray",
+                **sends("clips-action", {"action": "clear"}, every_time=True),
+            ),
+        ],
+        gap=8,
+        wrap="nowrap",
+    )
+
+
+def _rename_dialog() -> Component:
+    return dmc.Modal(
+        id="rename-dialog",
+        title="Rename dataset",
+        children=[
+            dcc.Store(id="rename-old"),
+            dmc.TextInput(id="rename-name", label="New name", **{"data-autofocus": True}),
+            html.Div(id="rename-problem", className="form-problem", role="alert"),
+            dmc.Group(dmc.Button("Rename", id="rename-save"), justify="flex-end", mt="md"),
+        ],
+    )
+
+
+def trash_list(trashed: Sequence[DatasetInfo]) -> Component:
+    """What lies in the trash, newest first, each with a way back."""
+    if not trashed:
+        return dmc.Text("The trash is empty.", c="dimmed", size="sm")
+    rows = [
+        html.Li(
+            className="trash-row",
+            children=[
+                html.Span(
+                    [
+                        html.Span(info.name, className="dataset-name"),
+                        html.Span("before its last change", className="muted trash-note") if is_version(info) else None,
+                    ],
+                    className="ellipsis",
+                    title=info.name,
+                ),
+                html.Span(f"{info.clips:,} clips · {duration(info.seconds)}", className="muted number"),
+                dmc.Button(
+                    "Restore",
+                    size="compact-sm",
+                    variant="default",
+                    **sends("undo", {"restore": info.id}, every_time=True),
+                ),
+            ],
+        )
+        for info in trashed
+    ]
+    empty = dmc.Button(
+        "Empty the trash for good",
+        color="red",
+        variant="light",
+        size="compact-sm",
+        **sends("dataset-action", {"action": "empty"}, every_time=True),
+    )
+    return html.Div([html.Ul(rows, className="trash-list"), dmc.Group(empty, justify="flex-end", mt="md")])

@@ -1,0 +1,63 @@
+"""Motifs: the motif graph and all that is made of it: walks, blends, comparisons, compression, reports."""
+
+from webapp.shell.feature import Command, Feature, LinkKeys, SelectionKind, later
+
+_ARGUMENTS = "webapp.features.motifs.arguments"
+_RECIPES = "webapp.features.motifs.recipes"
+
+FEATURE = Feature(
+    path="motifs",
+    label="Motifs",
+    symbol="graph",
+    page=later("webapp.features.motifs.layout:page"),
+    register=later("webapp.features.motifs.callbacks:register"),
+    keys=LinkKeys(
+        names=(
+            *("view", "side", "walk", "weights", "other", "gained"),
+            *("extra", "gaps", "ends", "feet", "stability", "step"),
+        ),
+        of_dataset=("walk", "weights", "other", "gained"),
+    ),
+    routes=later("webapp.features.motifs.routes:blueprints"),
+    stores=later("webapp.features.motifs.layout:stores"),
+    commands={
+        "motifs": Command(
+            "Find the motions that recur and how they follow one another.",
+            later(f"{_ARGUMENTS}:motifs"),
+            later("webapp.features.motifs.commands:motifs"),
+        ),
+        "compare": Command(
+            "Hold two results of the same recordings against each other.",
+            later(f"{_ARGUMENTS}:compare"),
+            later("webapp.features.motifs.compare_commands:compare_files"),
+        ),
+        "stability": Command(
+            "Measure how surely each motif is found again: with noise, other seeds, settings a step away.",
+            later(f"{_ARGUMENTS}:stability"),
+            later("webapp.features.motifs.compare_commands:measure_stability"),
+        ),
+        "walk": Command(
+            "Make new motion along a path through a motif graph.",
+            later(f"{_ARGUMENTS}:walk"),
+            later("webapp.features.motifs.walk_commands:walk"),
+        ),
+    },
+    recipes={
+        "motifs": later("webapp.shell.recipes:command"),
+        "stability": later("webapp.shell.recipes:command"),
+        "walk": later(f"{_RECIPES}:walk_commands"),
+    },
+    selections=(
+        SelectionKind("motif", numbers=("motion",)),
+        SelectionKind("motifs", pattern=r"\d{1,6}(-\d{1,6}){0,299}", example="3-7-9"),
+        SelectionKind("edge", numbers=("transition",), pattern=r"\d{1,6}-\d{1,6}", example="3-5"),
+    ),
+    plays=later("webapp.features.motifs.playing:plays"),
+    missing=later("webapp.features.motifs.playing:missing"),
+    replay_on=("graph-key",),
+    motion_kinds={
+        "walk": later("webapp.features.motifs.walks:open_walk"),
+        "blend": later("webapp.features.motifs.mixtures:open_blend"),
+        "rebuilt": later("webapp.features.motifs.mixtures:open_rebuilt"),
+    },
+)

@@ -1,0 +1,346 @@
+"""Comparing the result that is shown with another of the same data set: an earlier one, or one with other settings."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict
+from typing import Any
+
+import dash_mantine_components as dmc
+from dash import Dash, Input, Output, State, dcc, html, no_update, set_props
+from dash.dependencies import ClientsideFunction
+from dash.development.base_component import Component
+
+from core.motifs.compare import Comparison, compare
+from core.motifs.graph import MotifGraph
+from core.motifs.neighbours import neighbours, other_seeds
+from core.motifs.parameters import MotifParameters
+from core.workspace import Job, Workspace, WorkspaceError
+from webapp import jobs
+from webapp.features.motifs.figures import compare as figure
+from webapp.features.motifs.playing import comparing, mixing, stage_request
+from webapp.features.motifs.recipes import compare_commands, compare_script
+from webapp.jobs.running import running
+from webapp.shell import results
+from webapp.shell.buttons import copies, sends
+from webapp.shell.messages import empty_state, notice
+from webapp.ui import tables
+from webapp.ui.downloads import table_download
+from webapp.ui.parameter_form import summary
+
+DEFAULT = "default"  # how the default settings are written
+
+
+def layout() -> Component:
+    """The choice of the other result, and the places of everything else."""
+    return html.Div(
+        className="compare-view",
+        children=[
+            html.Div(
+                className="compare-bar",
+                children=[
+                    html.Label("Compare with", htmlFor="compare-other", className="muted"),
+                    dmc.Select(
+                        id="compare-other",
+                        placeholder="Choose another result",
+                        data=[],
+                        searchable=True,
+                        nothingFoundMessage="No such result",
+                        comboboxProps={"shadow": "md"},
+                        maxDropdownHeight=320,
+                        className="compare-other",
+                    ),
+                ],
+            ),
+            html.Div(id="compare-status"),
+            html.Div(id="compare-result", className="compare-result hidden", children=_result()),
+            dcc.Store(id="compare-status-of"),
+            dcc.Store(id="compare-keys"),  # of both results, where both are there
+            dcc.Store(id="compare-flow-data"),
+            dcc.Store(id="compare-request"),  # what the Stage is to play
+            dcc.Store(id="compare-ask"),  # the button that has the other result computed
+            dcc.Store(id="compare-asked"),
+            *(dcc.Store(id=f"compare-{name}") for name in ("drawn", "marked", "row-marked")),
+        ],
+    )
+
+
+def _result() -> list[Component]:
+    control = dmc.SegmentedControl(
+        id="compare-filter",
+        data=[{"value": "all", "label": "All"}],
+        value="all",
+        size="xs",
+        className="compare-filter",
+        **{"aria-label": "Which changes to list"},
+    )
+    bar = html.Div(
+        [
+            control,
+            html.Div(className="spacer"),
+            html.Div(id="compare-again", className="head-menus"),
+            table_download("compare-table", "comparison"),
+        ]
+    )
+    bar.className = "table-bar"
+    heads = html.Div([html.Span("This result"), html.Span("The other result")], className="compare-heads muted")
+    return [
+        html.P(id="compare-sentence", className="compare-sentence", role="status"),
+        html.Div([heads, html.Div(id="compare-flow", className="compare-flow")], className="card compare-card"),
+        bar,
+        tables.grid("compare-table", figure.COLUMNS, [], "Motifs of both results"),
+    ]
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """All of the view's callbacks."""
+    _choose(app, workspace)
+    _show(app, workspace)
+    _play(app, workspace)
+
+
+def _choose(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("compare-other", "data"),
+        Output("compare-other", "value"),
+        Input("view", "data"),
+        Input("compare-other", "id"),
+        Input("graph-key", "data"),
+        Input("jobs-finished", "data"),
+        State("dataset", "data"),
+        State("parameters", "data"),
+        State("compare-other", "data"),
+    )
+    def offer(view, _id, key, _finished, name, parameters, before):
+        if not _shown(view) or not key or not name:
+            return no_update, no_update
+        graph, other = results.motif_graph(workspace, name, parameters), (view or {}).get("other")
+        offered = choices(workspace, name, parameters, graph, other) if graph else []
+        return (no_update if offered == before else offered), other
+
+    @app.callback(
+        Output("view-change", "data", allow_duplicate=True),
+        Input("compare-other", "value"),
+        State("view", "data"),
+        State("dataset", "data"),
+        prevent_initial_call=True,
+    )
+    def choose(value, view, name):
+        if not value or not name or value == (view or {}).get("other"):
+            return no_update  # what the link said
+        _start(workspace, name, value)
+        return {"other": value, "gained": ""}
+
+    @app.callback(
+        Output("compare-asked", "data"),
+        Input("compare-ask", "data"),
+        State("dataset", "data"),
+        prevent_initial_call=True,
+    )
+    def compute(asked, name):
+        if asked and name:
+            _start(workspace, name, str(asked.get("other", "")))
+        return no_update
+
+
+def _start(workspace: Workspace, name: str, other: str) -> None:
+    """Has the other result computed where it is not there."""
+    try:
+        if results.motif_graph_key(workspace, name, read_parameters(other)) is None:
+            job = jobs.start(workspace, results.motif_request(name, read_parameters(other)))
+            set_props("job-started", {"data": job.id})
+    except (ValueError, WorkspaceError) as error:
+        set_props("notices", {"sendNotifications": [notice("Cannot find the other motifs", str(error), "red")]})
+
+
+def _show(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("compare-status", "children"),
+        Output("compare-result", "className"),
+        Output("compare-keys", "data"),
+        Output("compare-status-of", "data"),
+        Input("view", "data"),
+        Input("jobs-seen", "data"),
+        Input("graph-key", "data"),
+        Input("compare-status", "id"),
+        State("dataset", "data"),
+        State("parameters", "data"),
+        State("compare-status-of", "data"),
+    )
+    def show_status(view, _seen, key, _id, name, parameters, before):
+        if not _shown(view) or not key or not name:
+            return (no_update,) * 4
+        other = (view or {}).get("other")
+        if other == write_parameters(results.motif_request(name, parameters).parameters):
+            other = None  # a result is not compared with itself
+        wanted = read_parameters(other) if other else None
+        there = results.motif_graph_key(workspace, name, wanted) if other else None
+        job = results.latest_job(workspace, name, wanted) if other and not there else None
+        of = [key, other, there, job and [job.id, job.state, job.error]]
+        if of == before:
+            return (no_update,) * 4
+        keys = [key, there] if there else None
+        return status(other, job, bool(there)), "compare-result" if there else "hidden", keys, of
+
+    @app.callback(
+        Output("compare-sentence", "children"),
+        Output("compare-flow-data", "data"),
+        Output("compare-filter", "data"),
+        Output("compare-filter", "value"),
+        Output("compare-again", "children"),
+        Input("compare-keys", "data"),
+        State("view", "data"),
+        State("dataset", "data"),
+        State("parameters", "data"),
+    )
+    def show_result(keys, view, name, parameters):
+        found = _compared(workspace, name, parameters, view) if keys else None
+        if found is None:
+            return (no_update,) * 5
+        comparison, names = found[2], _names(workspace, name, parameters)
+        again = _again(workspace, name, parameters, view["other"])
+        return figure.sentence(comparison), figure.flow(comparison, names), figure.filters(comparison), "all", again
+
+    @app.callback(
+        Output("compare-table", "rowData"),
+        Input("compare-filter", "value"),
+        Input("compare-filter", "data"),
+        State("view", "data"),
+        State("dataset", "data"),
+        State("parameters", "data"),
+    )
+    def list_rows(change, _counts, view, name, parameters):
+        found = _compared(workspace, name, parameters, view) if _shown(view) and name else None
+        if found is None:
+            return no_update
+        a, b, comparison = found
+        listed = figure.rows(comparison, a, b, workspace.open(name), _names(workspace, name, parameters))
+        return [row for row in listed if change in ("all", row["change"])]
+
+    app.clientside_callback(
+        ClientsideFunction("compare", "draw"),
+        Output("compare-drawn", "data"),
+        Input("compare-flow-data", "data"),
+        State("selection", "data"),
+        State("view", "data"),
+    )
+    app.clientside_callback(
+        ClientsideFunction("compare", "mark"),
+        Output("compare-marked", "data"),
+        Input("selection", "data"),
+        Input("view", "data"),
+    )
+    app.clientside_callback(
+        ClientsideFunction("tables", "mark"),
+        Output("compare-row-marked", "data"),
+        Input("selection", "data"),
+        Input("compare-table", "rowData"),
+        State("compare-table", "id"),
+    )
+
+
+def _play(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("compare-request", "data"),
+        Input("selection", "data"),
+        Input("view", "data"),
+        Input("compare-keys", "data"),
+        State("dataset", "data"),
+        State("parameters", "data"),
+    )
+    def play(selection, view, keys, name, parameters):
+        selection = selection or {}
+        if not name or not comparing(view) or ("motif" not in selection and not (view or {}).get("gained")):
+            return no_update
+        if mixing(view) or "motion" in selection or "edge" in selection or "clip" in selection:
+            return no_update  # the blend side plays its mixture, playback.py the rest
+        try:
+            dataset, found = workspace.open(name), _compared(workspace, name, parameters, view)
+            if found is None:  # the other is not there yet
+                graph = results.motif_graph(workspace, name, parameters)
+                return stage_request(dataset, graph, selection) or no_update
+            return figure.pair_request(dataset, *found, selection, view.get("gained", "")) or no_update
+        except WorkspaceError:
+            return no_update
+
+    app.clientside_callback(ClientsideFunction("compare", "play"), Input("compare-request", "data"))
+
+
+def _again(workspace: Workspace, name: str, parameters: Mapping[str, Any] | None, other: str) -> list[Component]:
+    """Buttons that copy what gives the comparison again."""
+    both = results.motif_request(name, parameters), results.motif_request(name, read_parameters(other))
+    made = {
+        "Copy as commands": compare_commands(workspace.path, *both),
+        "Copy as Python": compare_script(workspace.path, *both),
+    }
+    return [dmc.Button(label, size="compact-sm", variant="default", **copies(text)) for label, text in made.items()]
+
+
+def _shown(view: Mapping[str, str] | None) -> bool:
+    return (view or {}).get("view") == "compare"
+
+
+def _names(workspace: Workspace, name: str, parameters: Mapping[str, Any] | None) -> dict[int, str]:
+    return {motif: note.name for motif, note in results.motif_notes(workspace, name, parameters).items()}
+
+
+def _compared(
+    workspace: Workspace, name: str, parameters: Mapping[str, Any] | None, view: Mapping[str, str] | None
+) -> tuple[MotifGraph, MotifGraph, Comparison] | None:
+    other = (view or {}).get("other")
+    a = results.motif_graph(workspace, name, parameters)
+    b = results.motif_graph(workspace, name, read_parameters(other)) if other else None
+    return None if a is None or b is None else (a, b, compare(a, b))
+
+
+def choices(
+    workspace: Workspace, name: str, parameters: Mapping[str, Any] | None, graph: MotifGraph, chosen: str | None
+) -> list[dict[str, Any]]:
+    """What the shown result may be compared with, in groups: earlier results, and settings a step away."""
+    shown = write_parameters(results.motif_request(name, parameters).parameters)
+    past: dict[str, str] = {}
+    for job in results.earlier(workspace, name):
+        text = write_parameters(job.request["parameters"])
+        if text != shown:
+            past.setdefault(text, summary(results.not_default(job.request["parameters"])))
+    if chosen and chosen != shown:
+        past.setdefault(chosen, summary(read_parameters(chosen)))
+    own = MotifParameters(**results.motif_request(name, parameters).parameters)
+    near = other_seeds(own, 1) | neighbours(own, int(graph.parameters["kappa"]))
+    steps = {write_parameters(asdict(p)): f"Same, {words}" for words, p in near.items()}
+    steps = {text: label for text, label in steps.items() if text not in past and text != shown}
+    groups = (("Earlier results", past), ("A step away (computed when chosen)", steps))
+    return [
+        {"group": title, "items": [{"value": text, "label": label} for text, label in items.items()]}
+        for title, items in groups
+        if items
+    ]
+
+
+def write_parameters(parameters: Mapping[str, Any]) -> str:
+    """Settings as they stand in a link: ``kappa:250,seed:1``; those with default values left out."""
+    return ",".join(f"{name}:{value}" for name, value in sorted(results.not_default(parameters).items())) or DEFAULT
+
+
+def read_parameters(text: str) -> dict[str, str]:
+    """Settings back from :func:`write_parameters`; what makes no sense is left out."""
+    pairs = (part.partition(":") for part in text.split(",") if ":" in part)
+    return results.not_default(
+        results.motif_request("", {name.strip(): value.strip() for name, _, value in pairs}).parameters
+    )
+
+
+def status(other: str | None, job: Job | None, ready: bool) -> Component | None:
+    """What stands in place of a comparison that is not there (yet)."""
+    if ready:
+        return None
+    if not other:
+        hint = "Choose another result of these recordings to see which motifs it has too, and which not."
+        return html.Div(empty_state("graph", "Nothing to compare with yet", hint), className="card")
+    if job is not None and job.alive:
+        return html.Div(running(job, "Finding the other motifs", "graph"), className="card")
+    again = dmc.Button("Find its motifs", variant="light", **sends("compare-ask", {"other": other}, every_time=True))
+    title, hint = "The other result is not there yet", f"Its settings: {summary(read_parameters(other))}."
+    if job is not None and job.state == "failed":
+        title, hint = "Finding the other motifs failed", job.error
+    return html.Div(empty_state("graph", title, hint, again), className="card")

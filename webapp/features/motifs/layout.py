@@ -1,0 +1,369 @@
+"""What the Motifs page consists of."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from datetime import datetime
+from types import MappingProxyType
+from typing import Any
+
+import dash_cytoscape as cyto
+import dash_mantine_components as dmc
+from dash import dcc, html
+from dash.development.base_component import Component
+
+from core.mocap.dataset import Dataset
+from core.motifs.graph import Motif, MotifGraph
+from core.workspace import Job, MotifNote
+from webapp.features.motifs import stability_marks, views
+from webapp.features.motifs.figures import graph as graph_figure
+from webapp.features.motifs.playing import moment, transition_segment
+from webapp.jobs.running import running
+from webapp.shell.buttons import copies, sends, similar
+from webapp.shell.icons import icon
+from webapp.shell.messages import empty_state
+from webapp.shell.results import find_edge, find_motif, find_motifs
+from webapp.ui.names import brief_names
+from webapp.ui.page_head import page_head
+from webapp.ui.parameter_form import summary
+from webapp.ui.tables import strip_address
+from webapp.ui.tile import metric_tile
+
+ERROR_RATIO = (
+    "How far the motions of a motif lie apart, compared with how far poses lie from the average pose. "
+    "Lower is tighter; the 2008 paper reports .23."
+)
+MANY_TO_FILTER = 20  # successions, from which on it helps to hide the rare ones
+MOST_ROWS = 60  # motions or transitions listed at once
+
+
+def stores() -> list[Component]:
+    """For the frame of the app: the graph that is shown stays known on other pages."""
+    return [
+        dcc.Store(id="graph-key"),  # of the motif graph shown, where it has been computed
+        dcc.Store(id="find-again"),
+        dcc.Store(id="graph-tool"),
+    ]
+
+
+def page() -> Component:
+    """The page before it knows what there is to show."""
+    return html.Div(
+        className="motifs",
+        children=[
+            page_head(
+                "Motifs",
+                html.Div(id="motif-menus", className="head-menus"),
+                dmc.Button("Find motifs", id="find-motifs", leftSection=icon("spark", 16)),
+            ),
+            dmc.Accordion(
+                id="settings",
+                variant="contained",
+                className="settings",
+                value=None,
+                children=dmc.AccordionItem(
+                    value="form",
+                    children=[
+                        dmc.AccordionControl(
+                            [
+                                html.Span("Settings", className="settings-title"),
+                                html.Span(id="settings-summary", className="muted"),
+                            ]
+                        ),
+                        dmc.AccordionPanel(html.Div(id="motif-form")),
+                    ],
+                ),
+            ),
+            html.Div(id="motif-status"),
+            dcc.Store(id="motif-status-of"),  # what it speaks of: drawn anew only when that changes
+            html.Div(id="motif-result"),
+        ],
+    )
+
+
+def status(dataset: str | None, job: Job | None, ready: bool) -> Component | None:
+    """What stands in place of a graph that is not there (yet)."""
+    if ready:
+        return None
+    if not dataset:
+        link = dcc.Link("Go to the library", href="/library", className="text-link")
+        return _card(empty_state("person", "No dataset yet", "Add recordings, or make the demo, in the library.", link))
+    if job is not None and job.alive:
+        return _card(running(job, "Finding motifs", "graph"))
+    hint = "It shows which movements recur in these recordings, and what follows what."
+    if job is not None and job.state == "failed":
+        return _card(empty_state("error", "Finding motifs failed", job.error, _find_button("Try again")))
+    if job is not None and job.state == "cancelled":
+        return _card(
+            empty_state("graph", "Finding motifs was cancelled", "Nothing was kept of it.", _find_button("Find motifs"))
+        )
+    return _card(empty_state("graph", "No motif graph yet", f"Press Find motifs. {hint}", _find_button("Find motifs")))
+
+
+def _card(child: Component) -> Component:
+    return html.Div(child, className="card section")
+
+
+def _find_button(label: str) -> Component:
+    return dmc.Button(label, variant="light", **sends("find-again", {"find": True}, every_time=True))
+
+
+def result(graph: MotifGraph, dataset: Dataset, elements: list[dict], scheme: str) -> Component:
+    """Metrics, graph, and the views beside and below it; or what to try where no motif was found."""
+    if not graph.motifs:
+        return _card(
+            empty_state(
+                "graph",
+                "No motif found",
+                "Nothing recurs under these settings. Try a smaller kappa, a larger speed tolerance, "
+                "or a smaller shortest motion.",
+            )
+        )
+    return html.Div(
+        [
+            html.Div([metric_tile(*tile) for tile in metric_tiles(graph, dataset)], className="tiles section"),
+            html.Div(
+                className="graph-and-selection section",
+                children=[
+                    _graph_card(graph, elements, scheme),
+                    html.Div(
+                        [views.switch("side", "What to do with the motif"), *views.panels("side")],
+                        className="card selection-card",
+                    ),
+                ],
+            ),
+            html.Div([views.switch("view", "What to look at")], className="section-head section"),
+            *views.panels("view"),
+            *(dcc.Store(id=name) for name in ("motions", "graph-tapped", "graph-marked")),
+        ]
+    )
+
+
+def metric_tiles(graph: MotifGraph, dataset: Dataset) -> list[tuple[str, str, str]]:
+    """Name, value and explanation of each figure."""
+    metrics = graph.metrics
+    rates = {clip.name: clip.fps for clip in dataset.clips}
+    lengths = [s.n_frames / rates.get(s.clip, 30.0) for motif in graph.motifs for s in motif.segments]
+    spread = metrics.get("mean_pose_distance", 0)
+    ratio = metrics.get("average_frame_error", 0) / spread if spread else 0.0
+    return [
+        ("Motifs", f"{len(graph.motifs)}", "Movements that recur."),
+        ("Coverage", f"{100 * metrics.get('coverage', 0):.0f} %", "Share of all frames that belong to some motif."),
+        ("Error ratio", f"{ratio:.2f}", ERROR_RATIO),
+        ("Motions each", f"{metrics.get('mean_motions', 0):.1f}", "Mean number of motions of a motif."),
+        ("Mean length", f"{sum(lengths) / len(lengths):.1f} s" if lengths else "–", "Mean duration of a motion."),
+    ]  # fmt: skip
+
+
+def _graph_card(graph: MotifGraph, elements: list[dict], scheme: str) -> Component:
+    counts = [edge.count for edge in graph.edges]
+    threshold = graph_figure.first_threshold(counts)
+    return html.Div(
+        className="card graph-card",
+        children=[
+            html.Div(
+                className="graph-bar",
+                children=[
+                    html.Div(
+                        className="edge-filter"
+                        + ("" if max(counts, default=1) > 1 and len(counts) > MANY_TO_FILTER else " hidden"),
+                        children=[
+                            html.Span(
+                                f"Successions seen at least {threshold}×", className="number", id="edge-filter-label"
+                            ),
+                            dmc.Slider(
+                                id="edge-threshold",
+                                min=1,
+                                max=max(2, min(max(counts, default=2), 20)),
+                                value=threshold,
+                                size="xs",
+                                w=120,
+                                **{"aria-label": "Hide successions seen less often"},
+                            ),
+                        ],
+                    ),
+                    html.Div(className="spacer"),
+                    stability_marks.control(),
+                    html.Div(
+                        className="graph-tools",
+                        children=[
+                            _tool("plus", "Zoom in", {"graph": "in"}),
+                            _tool("minus", "Zoom out", {"graph": "out"}),
+                            _tool("fit", "Show the whole graph", {"graph": "fit"}),
+                        ],
+                    ),
+                ],
+            ),
+            cyto.Cytoscape(
+                id="motif-graph",
+                elements=elements,
+                layout={"name": "preset", "fit": True, "padding": 26},
+                stylesheet=graph_figure.stylesheet(scheme),
+                style={"width": "100%", "height": "100%"},
+                minZoom=0.05,
+                maxZoom=3,
+                boxSelectionEnabled=False,
+                autoRefreshLayout=False,
+                responsive=False,
+            ),
+            html.Div(graph_figure.legend(graph), className="graph-legend muted"),
+            stability_marks.legend(),
+        ],
+    )
+
+
+def _tool(symbol: str, label: str, value: dict[str, str]) -> Component:
+    return dmc.ActionIcon(
+        icon(symbol, 16),
+        variant="default",
+        size=30,
+        **sends("graph-tool", value, every_time=True),
+        **{"aria-label": label},
+        attributes={"root": {"title": label}},
+    )
+
+
+def menus(
+    dataset: str,
+    graph: MotifGraph | None,
+    earlier: Sequence[tuple[Job, Mapping[str, str]]],
+    query: str,
+    recipes: Mapping[str, str],
+) -> list[Component]:
+    """Earlier results, downloads, and ``recipes`` (label -> text to copy) that give this result again."""
+    parts: list[Component] = []
+    if len(earlier) > (1 if graph else 0):
+        parts.append(
+            dmc.Menu(
+                shadow="md",
+                position="bottom-end",
+                children=[
+                    dmc.MenuTarget(dmc.Button("Earlier results", variant="default", rightSection=icon("chevron", 14))),
+                    dmc.MenuDropdown(
+                        [
+                            dmc.MenuItem(
+                                [
+                                    html.Div(summary(parameters), className="menu-title"),
+                                    html.Div(_when(job.finished), className="muted menu-note"),
+                                ],
+                                **sends("parameters", parameters),
+                            )
+                            for job, parameters in earlier[:15]
+                        ],
+                        className="menu-long",
+                    ),
+                ],
+            )
+        )
+    if graph is not None and graph.motifs:
+        parts.append(
+            dmc.Menu(
+                shadow="md",
+                position="bottom-end",
+                children=[
+                    dmc.MenuTarget(dmc.Button("Download", variant="default", leftSection=icon("download", 16))),
+                    dmc.MenuDropdown(
+                        [
+                            _download("Motifs and edges (JSON)", f"/api/motifs.json?{query}"),
+                            _download("All motions (CSV)", f"/api/motifs.csv?{query}"),
+                            _download("Drawing of the graph (SVG)", f"/api/motifs.svg?{query}"),
+                            dmc.MenuItem(
+                                "Picture of the graph (PNG)", **sends("graph-tool", {"graph": "png"}, every_time=True)
+                            ),
+                            dmc.MenuDivider(),
+                            *(dmc.MenuItem(label, **copies(text)) for label, text in recipes.items()),
+                        ]
+                    ),
+                ],
+            )
+        )
+    return parts
+
+
+def _download(label: str, address: str) -> Component:
+    return dmc.MenuItem(label, href=address, refresh=True)
+
+
+def _when(moment_: float | None) -> str:
+    return datetime.fromtimestamp(moment_).strftime("%d %b, %H:%M") if moment_ else ""
+
+
+def selection_panel(
+    graph: MotifGraph, selection: Mapping[str, Any], notes: Mapping[int, MotifNote] = MappingProxyType({})
+) -> Component:
+    """What is selected, in a line: its name, how many motions or transitions, and a way to play them together."""
+    motif = find_motif(graph, selection["motif"]) if "motif" in selection else None
+    if motif is not None:
+        together = dmc.Button(
+            "Play all",
+            size="compact-sm",
+            variant="default" if "motion" in selection else "filled",
+            leftSection=icon("play", 14),
+            **sends("selection", {"motif": motif.id}),
+        )
+        name = notes[motif.id].name if motif.id in notes else ""
+        number = int(selection.get("motion", motif.medoid))
+        wanted = motif.segments[number if 0 <= number < len(motif.segments) else motif.medoid]
+        alike = dmc.Button("More like this", size="compact-sm", variant="default", **similar(*wanted))
+        actions = html.Div([alike, together], className="head-menus")
+        return _panel_head(name or f"Motif {motif.id}", f"{len(motif.segments)} motions", actions)
+    edge = find_edge(graph, selection["edge"]) if "edge" in selection else None
+    if edge is not None:
+        return _panel_head(f"From {edge.source} to {edge.target}", f"seen {edge.count}×")
+    several = find_motifs(graph, selection) if "motifs" in selection else []
+    if several:
+        return _several(several, notes)
+    hint = (
+        "Choose a box to see all motions of a motif play together, or an arrow to see how one motif leads to the next."
+    )
+    return html.Div(
+        [html.Div(icon("play", 26), className="empty-icon"), html.P(hint, className="muted")],
+        className="selection-hint",
+    )
+
+
+def _several(motifs: list[Motif], notes: Mapping[int, MotifNote]) -> Component:
+    """Motifs that are marked together, each a button that selects it alone."""
+    buttons = [
+        html.Button(
+            (notes[motif.id].name if motif.id in notes else "") or f"Motif {motif.id}",
+            className="soft-button",
+            **sends("selection", {"motif": motif.id}),
+        )
+        for motif in motifs
+    ]
+    head = _panel_head(f"{len(motifs)} motifs marked" if len(motifs) > 1 else "1 motif marked", "choose one to play it")
+    return html.Div([head, html.Div(buttons, className="marked-motifs")])
+
+
+def _panel_head(title: str, count: str, action: Component | None = None) -> Component:
+    parts = [html.H2(title), html.Span(count, className="muted"), html.Div(className="spacer"), action]
+    return html.Div(parts, className="section-head")
+
+
+def motion_list(dataset: Dataset, graph: MotifGraph, selection: Mapping[str, Any]) -> dict[str, Any]:
+    """The motions of the selected motif or the transitions of the selected edge, for assets/motion_list.js."""
+    motif = find_motif(graph, selection["motif"]) if "motif" in selection else None
+    edge = find_edge(graph, selection["edge"]) if "edge" in selection else None
+    if motif is not None:
+        name, key, total, chosen = {"motif": motif.id}, "motion", len(motif.segments), selection.get("motion")
+        segments = motif.segments[:MOST_ROWS]
+    elif edge is not None:
+        name, key = {"edge": f"{edge.source}-{edge.target}"}, "transition"
+        total, chosen = len(edge.transitions), selection.get("transition", 0)
+        segments = tuple(transition_segment(dataset, graph, edge, i) for i in range(min(total, MOST_ROWS)))
+    else:
+        return {}
+    brief = dict(zip(dataset.names, brief_names(dataset.names, 26), strict=True))
+    rows = [
+        {
+            "clip": segment.clip,
+            "brief": brief[segment.clip],
+            "when": moment(dataset, segment),
+            "strip": strip_address(dataset.name, segment, 4, dataset.fingerprint),
+            "selection": {**name, key: i},
+            "chosen": str(chosen) == str(i),
+        }
+        for i, segment in enumerate(segments)
+    ]
+    return {"name": f"{dataset.fingerprint} {name}", "rows": rows, "more": total - len(rows)}

@@ -1,0 +1,101 @@
+"""A part of a view that is computed when someone asks for it: the request for it, its job, and what came of it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any, NamedTuple
+
+import dash_mantine_components as dmc
+from dash import Dash, Input, Output, State, dcc, no_update, set_props
+from dash.development.base_component import Component
+
+from core import analyses
+from core.parameters import ParameterError
+from core.workspace import Job, Workspace, WorkspaceError
+from webapp import jobs
+from webapp.jobs.running import running
+from webapp.shell import results
+from webapp.shell.buttons import sends
+from webapp.shell.messages import empty_state, notice
+
+
+class OnDemand(NamedTuple):
+    """What it is called and what it shows. Its stores are NAME-find, NAME-asked and NAME-shown; NAME is a view."""
+
+    name: str
+    method: str
+    place: str  # id of the element that it fills
+    symbol: str
+    doing: str  # "Making the report"
+    missing: str  # "No report yet"
+    hint: str
+    button: str
+    refused: str  # "Cannot make the report"
+    frame: Callable[[Component], Any]  # round what stands there until there is a result
+
+    def request(self, dataset: str, parameters: Mapping[str, Any] | None) -> analyses.Request:
+        """The request for it, on the motif graph with these parameters."""
+        return analyses.Request(dataset, self.method, results.motif_request(dataset, parameters).parameters)
+
+    def stores(self) -> list[Component]:
+        """For the view's skeleton."""
+        return [dcc.Store(id=f"{self.name}-{what}") for what in ("find", "asked", "shown")]
+
+    def waiting(self, job: Job | None) -> Component:
+        """What stands there while there is no result: progress, or an invitation."""
+        if job is not None and job.alive:
+            return running(job, self.doing, self.symbol)
+        title, words = self.missing, self.hint
+        if job is not None and job.state == "failed":
+            title, words = f"{self.doing} failed", job.error
+        elif job is not None and job.state == "cancelled":
+            title, words = f"{self.doing} was cancelled", "Nothing was kept of it."
+        asks = sends(f"{self.name}-find", {"find": True}, every_time=True)
+        return empty_state(self.symbol, title, words, dmc.Button(self.button, variant="light", **asks))
+
+
+Body = Callable[[Any, str, Mapping[str, Any] | None, str | None], Any]  # (result, dataset, parameters, colour scheme)
+
+
+def register(app: Dash, workspace: Workspace, part: OnDemand, body: Body) -> None:
+    """Ask for ``part``, follow its job, show the ``body`` of what it gives."""
+
+    @app.callback(
+        Output(f"{part.name}-asked", "data"),
+        Input(f"{part.name}-find", "data"),
+        State("dataset", "data"),
+        State("parameters", "data"),
+        prevent_initial_call=True,
+    )
+    def ask(_clicked, name, parameters):
+        try:
+            job = jobs.start(workspace, part.request(name, parameters))
+        except (ParameterError, WorkspaceError) as error:
+            set_props("notices", {"sendNotifications": [notice(part.refused, str(error), "red")]})
+            return no_update
+        set_props("job-started", {"data": job.id})
+        return job.id
+
+    @app.callback(
+        Output(part.place, "children"),
+        Output(f"{part.name}-shown", "data"),
+        Input("view", "data"),
+        Input(part.place, "id"),
+        Input(f"{part.name}-asked", "data"),
+        Input("jobs-finished", "data"),
+        Input("theme", "data"),
+        State(f"{part.name}-shown", "data"),
+        State("graph-key", "data"),
+        State("dataset", "data"),
+        State("parameters", "data"),
+    )
+    def show(view, _place, _asked, _finished, scheme, shown, graph_key, name, parameters):
+        if (view or {}).get("view") != part.name or not graph_key or not name:
+            return no_update, no_update
+        request = part.request(name, parameters)
+        found = analyses.stored(workspace, request)
+        job = None if found else workspace.jobs.latest(analyses.key(workspace, request))
+        now = [graph_key, scheme, "there" if found else job.state if job else "", job.id if job else 0]
+        if now == shown:
+            return no_update, no_update
+        return part.frame(part.waiting(job)) if found is None else body(found, name, parameters, scheme), now

@@ -1,0 +1,219 @@
+"""How stable each motif is: measured on demand, then shown as rings in the graph and as a column of the table."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+from urllib.parse import urlencode
+
+import dash_mantine_components as dmc
+from dash import Dash, Input, Output, State, ctx, dcc, html, no_update, set_props
+from dash.dependencies import ClientsideFunction
+from dash.development.base_component import Component
+
+from core import analyses
+from core.parameters import ParameterError
+from core.workspace import Job, Workspace, WorkspaceError
+from webapp import jobs
+from webapp.jobs.job_bar import stage_words
+from webapp.shell import recipes, results, theme
+from webapp.shell.buttons import copies, sends
+from webapp.shell.icons import icon
+from webapp.shell.messages import notice
+
+if TYPE_CHECKING:
+    from core.motifs.stability import Stability
+
+HELP = (
+    "Finds the motifs again and again: with noise on all joints, from other random seeds, and with kappa, rho and "
+    "gamma a step up and down. A motif is stable when each time a motif with nearly the same motion turns up."
+)
+LOW, HIGH = theme.STABILITY
+DEFAULTS = {"repetitions": 2, "noise_degrees": 2.0}
+
+
+def control() -> Component:
+    """The button above the graph, and what opens below it."""
+    return dmc.Popover(
+        position="bottom-end",
+        shadow="md",
+        width=320,
+        keepMounted=True,
+        children=[
+            dmc.PopoverTarget(
+                dmc.Button(
+                    "Stability",
+                    id="stability-button",
+                    variant="default",
+                    size="xs",
+                    className="stability-button",
+                    rightSection=icon("chevron", 12),
+                )
+            ),
+            dmc.PopoverDropdown(
+                html.Div(
+                    className="stability-form",
+                    children=[
+                        html.P(HELP, className="muted"),
+                        html.Div(
+                            className="stability-numbers",
+                            children=[
+                                _number("repetitions", "Repetitions", 1, 20, 1),
+                                _number("noise_degrees", "Noise in degrees", 0, 45, 0.5),
+                            ],
+                        ),
+                        html.Div(id="stability-status", role="status"),
+                        html.Div(
+                            className="stability-actions",
+                            children=[
+                                dmc.Button("Show stability", id="stability-show", size="compact-sm"),
+                                dmc.Button("Hide", id="stability-hide", size="compact-sm", variant="default"),
+                            ],
+                        ),
+                    ],
+                )
+            ),
+        ],
+    )
+
+
+def _number(name: str, label: str, low: float, high: float, step: float) -> Component:
+    return dmc.NumberInput(
+        id=f"stability-{name}", label=label, value=DEFAULTS[name], min=low, max=high, step=step, size="xs", w=130
+    )
+
+
+def legend() -> Component:
+    """What the rings mean, and how the chosen motif fared; with the stores of this part."""
+    ends = [
+        html.Span("0 %"),
+        html.Span(className="stability-scale", style={"--low": LOW, "--high": HIGH}),
+        html.Span("100 %"),
+    ]
+    return html.Div(
+        id="stability-legend",
+        className="stability-legend hidden",
+        children=[
+            html.Span(["Rings: stability ", *ends], className="stability-key muted number"),
+            html.Span(id="stability-words", role="status"),
+            dcc.Store(id="stability-data"),
+            dcc.Store(id="stability-of"),
+            dcc.Store(id="stability-drawn"),
+        ],
+    )
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """Ask for it, follow it, show it."""
+
+    @app.callback(
+        Output("view-change", "data", allow_duplicate=True),
+        Input("stability-show", "n_clicks"),
+        Input("stability-hide", "n_clicks"),
+        State("stability-repetitions", "value"),
+        State("stability-noise_degrees", "value"),
+        State("dataset", "data"),
+        State("parameters", "data"),
+        prevent_initial_call=True,
+    )
+    def ask(shown, hidden, repetitions, degrees, name, parameters):
+        if not (shown or hidden) or not name:
+            return no_update  # the buttons came with a new graph
+        if ctx.triggered_id == "stability-hide":
+            return {"stability": ""}
+        text = f"{repetitions},{degrees}"
+        try:
+            wanted = results.stability_request(name, parameters, text)
+            if analyses.stored(workspace, wanted) is None:
+                set_props("job-started", {"data": jobs.start(workspace, wanted).id})
+        except (ParameterError, WorkspaceError) as error:
+            set_props("notices", {"sendNotifications": [notice("Cannot measure stability", str(error), "red")]})
+            return no_update
+        return {"stability": text}
+
+    @app.callback(
+        Output("stability-data", "data"),
+        Output("stability-status", "children"),
+        Output("stability-button", "children"),
+        Output("stability-of", "data"),
+        Input("view", "data"),
+        Input("jobs-seen", "data"),
+        Input("graph-key", "data"),
+        Input("stability-button", "id"),
+        State("dataset", "data"),
+        State("parameters", "data"),
+        State("stability-of", "data"),
+    )
+    def follow(view, _seen, key, _id, name, parameters, before):
+        text = (view or {}).get("stability")
+        found = results.stability(workspace, name, parameters, text) if text and key and name else None
+        job = results.stability_job(workspace, name, parameters, text) if text and key and name and not found else None
+        percent = round(100 * job.fraction) if job and job.alive else None
+        of = [key, text, found is not None, job and [job.id, job.state, job.cancelling, percent]]
+        if of == before:
+            return (no_update,) * 4
+        words = "Stability" if percent is None else f"Stability {percent} %"
+        query = urlencode({"dataset": name or "", **(parameters or {}), "stability": text or ""})
+        request = results.stability_request(name, parameters, text) if found else None
+        copied = recipes.both(workspace.path, request) if request else {}
+        return shown_values(found), status(text, found, job, query, copied), words, of
+
+    app.clientside_callback(
+        ClientsideFunction("stability", "draw"),
+        Output("stability-drawn", "data"),
+        Input("stability-data", "data"),
+        Input("motif-graph", "elements"),
+        Input("selection", "data"),
+    )
+    app.clientside_callback(
+        ClientsideFunction("stability", "list"),
+        Output("stability-listed", "data"),
+        Input("stability-data", "data"),
+        Input("motif-table", "rowData"),
+    )
+
+
+def shown_values(found: Stability | None) -> dict[str, Any] | None:
+    """Motif id -> its figures, for assets/stability.js; and how many repeats there were."""
+    if found is None:
+        return None
+    overall, kinds, kept = found.overall, found.by_kind(), found.times_kept
+    return {
+        "repeats": len(found.repeats),
+        "motifs": {
+            str(motif): {"overall": round(float(overall[i]), 3), "kept": int(kept[i])}
+            | {kind: round(float(values[i]), 3) for kind, values in kinds.items()}
+            for i, motif in enumerate(found.motifs)
+        },
+    }
+
+
+def status(
+    text: str | None,
+    found: Stability | None,
+    job: Job | None,
+    query: str,
+    copied: Mapping[str, str] = MappingProxyType({}),
+) -> Component | None:
+    """One line: how far it is, or what came of it; copied: what gives it again, to copy, by what the buttons say."""
+    if found is not None:
+        mean = f"{found.overall.mean():.0%}" if len(found.motifs) else "–"
+        said = f"Mean stability {mean}, over {len(found.repeats)} repeats. "
+        link = html.A(
+            "Save the figures (JSON)", href=f"/api/stability.json?{query}", download="", className="text-link"
+        )
+        again = [dmc.Button(label, size="compact-xs", variant="subtle", **copies(t)) for label, t in copied.items()]
+        return html.Div([said, link, html.Div(again, className="stability-again")])
+    if job is not None and job.alive:
+        cancel = dmc.Button(
+            "Cancel",
+            size="compact-xs",
+            variant="default",
+            disabled=job.cancelling,
+            **sends("job-action", {"action": "cancel", "job": job.id}, every_time=True),
+        )
+        return html.Div([f"{stage_words(job).capitalize()}, {round(100 * job.fraction)} % ", cancel])
+    if job is not None and job.state == "failed":
+        return html.Div(job.error, className="error-text")
+    return html.Div("Not measured yet for this result.") if text else None

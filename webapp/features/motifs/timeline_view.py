@@ -1,0 +1,91 @@
+"""The timeline: one row a clip, its labels and its motifs; a click on a block plays it."""
+
+from __future__ import annotations
+
+from urllib.parse import urlencode
+
+import dash_mantine_components as dmc
+from dash import Dash, Input, Output, State, dcc, html, no_update
+from dash.dependencies import ClientsideFunction
+from dash.development.base_component import Component
+
+from core.workspace import Workspace
+from webapp.shell import results
+from webapp.ui.downloads import drawing_menu
+from webapp.ui.timeline import timeline
+
+ORDERS = (("name", "By name"), ("share", "Least in motifs first"), ("chosen", "Chosen motif first"))
+
+
+def layout() -> Component:
+    """Controls, legend and the place where assets/timeline.js draws the rows."""
+    return html.Div(
+        className="timeline-view",
+        children=[
+            html.Div(
+                className="timeline-bar",
+                children=[
+                    dmc.Select(
+                        id="timeline-order",
+                        data=[{"value": value, "label": label} for value, label in ORDERS],
+                        value="name",
+                        size="xs",
+                        w=190,
+                        allowDeselect=False,
+                        **{"aria-label": "Order of the clips"},
+                    ),
+                    dmc.SegmentedControl(
+                        id="timeline-scale",
+                        data=[{"value": "same", "label": "Same scale"}, {"value": "fill", "label": "Fill the width"}],
+                        value="same",
+                        size="xs",
+                        **{"aria-label": "Scale of time"},
+                    ),
+                    drawing_menu("timeline", "timeline"),
+                    html.Div(id="timeline-legend", className="timeline-legend"),
+                ],
+            ),
+            html.Div(id="timeline-rows", className="card timeline-rows", role="list", **{"aria-label": "Clips"}),
+            dcc.Store(id="timeline-data"),
+            dcc.Store(id="timeline-drawn"),
+            dcc.Store(id="timeline-marked"),
+        ],
+    )
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """Data from the server once a result; the drawing is the browser's."""
+
+    @app.callback(
+        Output("timeline-data", "data"),
+        Input("view", "data"),
+        Input("timeline-rows", "id"),
+        Input("notes-names", "data"),
+        State("graph-key", "data"),
+        State("dataset", "data"),
+        State("parameters", "data"),
+    )
+    def gather(view, _rows, _names, key, name, parameters):
+        if not key or not name or (view or {}).get("view") != "timeline":
+            return no_update
+        graph = results.motif_graph(workspace, name, parameters)
+        if graph is None:
+            return no_update
+        made = timeline(workspace.open(name), graph, results.motif_notes(workspace, name, parameters))
+        address = f"/api/timeline.svg?{urlencode({'dataset': name, **(parameters or {})})}"
+        return made | {"drawing": address}
+
+    app.clientside_callback(
+        ClientsideFunction("timeline", "draw"),
+        Output("timeline-drawn", "data"),
+        Input("timeline-data", "data"),
+        Input("timeline-order", "value"),
+        Input("timeline-scale", "value"),
+        State("selection", "data"),
+    )
+    app.clientside_callback(
+        ClientsideFunction("timeline", "mark"),
+        Output("timeline-marked", "data"),
+        Input("selection", "data"),
+        State("timeline-order", "value"),
+    )

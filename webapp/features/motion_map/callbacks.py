@@ -1,0 +1,222 @@
+"""The Map page's callbacks: what only the server knows; keys, reach and hits are the browser's (assets/map.js)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from dash import Dash, Input, Output, State, no_update, set_props
+from dash.dependencies import ClientsideFunction
+
+from core.mocap.clip import Segment
+from core.mocap.dataset import Dataset
+from core.motifs.graph import MotifGraph
+from core.motion_map import layers
+from core.motion_map.motion_map import MotionMap
+from core.parameters import ParameterError
+from core.workspace import Workspace, WorkspaceError
+from webapp.features.motion_map import layout, panels
+from webapp.features.motion_map.figures import heatmap as figures
+from webapp.features.motion_map.maps import other_maps
+from webapp.shell import results, settings
+from webapp.shell.messages import notice
+from webapp.shell.results import find_motifs
+from webapp.ui import method_page, tables
+
+METHOD = layout.METHOD
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """All of the page's callbacks."""
+    method_page.register(app, workspace, METHOD)
+    _show(app, workspace)
+    _draw(app, workspace)
+    _below(app, workspace)
+    _browser(app)
+
+
+def opened(
+    workspace: Workspace, dataset: str | None, view: Mapping[str, Any] | None
+) -> tuple[MotionMap, Dataset] | None:
+    """The map that a view shows and its data set; None where there is none."""
+    found = settings.result_of(workspace, "map", dataset, view)
+    try:
+        return (found, workspace.open(dataset)) if found is not None else None
+    except WorkspaceError:
+        return None
+
+
+def lit_nodes(motion_map: MotionMap, graph: MotifGraph | None, selection: Mapping[str, Any]) -> list[int]:
+    """Nodes that the motions of the selected motifs pass, row by row in the grid; none where no motif is selected."""
+    motifs = find_motifs(graph, selection) if graph is not None else []
+    if not motifs:
+        return []
+    segments = [segment for motif in motifs for segment in motif.segments]
+    return np.flatnonzero(layers.seconds_on_nodes(motion_map, [segments])[0]).tolist()
+
+
+def facts_of(motion_map: MotionMap, dataset: Dataset) -> dict[str, Any]:
+    """What is said of a node beside its posture: names of labels, and per node [[label, seconds], ...], most first."""
+    groups: dict[str, list[Segment]] = figures.label_segments(dataset)
+    seconds = layers.seconds_on_nodes(motion_map, list(groups.values()))
+    seconds = seconds.reshape(len(groups), motion_map.grid[0] * motion_map.grid[1])
+    order = np.argsort(-seconds, axis=0, kind="stable")[:4]
+    labels = [
+        [[int(k), round(float(seconds[k, node]), 2)] for k in order[:, node] if seconds[k, node] > 0]
+        for node in range(seconds.shape[1])
+    ]
+    return {"names": list(groups), "labels": labels}
+
+
+def _show(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("map-known", "data"),
+        Output("map-result", "className"),
+        Output("map-menus", "children"),
+        Output("map-more", "children"),
+        Input("map-result-key", "data"),
+        Input("revision", "data"),
+        State("dataset", "data"),
+        State("view", "data"),
+    )
+    def show(key, _revision, name, view):
+        shown = opened(workspace, name, view) if key else None
+        others = other_maps(workspace, name)
+        earlier = [*layout.others_menu(others), *method_page.earlier_menu(workspace, METHOD, name, shown is not None)]
+        if shown is None:
+            return None, "hidden", layout.menus(None, earlier, []), layout.extend_note(others, name)
+        motion_map, dataset = shown
+        known = {"key": key, "dataset": dataset.name, "version": dataset.fingerprint}
+        known["facts"] = facts_of(motion_map, dataset)
+        copies = method_page.copy_items(workspace, METHOD, name, view)
+        note = layout.laid_note(float(motion_map.fits.max())) if motion_map.parameters.get("model") else []
+        return known, "", layout.menus(key, earlier, copies), note
+
+    @app.callback(Input("map-extend", "data"), State("dataset", "data"), prevent_initial_call=True)
+    def extend(asked, name):
+        try:
+            method_page.ask(workspace, "map", name, {"model": str((asked or {}).get("model", ""))})
+        except (ParameterError, WorkspaceError) as error:
+            set_props("notices", {"sendNotifications": [notice("Cannot lay the clips on that map", str(error), "red")]})
+
+
+def _draw(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("map-graph", "figure"),
+        Output("map-legend", "children"),
+        Output("map-said", "children"),
+        Input("map-known", "data"),
+        Input("map-look", "data"),
+        Input("theme", "data"),
+        Input("graph-key", "data"),
+        State("dataset", "data"),
+        State("view", "data"),
+        State("parameters", "data"),
+    )
+    def draw(known, look, scheme, _graph, name, view, parameters):
+        shown = opened(workspace, name, view) if known else None
+        if shown is None:
+            return no_update, [], ""
+        colouring = (look or {}).get("colour")
+        graph = results.motif_graph(workspace, name, parameters) if colouring == "motif" else None
+        layer = figures.layer_of(*shown, graph, colouring)
+        wanted = colouring in ("label", "motif") and not layer.names
+        missing = {"label": "These recordings have no labels.", "motif": "No motifs have been found yet (Motifs page)."}
+        said = missing[colouring] if wanted else figures.COLOURINGS.get(colouring, figures.COLOURINGS["height"])[1]
+        return (
+            figures.map_figure(shown[0], layer, scheme),
+            layout.legend(figures.legend(layer), figures.scale_of(layer, scheme)),
+            said,
+        )
+
+    @app.callback(
+        Output("map-lit", "data"),
+        Input("selection", "data"),
+        Input("map-known", "data"),
+        Input("graph-key", "data"),
+        State("dataset", "data"),
+        State("view", "data"),
+        State("parameters", "data"),
+    )
+    def light(selection, known, _graph, name, view, parameters):
+        shown = opened(workspace, name, view) if known else None
+        if shown is None or "motif" not in (selection or {}):
+            return {"nodes": []}
+        return {"nodes": lit_nodes(shown[0], results.motif_graph(workspace, name, parameters), selection)}
+
+
+def _below(app: Dash, workspace: Workspace) -> None:
+    where = (State("dataset", "data"), State("view", "data"), State("parameters", "data"))
+
+    def seen(known: Any, look: Any, panel: str, name: str, view: Any) -> tuple[MotionMap, Dataset] | None:
+        return opened(workspace, name, view) if known and (look or {}).get("below") == panel else None
+
+    @app.callback(
+        Output("map-multiples", "children"),
+        Input("map-known", "data"),
+        Input("map-look", "data"),
+        Input("theme", "data"),
+        *where,
+    )
+    def multiples(known, look, scheme, name, view, _parameters):
+        shown = seen(known, look, "labels", name, view)
+        return panels.multiples(*shown, scheme) if shown else []
+
+    @app.callback(Output("map-clips-place", "children"), Input("map-known", "data"), Input("map-look", "data"), *where)
+    def clips(known, look, name, view, _parameters):
+        shown = seen(known, look, "clips", name, view)
+        if not shown:
+            return []
+        return tables.grid("map-clips", panels.clip_columns(), panels.clip_rows(*shown), "Clips on the map")
+
+    @app.callback(
+        Output("map-region", "children"),
+        Input("map-known", "data"),
+        Input("map-look", "data"),
+        Input("graph-key", "data"),
+        *where,
+    )
+    def region(known, look, _graph, name, view, parameters):
+        shown = seen(known, look, "region", name, view)
+        if not shown:
+            return []
+        return panels.region(*shown, results.motif_graph(workspace, name, parameters), (look or {}).get("region"))
+
+
+def _browser(app: Dash) -> None:
+    """What the browser does alone."""
+    app.clientside_callback(
+        ClientsideFunction("map", "load"),
+        Output("map-loaded", "data"),
+        Input("map-known", "data"),
+        State("view", "data"),
+    )
+    app.clientside_callback(ClientsideFunction("map", "view"), Output("map-shown", "data"), Input("view", "data"))
+    app.clientside_callback(
+        ClientsideFunction("map", "drawn"), Output("map-drawn", "data"), Input("map-graph", "figure")
+    )
+    app.clientside_callback(ClientsideFunction("map", "lit"), Input("map-lit", "data"))
+    app.clientside_callback(
+        ClientsideFunction("map", "selection"), Output("map-marked", "data"), Input("selection", "data")
+    )
+    app.clientside_callback(
+        ClientsideFunction("map", "look"), Output("map-look", "data"), Input("view", "data"), State("map-look", "data")
+    )
+    app.clientside_callback(ClientsideFunction("views", "chosen"), Input("map-below", "value"), State("view", "data"))
+    app.clientside_callback(
+        ClientsideFunction("views", "show"),
+        Output("map-below", "value"),
+        Input("view", "data"),
+        Input("map-below", "id"),
+    )
+    for name in ("colour", "click", "pace", "way"):
+        app.clientside_callback(
+            ClientsideFunction("map", "chosen"), Input(f"map-{name}", "value"), State("view", "data")
+        )
+        app.clientside_callback(
+            ClientsideFunction("map", "choice"),
+            Output(f"map-{name}", "value"),
+            Input("view", "data"),
+            State(f"map-{name}", "id"),
+        )

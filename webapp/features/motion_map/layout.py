@@ -1,0 +1,294 @@
+"""What the Map page consists of; assets/map*.js fill the places whose content follows the pointer."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import dash_mantine_components as dmc
+from dash import dcc, html
+from dash.development.base_component import Component
+
+from webapp.features.motion_map.figures.heatmap import COLOURINGS
+from webapp.features.motion_map.maps import OtherMap
+from webapp.shell.buttons import sends
+from webapp.shell.icons import icon
+from webapp.ui import method_page
+from webapp.ui.charts import CONFIG, empty
+from webapp.ui.downloads import table_download
+
+METHOD = method_page.MethodPage(
+    page="map",
+    title="Motion map",
+    action="Build map",
+    doing="Building the map",
+    symbol="map",
+    hint="It lays all postures out on one plane: click postures to find the motions that pass through them.",
+    labels={
+        "grid": "Nodes across and down",
+        "analysis_fps": "Frames per second",
+        "samples": "Postures to learn from",
+        "sigma": "Smoothness (sigma)",
+        "epochs": "Rounds",
+        "training": "Training",
+        "passes": "Passes (online)",
+        "seed": "Random seed",
+        "model": "Earlier map",
+    },
+)
+BAD_FIT = 2.0  # times the usual distance: postures that the map does not know
+CLICKS = (("keys", "Keys"), ("regions", "Regions"), ("draw", "Draw"))
+PACES = (("", "Any speed"), ("0-0.25", "On the spot"), ("0.25-1.7", "Walking speed"), ("1.7-99", "Faster"))
+WAYS = (("any", "Any way"), ("forward", "Forward"), ("backward", "Backward"), ("left", "To the left"), ("right", "To the right"))  # fmt: skip  # noqa: E501
+BELOW = (("hits", "Hits"), ("labels", "Labels"), ("clips", "Clips"), ("region", "Region"))
+
+
+def page() -> Component:
+    """The page before it knows what there is to show."""
+    return html.Div(
+        className="map-page",
+        children=[
+            html.Div(
+                className="page-head",
+                children=[
+                    html.H1("Map"),
+                    html.Div(className="spacer"),
+                    html.Div(id="map-menus", className="head-menus"),
+                    method_page.run_button(METHOD),
+                ],
+            ),
+            method_page.settings_fold(METHOD),
+            method_page.status_place(METHOD),
+            html.Div(id="map-more"),
+            html.Div(
+                id="map-result",
+                className="hidden",
+                children=[
+                    html.Div([_map_card(), _side()], className="map-body section"),
+                    html.Div(_switch("below", "What to look at", BELOW), className="section-head section"),
+                    *_panels(),
+                ],
+            ),
+            *(
+                dcc.Store(id=f"map-{name}")
+                for name in ("known", "look", "lit", "extend", "loaded", "shown", "drawn", "marked")
+            ),
+        ],
+    )
+
+
+def _map_card() -> Component:
+    colours = [{"value": value, "label": name} for value, (name, _) in COLOURINGS.items()]
+    colour = dmc.Select(
+        id="map-colour", data=colours, value="height", size="xs", w=160, allowDeselect=False,
+        **{"aria-label": "Colour the map by"},
+    )  # fmt: skip
+    click = dmc.SegmentedControl(
+        id="map-click",
+        data=[{"value": value, "label": label} for value, label in CLICKS],
+        value="keys",
+        size="xs",
+        **{"aria-label": "What a click on the map does"},
+    )
+    bar = html.Div([colour, click, html.Div(className="spacer"), _save()], className="map-bar")
+    graph = dcc.Graph(id="map-graph", figure=empty(), config={**CONFIG, "staticPlot": True}, responsive=True)
+    plot = html.Div(graph, id="map-plot", className="map-plot")
+    return html.Div(
+        [
+            bar,
+            plot,
+            html.Div(id="map-legend", className="map-legend"),
+            html.Div(id="map-said", className="muted map-said"),
+        ],
+        className="card map-card",
+    )
+
+
+def _save() -> Component:
+    kinds = {"png": "Picture of the map (PNG)", "svg": "Drawing of the map (SVG)"}
+    items = [dmc.MenuItem(label, **{"data-map-save": kind}) for kind, label in kinds.items()]
+    target = dmc.ActionIcon(
+        icon("download", 16), variant="default", size=30, **{"aria-label": "Save the map as a picture"},
+        attributes={"root": {"title": "Save the map as a picture"}},
+    )  # fmt: skip
+    return dmc.Menu(shadow="md", position="bottom-end", children=[dmc.MenuTarget(target), dmc.MenuDropdown(items)])
+
+
+def _side() -> Component:
+    return html.Div(
+        className="card map-side",
+        children=[
+            html.Div(id="map-preview", className="map-preview", **{"aria-live": "polite"}),
+            html.Div(
+                className="map-block",
+                children=[
+                    html.Div(
+                        [
+                            html.H2("Keys"),
+                            html.Div(className="spacer"),
+                            _do("stage", "person", "Add the posture that the Stage shows now"),
+                            _do("edit", "edit", "Shape a posture by hand"),
+                            _do("clear", "trash", "Remove all keys"),
+                        ],
+                        className="map-line",
+                    ),
+                    html.Div(id="map-keys", className="map-keys", role="list", **{"aria-label": "Keys in order"}),
+                ],
+            ),
+            html.Div(
+                className="map-block",
+                children=[
+                    html.Div(
+                        [
+                            html.Span("Keys reach", id="map-reach-label"),
+                            html.Div(id="map-reach-box", className="map-slider-box"),
+                            html.Span(id="map-reach-value", className="number muted"),
+                        ],
+                        className="map-line",
+                    ),
+                    html.Div(
+                        [
+                            _pick("pace", PACES, "Speed of the body at the keys"),
+                            _pick("way", WAYS, "Direction of travel"),
+                        ],
+                        className="map-line map-paces",
+                    ),
+                    html.Div(
+                        [
+                            html.Span(id="map-count", className="map-count number", role="status"),
+                            html.Div(className="spacer"),
+                            html.Button(
+                                [icon("play", 14), "Play the best"],
+                                id="map-play-all",
+                                className="soft-button map-all",
+                                title="Play up to 12 hits together",
+                                disabled=True,
+                                **{"data-map-do": "all"},
+                            ),
+                        ],
+                        className="map-line",
+                    ),
+                ],
+            ),
+        ],
+    )
+
+
+def _do(action: str, symbol: str, label: str) -> Component:
+    return dmc.ActionIcon(
+        icon(symbol, 16), variant="default", size=28, **{"data-map-do": action, "aria-label": label},
+        attributes={"root": {"title": label}},
+    )  # fmt: skip
+
+
+def _pick(name: str, choices: Sequence[tuple[str, str]], label: str) -> Component:
+    data = [{"value": value or "any", "label": said} for value, said in choices]
+    return dmc.Select(
+        id=f"map-{name}", data=data, value="any", size="xs", allowDeselect=False, className="map-pick",
+        **{"aria-label": label},
+    )  # fmt: skip
+
+
+def _switch(key: str, label: str, choices: Sequence[tuple[str, str]]) -> Component:
+    return dmc.SegmentedControl(
+        id=f"map-{key}",
+        data=[{"value": value, "label": said} for value, said in choices],
+        value=choices[0][0],
+        size="xs",
+        className="view-switch",
+        attributes={"root": {"data-key": key}},
+        **{"aria-label": label},
+    )
+
+
+def _panels() -> list[Component]:
+    content: Mapping[str, Component] = {
+        "hits": html.Div(id="map-hits", className="card map-hits", role="list", **{"aria-label": "Hits"}),
+        "labels": html.Div(id="map-multiples", className="map-multiples"),
+        "clips": html.Div(
+            [
+                html.Div(
+                    [html.Div(className="spacer"), table_download("map-clips", "clips on the map")],
+                    className="table-bar",
+                ),
+                html.Div(id="map-clips-place"),
+            ]
+        ),
+        "region": html.Div(id="map-region", className="card map-region-panel"),
+    }
+    return [
+        html.Div(
+            content[value],
+            className="view-panel" + (" hidden" if number else ""),
+            **{"data-key": "below", "data-value": value},
+        )
+        for number, (value, _) in enumerate(BELOW)
+    ]
+
+
+def menus(key: str | None, earlier: list[Component], copies: list[Component]) -> list[Component]:
+    """Earlier maps; downloads of the one shown, and how to have it elsewhere."""
+    if not key:
+        return earlier
+    items = [
+        dmc.MenuItem("Map, regions and runs (JSON)", href=f"/api/map/{key}.json", refresh=True),
+        dmc.MenuItem("Node of every frame (CSV)", href=f"/api/map/{key}.csv", refresh=True),
+        dmc.MenuDivider(),
+        *copies,
+    ]
+    target = dmc.Button("Download", variant="default", leftSection=icon("download", 16))
+    return [*earlier, dmc.Menu([dmc.MenuTarget(target), dmc.MenuDropdown(items)], shadow="md", position="bottom-end")]
+
+
+def legend(entries: Sequence[Mapping[str, Any]], scale: Mapping[str, str] | None) -> list[Component]:
+    """Categories and their colours, or the scale of the numbers."""
+    if scale:
+        bar = html.Span(className="map-scale", style={"background": f"linear-gradient(to right, {scale['colours']})"})
+        return [html.Span(scale["least"], className="number"), bar, html.Span(scale["most"], className="number")]
+    return [
+        html.Span(entry["name"], className="map-legend-entry ellipsis", style={"--tone": entry["colour"]})
+        for entry in entries
+    ]
+
+
+def others_menu(others: Sequence[OtherMap]) -> list[Component]:
+    """A menu of maps of other clips, on whose postures these clips can be laid; empty where there is none."""
+    if not others:
+        return []
+    items = [
+        dmc.MenuItem(
+            [
+                html.Div(other.dataset, className="menu-title"),
+                html.Div(f"{other.said}, {other.when}", className="muted menu-note"),
+            ],
+            **sends("map-extend", {"model": other.key}, every_time=True),
+        )
+        for other in others
+    ]
+    target = dmc.Button("Lay on another map", variant="default", rightSection=icon("chevron", 14))
+    menu = dmc.Menu(
+        [dmc.MenuTarget(target), dmc.MenuDropdown(items, className="menu-long")], shadow="md", position="bottom-end"
+    )
+    return [menu]
+
+
+def extend_note(others: Sequence[OtherMap], dataset: str | None) -> list[Component]:
+    """Where the clips of a data set have changed since its map was built: a way to keep that map."""
+    mine = next((other for other in others if other.dataset == dataset), None)
+    if mine is None:
+        return []
+    words = f"The clips have changed since the map of {mine.when} was built. They can be laid on it as it is: that is quick, and shows how well the new ones fit."  # noqa: E501
+    return [_note(words, "Lay them on it", {"model": mine.key})]
+
+
+def laid_note(worst: float) -> list[Component]:
+    """Where a map shows clips that it has not learned."""
+    words = "These clips lie on the postures of an earlier map, which has not learned them."
+    if worst >= BAD_FIT:
+        words += f" Some fit badly (up to {worst:.1f} times the usual distance): see Clips below."
+    return [_note(words, "Learn a new map", {"model": ""})]
+
+
+def _note(words: str, label: str, value: Mapping[str, str]) -> Component:
+    button = dmc.Button(label, variant="light", size="xs", **sends("map-extend", value, every_time=True))
+    return html.Div([icon("info", 16), html.Span(words), button], className="card map-note section")

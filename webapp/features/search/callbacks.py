@@ -1,0 +1,225 @@
+"""The Search page's callbacks: what there is to choose from, the hits of what is asked for, uploaded queries."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+from urllib.parse import urlencode
+
+import dash_mantine_components as dmc
+from dash import Dash, Input, Output, State, no_update, set_props
+from dash.dependencies import ClientsideFunction
+from dash.development.base_component import Component
+
+from core.mocap.dataset import Dataset
+from core.parameters import ParameterError
+from core.workspace import Workspace, WorkspaceError
+from webapp.features.search import recipes, searching, uploaded
+from webapp.features.search.figures import hits as figures
+from webapp.features.search.layout import METHOD
+from webapp.features.search.queries import Piece, write_query
+from webapp.features.search.searching import PAGE
+from webapp.jobs.running import running
+from webapp.shell import results, settings
+from webapp.shell.buttons import copies
+from webapp.shell.icons import icon
+from webapp.shell.refusals import said
+from webapp.ui import method_page
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """All of the page's callbacks."""
+    method_page.register(app, workspace, METHOD)
+    _choices(app, workspace)
+    _search(app, workspace)
+    _menus(app, workspace)
+    _upload(app, workspace)
+    app.clientside_callback(ClientsideFunction("views", "chosen"), Input("search-look", "value"), State("view", "data"))
+    app.clientside_callback(
+        ClientsideFunction("views", "show"),
+        Output("search-look", "value"),
+        Input("view", "data"),
+        Input("search-look", "id"),
+    )
+
+
+def _choices(app: Dash, workspace: Workspace) -> None:
+    @app.callback(Output("search-clips", "data"), Input("dataset", "data"), Input("revision", "data"))
+    def list_clips(name, _revision):
+        try:
+            dataset = workspace.open(name) if name else None
+        except WorkspaceError:
+            dataset = None
+        if dataset is None:
+            return None
+        labels: dict[str, list] = {}
+        for label in dataset.labels:
+            labels.setdefault(label.clip, []).append([label.start, label.end, label.action])
+        return {
+            "dataset": dataset.name,
+            "version": dataset.fingerprint,
+            "clips": [[clip.name, clip.n_frames, clip.fps] for clip in dataset.clips],
+            "labels": labels,
+            "actions": sorted({label.action for label in dataset.labels}),
+        }
+
+    @app.callback(
+        Output("search-motifs", "data"),
+        Input("graph-key", "data"),
+        Input("search-motif", "id"),
+        State("dataset", "data"),
+        State("parameters", "data"),
+    )
+    def list_motifs(_key, _place, name, parameters):
+        try:
+            graph = results.motif_graph(workspace, name, parameters) if name else None
+            notes = results.motif_notes(workspace, name, parameters) if graph else {}
+        except WorkspaceError:
+            return []
+        return [
+            {
+                "name": (notes[m.id].name if m.id in notes else "") or f"Motif {m.id}",
+                "motions": len(m.segments),
+                "query": write_query([Piece(*m.segments[m.medoid])]),
+            }
+            for m in (graph.motifs if graph else ())
+        ]
+
+
+def _search(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("search-found", "data"),
+        Input("view", "data"),
+        Input("search-result-key", "data"),
+        Input("dataset", "data"),
+        Input("revision", "data"),
+        State("search-found", "data"),
+    )
+    def search(view, key, name, revision, before):
+        asked = searching.asked_of(view) | {"index": key, "dataset": name, "revision": revision}
+        if before and before["asked"] == asked:
+            return no_update
+        try:
+            return {"asked": asked, **found_data(workspace, workspace.open(name), view)} if name else {"asked": asked}
+        except ValueError as error:  # WorkspaceError and what the query is refused for
+            return {"asked": asked, "error": said(error)}
+
+    app.clientside_callback(
+        ClientsideFunction("search", "draw"),
+        Output("search-drawn", "data"),
+        Input("search-found", "data"),
+        Input("view", "data"),
+        Input("search-clips", "data"),
+        Input("search-motifs", "data"),
+        Input("theme", "data"),
+        State("search-presets", "data"),
+        State("search-parts", "data"),
+        State("search-engines", "data"),
+        State("search-result-key", "data"),
+        State("selection", "data"),
+    )
+
+
+def found_data(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None) -> dict[str, Any]:
+    """The query and its hits as assets/search.js draws them. Raises ValueError, in plain words, for a bad query."""
+    asked = searching.read(view)
+    if asked is None:
+        searching.warm(workspace, dataset, view)
+        return {}
+    query = searching.query_of(workspace, dataset, asked.pieces)
+    sources = [searching.source_of(workspace, dataset, piece) for piece in asked.pieces]
+    data: dict[str, Any] = {
+        "pieces": [
+            figures.piece_row(source, part, number, dataset)
+            for number, (source, part) in enumerate(zip(sources, query.parts, strict=True))
+        ],
+        "level": searching.level_of(asked, query),
+        "request": figures.query_request(dataset, sources, query),
+    }
+    try:
+        found = searching.find(workspace, dataset, view)
+        if found is None:
+            return data
+        labels = searching.labels_by_clip(dataset)
+        rows = [
+            figures.hit_row(dataset, hit, rank, searching.label_of(labels, hit.segment))
+            for rank, hit in enumerate(found.hits, 1)
+        ]
+        doubt = searching.doubt(workspace, dataset, view, query)
+    except ValueError as error:
+        return data | {"error": said(error)}
+    return data | {"hits": rows, "total": found.total, "milliseconds": round(found.milliseconds, 1), "doubt": doubt}
+
+
+def _menus(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("search-menus", "children"),
+        Input("search-found", "data"),
+        State("search-result-key", "data"),
+        State("dataset", "data"),
+        State("view", "data"),
+    )
+    def show_menus(found, key, name, view):
+        if not key or not name:
+            return []
+        found = found or {}
+        return [_download(workspace, name, view, found["level"])] if found.get("hits") else []
+
+
+def _download(workspace: Workspace, name: str, view: Mapping[str, str], level: str) -> Component:
+    settled = settings.view_of(PAGE, settings.request_of(PAGE, name, view).parameters)
+    query = urlencode({"dataset": name, **searching.asked_of(view), **{k: v for k, v in settled.items() if v}})
+    request = settings.request_of(PAGE, name, view)
+    again = recipes.both(workspace.path, request, searching.read(view), level)
+    items = [
+        dmc.MenuItem("Hits (CSV)", href=f"/api/search/hits.csv?{query}", refresh=True),
+        dmc.MenuItem("Hits (JSON)", href=f"/api/search/hits.json?{query}", refresh=True),
+        dmc.MenuDivider(),
+        *(dmc.MenuItem(label, **copies(text)) for label, text in again.items()),
+    ]
+    target = dmc.Button("Download", variant="default", leftSection=icon("download", 16))
+    return dmc.Menu([dmc.MenuTarget(target), dmc.MenuDropdown(items)], shadow="md", position="bottom-end")
+
+
+def _upload(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("search-upload-job", "data"),
+        Output("search-upload-status", "children"),
+        Input("search-upload", "data"),
+        prevent_initial_call=True,
+    )
+    def read(upload):
+        if not (upload or {}).get("token"):
+            return None, []
+        try:
+            job = uploaded.start(workspace, str(upload.get("name") or "recording"), str(upload["token"]))
+        except (WorkspaceError, ParameterError) as error:
+            return None, [_problem(said(error))]
+        set_props("job-started", {"data": job.id})
+        return {"job": job.id}, [running(job, f"Reading {upload.get('name')}", "upload")]
+
+    @app.callback(
+        Output("search-upload-job", "data", allow_duplicate=True),
+        Output("search-upload-status", "children", allow_duplicate=True),
+        Input("jobs-seen", "data"),
+        Input("search-upload-job", "data"),
+        prevent_initial_call=True,
+    )
+    def took(_seen, reading):
+        job = workspace.jobs.get(reading["job"]) if reading else None
+        if job is None or job.alive:
+            return no_update, no_update
+        if job.state != "done":
+            why = job.error if job.state == "failed" else "Reading the recording was cancelled."
+            return None, [_problem(why)]
+        try:
+            clip = uploaded.open_upload(workspace, job.key).clips[0]
+        except WorkspaceError as error:
+            return None, [_problem(said(error))]
+        piece = Piece(clip.name, 0, clip.n_frames, dataset=uploaded.name_of(job))
+        set_props("view-change", {"data": {"query": write_query([piece]), "hit": ""}})
+        return None, []
+
+
+def _problem(words: str) -> Component:
+    return dmc.Alert(words, color="red", title="This recording cannot be used", withCloseButton=True)

@@ -1,0 +1,173 @@
+"""``motionscape search``: motions like one of a clip, of a stretch, or of two stretches at once."""
+
+from __future__ import annotations
+
+import json
+import re
+import time
+from argparse import Namespace
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from core import analyses
+from core.mocap.dataset import Dataset, open_dataset
+from core.progress import Report
+from core.retrieval.queries import Query, hybrid_query, parse_stretch, whole_query
+from core.retrieval.search import SearchIndex
+from core.workspace import WorkspaceError
+from webapp.cli.progress_bar import progress_bar
+from webapp.cli.result_files import write_json
+from webapp.cli.sources import named_dataset, open_source, refuse_reading_options
+
+FORMAT = "motionscape/hits/1"
+_STRETCH = re.compile(r"(.+):(\d{1,9})-(\d{1,9})", re.DOTALL)
+_SHOWN = 5  # hits that are printed
+
+
+@dataclass(frozen=True)
+class _Asked:
+    """A query, whether it is of whole clips, and the clips of the data set that it is made of."""
+
+    query: Query
+    whole: bool
+    own: tuple[str, ...]
+
+
+def search(asked: Namespace) -> int:
+    """Searches and writes hits.json; prints the best hits of a single query, and how long the searches took.
+
+    Raises ParameterError, WorkspaceError, RecordingError, ValueError or OSError in plain words.
+    """
+    values = {p.name: getattr(asked, p.name) for p in analyses.parameters("search")}
+    analyses.normalise(analyses.Request("", "search", values))  # refuses before anything is read
+    texts = _texts(asked)
+    if asked.out.is_dir():
+        raise WorkspaceError(f"{asked.out} is a folder; --out names the file to write.")
+    with progress_bar(asked.quiet) as report:
+        dataset, index, reading = _open(asked, values, texts, report)
+        queries = {text: _query(text, lower, dataset, asked) for text, lower in texts}
+        answers, started = {}, time.perf_counter()
+        for k, (text, one) in enumerate(queries.items()):
+            answers[text] = _answer(index, one, asked)
+            report("searching", (k + 1) / len(queries))
+    seconds = {"reading": reading} | dict(index.seconds) | {"searching": time.perf_counter() - started}
+    write_json(asked.out, _document(index, answers, values, asked, seconds))
+    if not asked.quiet:
+        print("\n".join(_summary(answers, seconds, asked)))
+    return 0
+
+
+def _texts(asked: Namespace) -> list[tuple[str, str | None]]:
+    """The queries as they were given, each with what its lower body comes from."""
+    if (asked.query is None) == (asked.queries is None):
+        raise WorkspaceError("Say what to search for: --query CLIP[:START-END], or --queries FILE with many.")
+    if asked.query is not None:
+        return [(asked.query, asked.lower)]
+    if asked.lower is not None:
+        raise WorkspaceError("--lower goes with --query, not with --queries.")
+    try:
+        listed = json.loads(asked.queries.read_text(encoding="utf-8"))
+    except (UnicodeDecodeError, json.JSONDecodeError) as error:
+        raise WorkspaceError(f"{asked.queries} is no JSON: {error}") from None
+    if not isinstance(listed, list) or not listed or not all(isinstance(text, str) for text in listed):
+        raise WorkspaceError(f'{asked.queries}: expected a list of queries, such as ["walk_01", "walk_02:10-90"].')
+    return [(text, None) for text in dict.fromkeys(listed)]
+
+
+def _open(asked: Namespace, values: Mapping[str, Any], texts, report: Report) -> tuple[Dataset, SearchIndex, float]:
+    named, started = named_dataset(asked.source), time.perf_counter()
+    if named:
+        refuse_reading_options(asked)
+        workspace, name = named
+        dataset = workspace.open(name)
+        if asked.clips:
+            open_source(asked, report)  # refuses names that are not there
+        reading = time.perf_counter() - started
+        return dataset, analyses.run(workspace, analyses.Request(name, "search", values), report), reading
+    if asked.clips:  # what is searched, and the clips that are searched for
+        own = [_clip_of(text) for pair in texts for text in pair if text is not None and _file(text) is None]
+        asked = Namespace(**vars(asked) | {"clips": list(dict.fromkeys([*asked.clips, *own]))})
+    dataset = open_source(asked, report)
+    reading = time.perf_counter() - started
+    return dataset, analyses.compute(dataset, "search", values, report), reading
+
+
+def _clip_of(text: str) -> str:
+    match = _STRETCH.fullmatch(text)
+    return match[1] if match else text
+
+
+def _file(text: str) -> tuple[Path, str] | None:
+    """The recording that ``text`` names, and the stretch behind it (``:10-90`` or nothing), where it is a file."""
+    match = _STRETCH.fullmatch(text)
+    for path, rest in ((text, ""), (match[1], f":{match[2]}-{match[3]}") if match else (text, "")):
+        if Path(path).expanduser().is_file():
+            return Path(path).expanduser(), rest
+    return None
+
+
+def _query(text: str, lower: str | None, dataset: Dataset, asked: Namespace) -> _Asked:
+    stretches, own = [], []
+    for one in filter(None, (text, lower)):
+        file = None if _clip_of(one) in dataset.names or one in dataset.names else _file(one)
+        if file is None:
+            stretches.append(parse_stretch(one, dataset))
+            own.append(stretches[-1][0].name)
+        else:  # a recording that is not in the data set
+            path, rest = file
+            other = open_dataset(path, skeleton=asked.skeleton, fps=asked.fps)
+            stretches.append(parse_stretch(f"{other.names[0]}{rest}", other))
+    whole = all(start is None for _, start, _ in stretches)
+    if lower is None:
+        return _Asked(whole_query(*stretches[0], name=text), whole, tuple(own))
+    halves = {"upper_body": stretches[0], "lower_body": stretches[1]}
+    return _Asked(hybrid_query(halves, name=f"{text} + {lower}"), whole, tuple(own))
+
+
+def _answer(index: SearchIndex, one: _Asked, asked: Namespace) -> dict[str, Any]:
+    level = asked.level or ("clip" if one.whole else "interval")
+    started = time.perf_counter()
+    hits = index.search(
+        one.query,
+        weights=asked.weights,
+        level=level,
+        top=asked.top,
+        root_path=asked.root_path,
+        only=asked.clips,
+        exclude=one.own if level == "clip" else (),
+    )
+    taken = 1000 * (time.perf_counter() - started)
+    rows = [{"clip": h.segment.clip, "start": h.segment.start, "end": h.segment.end, "score": h.score} for h in hits]
+    for row, hit in zip(rows, hits, strict=True):
+        if hit.query_segment is not None:
+            row["query"] = {"start": hit.query_segment.start, "end": hit.query_segment.end}
+    return {"milliseconds": round(taken, 3), "hits": rows}
+
+
+def _document(index: SearchIndex, answers, values, asked: Namespace, seconds) -> dict[str, Any]:
+    searched = {"weights": asked.weights, "level": asked.level, "top": asked.top, "root_path": asked.root_path}
+    return {
+        "format": FORMAT,
+        "dataset": dict(index.dataset),
+        "clips": [{"name": c.name, "frames": c.frames, "fps": c.fps} for c in index.clips],
+        "parameters": dict(values) | searched,
+        "seconds": {stage: round(taken, 4) for stage, taken in seconds.items()},
+        "queries": answers,
+    }
+
+
+def _summary(answers: Mapping[str, Any], seconds: Mapping[str, float], asked: Namespace) -> Iterator[str]:
+    for stage, taken in seconds.items():
+        yield f"  {stage:<14}{taken:8.2f} s"
+    if len(answers) == 1:
+        hits = next(iter(answers.values()))["hits"]
+        for hit in hits[:_SHOWN]:
+            yield f"{hit['score']:8.3f}  {hit['clip']}:{hit['start']}-{hit['end']}"
+        if len(hits) > _SHOWN:
+            yield f"          and {len(hits) - _SHOWN} more"
+    else:
+        times = sorted(answer["milliseconds"] for answer in answers.values())
+        yield f"{len(times)} queries, {times[len(times) // 2]:.0f} ms each (median)"
+    yield f"written to {asked.out}"

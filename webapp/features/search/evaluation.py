@@ -1,0 +1,223 @@
+"""Evaluation: how well the engines' rankings of clips agree with the labels of a data set (PCR section 5.2)."""
+
+from __future__ import annotations
+
+import threading
+from collections import OrderedDict
+from collections.abc import Mapping
+from urllib.parse import urlencode
+
+import dash_mantine_components as dmc
+from dash import ClientsideFunction, Dash, Input, Output, State, dcc, html, no_update, set_props
+from dash.development.base_component import Component
+
+from core.mocap.dataset import Dataset
+from core.rankings import CHANCE, KNOWN, Evaluation, evaluate
+from core.workspace import Workspace, WorkspaceError
+from webapp.features.search.figures import ranking as figures
+from webapp.features.search.names import ENGINES
+from webapp.shell import settings
+from webapp.shell.icons import icon
+from webapp.shell.messages import empty_state
+from webapp.shell.refusals import said
+from webapp.ui import method_page
+from webapp.ui.charts import CONFIG, tall
+from webapp.ui.downloads import chart_menu
+from webapp.ui.method_page import MethodPage, run_button, settings_fold, status_place
+
+PAGE = "ranking"
+METHOD = MethodPage(
+    page=PAGE,
+    title="Evaluation",
+    action="Evaluate",
+    doing="Comparing the engines",
+    symbol="pulse",
+    hint="It tells how often each engine's hits have the query's own label.",
+    labels={"queries": "Clips searched for", "seed": "Random seed"},
+    without=("engines",),
+)
+_BASELINES = {
+    "weighted-pca": "Weighted PCA + DTW",
+    "pose-clusters": "Pose clusters",
+    "position-dtw": "Position DTW",
+    "match-webs": "Match webs",
+    CHANCE: "Chance",
+}
+NAMES = {name: ENGINES.get(name) or _BASELINES.get(name, name) for name in KNOWN}
+HINT = (
+    "Every clip is searched for with every engine; a hit counts where it has the query's label. The baselines compare "
+    "all pairs of clips, which takes long on large datasets."
+)
+_KEPT = 8
+
+
+def layout() -> Component:
+    """The panel."""
+    usual = next(p.default for p in settings.parameters(PAGE) if p.name == "engines")
+    chips = [dmc.Chip(NAMES[name], value=name, size="xs", variant="outline") for name in KNOWN]
+    return html.Div(
+        [
+            html.P(HINT, className="muted study-hint"),
+            html.Div(
+                [
+                    html.Div(
+                        [
+                            html.Span("Compare", className="search-label"),
+                            dmc.ChipGroup(chips, id="ranking-engines", multiple=True, value=[]),
+                        ],
+                        className="study-line ranking-engines",
+                        role="group",
+                        **{"aria-label": "What is compared"},
+                    ),
+                    run_button(METHOD),
+                ],
+                className="card study-setup ranking-setup",
+            ),
+            html.Div(settings_fold(METHOD), className="section"),
+            status_place(METHOD),
+            html.Div(id="ranking-result"),
+            dcc.Store(id="ranking-engines-of", data={"key": "ranking-engines", "names": list(KNOWN), "usual": usual}),
+        ],
+        className="study",
+    )
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """The panel's callbacks."""
+    method_page.register(app, workspace, METHOD)
+    _choose(app)
+    _show(app, workspace)
+
+
+def _choose(app: Dash) -> None:
+    app.clientside_callback(
+        ClientsideFunction("settings", "list"),
+        Output("ranking-engines", "value"),
+        Input("ranking-settings", "data"),
+        State("ranking-engines-of", "data"),
+    )
+    app.clientside_callback(
+        ClientsideFunction("settings", "listed"),
+        Input("ranking-engines", "value"),
+        State("view", "data"),
+        State("ranking-engines-of", "data"),
+        prevent_initial_call=True,
+    )
+
+    @app.callback(
+        Input("ranking-regime", "value"),
+        Input("ranking-confused", "value"),
+        State("view", "data"),
+        prevent_initial_call=True,
+    )
+    def choose_measure(regime, engine, view):
+        text = f"{regime}:{engine}"
+        if regime and engine and text != (view or {}).get("measure"):
+            set_props("view-change", {"data": {"measure": text}})
+
+
+def _show(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("ranking-result", "children"),
+        Input("ranking-result-key", "data"),
+        Input("view", "data"),
+        Input("theme", "data"),
+        Input("revision", "data"),
+        State("dataset", "data"),
+    )
+    def show(key, view, scheme, _revision, name):
+        if (view or {}).get("look") != "evaluate":
+            return no_update
+        if not key or not name:
+            return []
+        try:
+            dataset = workspace.open(name)
+            found = evaluation_of(workspace, dataset, key, view)
+        except WorkspaceError:
+            return []
+        except ValueError as error:
+            words = f"{said(error)} Add labels in the Library: a CSV file with clip, start_frame, end_frame and action."
+            return [html.Div(empty_state("warning", "No labels to compare with", words), className="card section")]
+        return result(dataset, found, view, scheme) if found else []
+
+
+def evaluation_of(
+    workspace: Workspace, dataset: Dataset, key: str, view: Mapping[str, str] | None
+) -> Evaluation | None:
+    """The scores of the rankings under this key, kept ready. Raises ValueError where there is no label."""
+    place = workspace.path, key, dataset.labels
+    with _lock:
+        if place in _evaluated:
+            return _evaluated[place]
+    rankings = settings.result_of(workspace, PAGE, dataset.name, view)
+    if rankings is None:
+        return None
+    found = evaluate(rankings, dataset)
+    with _lock:
+        _evaluated[place] = found
+        while len(_evaluated) > _KEPT:
+            _evaluated.popitem(last=False)
+    return found
+
+
+def result(dataset: Dataset, found: Evaluation, view: Mapping[str, str] | None, scheme: str | None) -> list[Component]:
+    """Table, curves and confusion of what a view shows."""
+    engines = list(found.engines)
+    regimes = [r for r in figures.REGIMES if any(r in by for by in found.engines.values())]
+    regime, _, engine = (view or {}).get("measure", "").partition(":")
+    regime = regime if regime in regimes else regimes[-1]
+    engine = engine if engine in engines else engines[0]
+    query = urlencode({"dataset": dataset.name, **{k: v for k, v in (view or {}).items() if k.startswith("ranking-")}})
+    scores = found.engines[engine][regime]
+    count = f"{found.queries:,} clips searched for, {scores.queries:,} of them with something to find"
+    head = html.Div(
+        [
+            dmc.SegmentedControl(
+                id="ranking-regime",
+                data=[{"value": value, "label": figures.REGIMES[value]} for value in regimes],
+                value=regime,
+                size="xs",
+                **{"aria-label": "What may be found"},
+            ),
+            html.Div(className="spacer"),
+            html.A(
+                [icon("download", 14), "All of it (JSON)"],
+                href=f"/api/search/ranking.json?{query}",
+                className="search-button",
+            ),
+        ],
+        className="section-head section",
+    )
+    confused = dmc.Select(
+        id="ranking-confused",
+        data=[{"value": name, "label": NAMES.get(name, name)} for name in engines],
+        value=engine,
+        size="xs",
+        w=190,
+        allowDeselect=False,
+        **{"aria-label": "Engine whose confusions are shown"},
+    )
+    return [
+        head,
+        html.Div(
+            [
+                figures.measures_table(found.engines, regime, NAMES),
+                html.P([count, ". ", figures.explained(found.engines, regime)], className="muted ranking-words"),
+            ],
+            className="card study-figures",
+        ),
+        _chart(
+            "ranking-curves", "Precision and recall", figures.curves_chart(found.engines, regime, NAMES, scheme), []
+        ),
+        _chart("ranking-confusion", "What is taken for what", figures.confusion_chart(scores, scheme), [confused]),
+    ]
+
+
+def _chart(name: str, title: str, figure, controls: list[Component]) -> Component:
+    bar = [html.H2(title), *controls, html.Div(className="spacer"), chart_menu(name, name.removeprefix("ranking-"))]
+    graph = dcc.Graph(id=name, figure=figure, config=CONFIG, style=tall(figure))
+    return html.Div([html.Div(bar, className="section-head"), graph], className="card study-figures section")
+
+
+_evaluated: OrderedDict[tuple, Evaluation] = OrderedDict()
+_lock = threading.Lock()

@@ -1,0 +1,159 @@
+"""What the Search page consists of: skeletons that assets/search_*.js fill, and the controls of the search."""
+
+from __future__ import annotations
+
+import dash_mantine_components as dmc
+from dash import dcc, html
+from dash.development.base_component import Component
+
+from core.poses.body_parts import PRESETS
+from webapp.features.search.figures.hits import body
+from webapp.features.search.names import ENGINES
+from webapp.features.search.searching import PAGE
+from webapp.shell.icons import icon
+from webapp.shell.uploads import SUFFIXES
+from webapp.ui.method_page import MethodPage, run_button, settings_fold, status_place
+
+VIEWS = {"search": "Search", "agree": "Do people agree?", "evaluate": "Evaluation"}
+
+METHOD = MethodPage(
+    page=PAGE,
+    title="Search index",
+    action="Build index",
+    doing="Building the search index",
+    symbol="search",
+    hint="Searches then answer at once, for any motion of these recordings or of your own.",
+    labels={"analysis_fps": "Frames per second", "seed": "Random seed"},
+    without=("method",),
+)
+
+
+def page(panels: dict[str, Component]) -> Component:
+    """The page before it knows what there is to show; ``panels``: of the views beside the search itself."""
+    return html.Div(
+        className="search-page",
+        children=[
+            html.Div(
+                className="page-head",
+                children=[
+                    html.H1("Search"),
+                    _views(panels),
+                    html.Div(className="spacer"),
+                    html.Div(id="search-menus", className="head-menus"),
+                    run_button(METHOD),
+                ],
+            ),
+            html.Div(
+                [settings_fold(METHOD), _search()],
+                className="view-panel",
+                **{"data-key": "look", "data-value": "search"},
+            ),
+            *(
+                html.Div(panel, className="view-panel hidden", **{"data-key": "look", "data-value": value})
+                for value, panel in panels.items()
+            ),
+        ],
+    )
+
+
+def _views(panels: dict[str, Component]) -> Component:
+    return dmc.SegmentedControl(
+        id="search-look",
+        data=[{"value": value, "label": label} for value, label in VIEWS.items() if value in ("search", *panels)],
+        value="search",
+        size="xs",
+        attributes={"root": {"data-key": "look"}},
+        **{"aria-label": "What to look at"},
+    )
+
+
+def _search() -> Component:
+    return html.Div(
+        [
+            html.Div(className="card search-query section", children=[_query(), _fold(), _wanted()]),
+            status_place(METHOD),
+            html.Div(id="search-error", className="search-error hidden", role="alert"),
+            html.Div(id="search-hits-head", className="section-head section hidden"),
+            html.Div(id="search-hits", className="card search-hits hidden", role="list", **{"aria-label": "Hits"}),
+            *_stores(),
+        ]
+    )
+
+
+def _query() -> Component:
+    """Where the motion that is looked for comes from; assets/search_query.js draws the sources."""
+    return html.Div(
+        className="search-from",
+        children=[
+            html.Div(id="search-sources", className="search-sources"),
+            html.Datalist(id="search-clip-names"),
+            html.Div(
+                className="search-choose",
+                role="group",
+                children=[
+                    _button("From the Stage", "stage", "Look for what the Stage shows, from its start to its end"),
+                    html.Select(
+                        id="search-motif", className="search-select hidden", **{"aria-label": "Look for a motif"}
+                    ),
+                    _button(
+                        [icon("upload", 14), "Upload a file"],
+                        "upload",
+                        "Look for a motion of your own: BVH, or AMC with its ASF",
+                    ),
+                    _button(
+                        [icon("plus", 14), "Combine"], "combine", "Take other parts of the body from another motion"
+                    ),
+                    _button([icon("back", 14), "Back"], "back", "Back to what was looked for before", "hidden"),
+                ],
+                **{"aria-label": "Where the query comes from", "data-suffixes": ",".join(SUFFIXES)},
+            ),
+            html.Div(id="search-upload-status", className="search-upload", role="status"),
+            html.Div(id="search-warning", className="search-warning hidden", role="status"),
+        ],
+    )
+
+
+def _fold() -> Component:
+    """Opens and closes what counts, and says in a line what is chosen there."""
+    return html.Button(
+        [icon("chevron", 14), html.B("What counts"), html.Span(id="search-counts-says", className="muted ellipsis")],
+        id="search-counts",
+        type="button",
+        className="search-fold",
+        **{"aria-expanded": "true", "aria-controls": "search-wanted"},
+    )
+
+
+def _wanted() -> Component:
+    """What counts: parts of the body (assets/search_body.js), kind of hits, path, filters (search_options.js)."""
+    engines = [{"value": value, "label": label} for value, label in ENGINES.items()]
+    return html.Div(
+        id="search-wanted",
+        className="search-wanted",
+        children=[
+            html.Div(id="search-body", className="search-body"),
+            html.Div(id="search-options", className="search-options"),
+            dcc.Store(id="search-engines", data=engines),
+        ],
+    )
+
+
+def _button(label, action: str, tip: str, more: str = "") -> Component:
+    return html.Button(
+        label, type="button", className=f"search-button {more}".strip(), title=tip, **{"data-search": action}
+    )
+
+
+def _stores() -> list[Component]:
+    return [
+        dcc.Store(id="search-presets", data={name: dict(weights) for name, weights in PRESETS.items()}),
+        dcc.Store(id="search-parts", data=body()),
+        dcc.Store(id="search-clips"),  # the clips and labels there are to choose from
+        dcc.Store(id="search-motifs"),  # the motifs there are
+        dcc.Store(id="search-found"),  # the query and its hits; drawn by assets/search.js
+        dcc.Store(id="search-drawn"),
+        dcc.Store(id="search-listed"),
+        dcc.Store(id="search-upload"),  # {"token", "name"}: a recording has arrived
+        dcc.Store(id="search-upload-job"),  # {"job"}: it is being read
+        dcc.Store(id="search-upload-done"),
+    ]

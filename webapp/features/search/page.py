@@ -1,0 +1,21 @@
+"""The Search page: the search itself, and what people and labels say of it."""
+
+from __future__ import annotations
+
+from dash import Dash
+from dash.development.base_component import Component
+
+from core.workspace import Workspace
+from webapp.features.search import callbacks, evaluation, layout, study
+
+
+def page() -> Component:
+    """The page before it knows what there is to show."""
+    return layout.page({"agree": study.layout(), "evaluate": evaluation.layout()})
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """All of the page's callbacks."""
+    callbacks.register(app, workspace)
+    study.register(app, workspace)
+    evaluation.register(app, workspace)

@@ -1,0 +1,270 @@
+"""Searches in the app: what a link asks for, its hits, and why a hit is one; for pages, routes and exports alike."""
+
+from __future__ import annotations
+
+import re
+import threading
+import time
+from collections import OrderedDict
+from collections.abc import Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+
+from core import analyses
+from core.mocap.clip import Label, Segment
+from core.mocap.dataset import Dataset
+from core.retrieval.hits import Explanation, Hit
+from core.retrieval.plausibility import plausibility
+from core.retrieval.queries import Query, QueryPart, whole_query
+from core.retrieval.search import SearchIndex
+from core.workspace import Workspace, WorkspaceError
+from webapp.features.search.queries import Piece, read_query, read_weights
+from webapp.shell import settings
+from webapp.shell.virtual import open_any
+
+PAGE = "search"
+KEYS = ("query", "parts", "level", "route", "label", "named", "lasting", "top")
+"""Keys of the store "view", and of links, that say what is searched for."""
+
+FIRST, MOST = 30, 300  # hits that are shown at first, and at most
+SAME = 0.5  # share of frames in common from which on a hit is the query itself
+_KEPT = 64
+
+
+@dataclass(frozen=True)
+class Asked:
+    """A search as a link asks for it.
+
+    weights: of nodes or leaves, None for all alike. level: "clip" or "interval". route: 0 to 1, how much the path over
+    the ground counts. label, named: the action and the text in the clip's name that hits must have, "" for any.
+    lasting: seconds a hit must last, from and to. top: how many hits are shown.
+    """
+
+    pieces: tuple[Piece, ...]
+    weights: Mapping[str, float] | None = None
+    level: str = ""
+    route: float = 0.0
+    label: str = ""
+    named: str = ""
+    lasting: tuple[float, float] = (0.0, float("inf"))
+    top: int = FIRST
+
+
+@dataclass(frozen=True)
+class Found:
+    """The hits of a search, best first; ``total``: how many there are without the limit of what is shown."""
+
+    asked: Asked
+    query: Query
+    level: str
+    hits: tuple[Hit, ...]
+    total: int
+    milliseconds: float
+
+
+def asked_of(view: Mapping[str, str] | None) -> dict[str, str]:
+    """What of a view says which search it is."""
+    return {key: view[key] for key in KEYS if (view or {}).get(key)}
+
+
+def read(view: Mapping[str, str] | None) -> Asked | None:
+    """The search a view asks for, None where it has no query. Raises ValueError in plain words."""
+    view = view or {}
+    if not view.get("query"):
+        return None
+    route = _number(view.get("route"), 0.0)
+    return Asked(
+        read_query(view["query"]),
+        read_weights(view.get("parts")),
+        view["level"] if view.get("level") in ("clip", "interval") else "",
+        min(max(route / 100, 0.0), 1.0),
+        view.get("label", ""),
+        view.get("named", ""),
+        _lasting(view.get("lasting")),
+        int(min(max(_number(view.get("top"), FIRST), 1), MOST)),
+    )
+
+
+def query_of(workspace: Workspace, dataset: Dataset, pieces: tuple[Piece, ...]) -> Query:
+    """The query that the pieces of a link name. Raises WorkspaceError or ValueError, in plain words."""
+    return Query(tuple(_part(workspace, dataset, piece) for piece in pieces), " + ".join(map(_piece_name, pieces)))
+
+
+def source_of(workspace: Workspace, dataset: Dataset, piece: Piece) -> Dataset:
+    """The data set that a piece is from. Raises WorkspaceError where there is none."""
+    return open_any(workspace, piece.dataset) if piece.dataset else dataset
+
+
+def level_of(asked: Asked, query: Query) -> str:
+    """What is looked for: whole clips where the query is a whole clip, else moments, unless the link says which."""
+    whole = all(part.start == 0 and part.end == part.clip.n_frames for part in query.parts)
+    return asked.level or ("clip" if whole else "interval")
+
+
+def index_of(workspace: Workspace, dataset: str | None, view: Mapping[str, str] | None) -> SearchIndex | None:
+    """The index that the settings of a view stand for, kept in memory; None where it has not been built."""
+    return settings.result_of(workspace, PAGE, dataset, view)
+
+
+def find(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None) -> Found | None:
+    """The hits of what a view asks for; None where it asks for nothing or the index has not been built.
+
+    Raises WorkspaceError or ValueError, in plain words, for a query that cannot be searched for.
+    """
+    asked = read(view)
+    request = settings.request_of(PAGE, dataset.name, view)
+    index = index_of(workspace, dataset.name, view) if asked else None
+    if asked is None or index is None:
+        return None
+    place = analyses.key(workspace, request), repr((asked, dataset.name, _marks(dataset, asked)))
+    with _lock:
+        if place in _found:
+            _found.move_to_end(place)
+            return _found[place]
+    found = _search(index, dataset, asked, query_of(workspace, dataset, asked.pieces))
+    with _lock:
+        _found[place] = found
+        while len(_found) > _KEPT:
+            _found.popitem(last=False)
+    return found
+
+
+def warm(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None) -> threading.Thread | None:
+    """Opens the index of a view, and searches it once, behind the scenes: the first search that a person waits for is
+
+    then as quick as any. None where there is none, or it is warm.
+    """
+    key = settings.key_of(workspace, PAGE, dataset.name, view)
+    with _lock:
+        if key is None or (workspace.path, key) in _warm or not dataset.clips:
+            return None
+        _warm.add((workspace.path, key))
+
+    def search() -> None:
+        clip = min(dataset.clips, key=lambda clip: clip.n_frames)
+        query = whole_query(clip, 0, min(clip.n_frames, round(2 * clip.fps)))
+        with suppress(ValueError):
+            index = index_of(workspace, dataset.name, view)
+            for level in ("clip", "interval"):
+                index.explain(query, index.search(query, level=level, top=1)[0])
+
+    thread = threading.Thread(target=search, daemon=True)
+    thread.start()
+    return thread
+
+
+def explain(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None, hit: Segment) -> Explanation:
+    """Why a stretch is like the query of a view. Raises ValueError, KeyError or WorkspaceError in plain words."""
+    asked, index = read(view), index_of(workspace, dataset.name, view)
+    if asked is None or index is None:
+        raise WorkspaceError("There is no query, or the index has not been built yet.")
+    return index.explain(query_of(workspace, dataset, asked.pieces), hit, weights=asked.weights)
+
+
+def doubt(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None, query: Query) -> str:
+    """Why a query in pieces looks like nobody's motion, in plain words; "" where it does not, or nobody can tell.
+
+    The default engine knows the postures; where only another's index is there, nothing is said.
+    """
+    index = index_of(workspace, dataset.name, dict(view or {}) | {f"{PAGE}-method": "bounded-edit"})
+    if index is None or not query.hybrid:
+        return ""
+    try:
+        return plausibility(index, query).message or ""
+    except ValueError:
+        return ""
+
+
+def labels_by_clip(dataset: Dataset) -> dict[str, list[Label]]:
+    """The labels of each clip that has any."""
+    found: dict[str, list[Label]] = {}
+    for label in dataset.labels:
+        found.setdefault(label.clip, []).append(label)
+    return found
+
+
+def label_of(labels: Mapping[str, Sequence[Label]], segment: Segment) -> str:
+    """The label that covers most of a stretch's frames, "" where none covers any; labels: :func:`labels_by_clip`."""
+    covered: dict[str, int] = {}
+    for label in labels.get(segment.clip, ()):
+        common = min(label.end, segment.end) - max(label.start, segment.start)
+        if common > 0:
+            covered[label.action] = covered.get(label.action, 0) + common
+    return max(covered, key=covered.__getitem__, default="")
+
+
+def _search(index: SearchIndex, dataset: Dataset, asked: Asked, query: Query) -> Found:
+    level = level_of(asked, query)
+    started = time.perf_counter()
+    only = _clips_that_may(dataset, asked, level)
+    if level == "clip":
+        own = {piece.clip for piece in asked.pieces if not piece.dataset}
+        options = {"only": [name for name in only if name not in own]}
+    else:
+        options = {"only": only, "top": MOST}
+    hits = index.search(query, weights=asked.weights, level=level, root_path=asked.route, **options)
+    labels = labels_by_clip(dataset) if asked.label else {}
+    hits = [hit for hit in hits if level == "clip" or _wanted(dataset, asked, labels, hit)]
+    milliseconds = 1000 * (time.perf_counter() - started)
+    return Found(asked, query, level, tuple(hits[: asked.top]), len(hits), milliseconds)
+
+
+def _clips_that_may(dataset: Dataset, asked: Asked, level: str) -> list[str]:
+    """Names of the clips in which hits may lie."""
+    labelled = {label.clip for label in dataset.labels if label.action == asked.label}
+    low, high = asked.lasting
+    return [
+        clip.name
+        for clip in dataset.clips
+        if asked.named.lower() in clip.name.lower()
+        and (not asked.label or clip.name in labelled)
+        and (level != "clip" or low <= clip.seconds <= high)
+    ]
+
+
+def _wanted(dataset: Dataset, asked: Asked, labels: Mapping[str, Sequence[Label]], hit: Hit) -> bool:
+    """Whether a moment passes the filters, and is not the query itself."""
+    segment = hit.segment
+    low, high = asked.lasting
+    if not low <= segment.n_frames / dataset.clip(segment.clip).fps <= high:
+        return False
+    if asked.label and label_of(labels, segment) != asked.label:
+        return False
+    return not any(_overlap(segment, piece) > SAME for piece in asked.pieces if not piece.dataset)
+
+
+def _overlap(segment: Segment, piece: Piece) -> float:
+    """Share of frames in common, of those in either."""
+    common = min(segment.end, piece.end) - max(segment.start, piece.start) if segment.clip == piece.clip else 0
+    return max(common, 0) / (segment.n_frames + piece.end - piece.start - max(common, 0))
+
+
+def _part(workspace: Workspace, dataset: Dataset, piece: Piece) -> QueryPart:
+    source = source_of(workspace, dataset, piece)
+    if piece.clip not in source.names:
+        raise WorkspaceError(f"“{source.name}” has no clip called “{piece.clip[:80]}”.")
+    return QueryPart(piece.leaves, source.clip(piece.clip), piece.start, piece.end)
+
+
+def _piece_name(piece: Piece) -> str:
+    return f"{piece.clip}:{piece.start}-{piece.end}"
+
+
+def _marks(dataset: Dataset, asked: Asked) -> int:
+    """Changes with the labels, where they matter: the index does not know of them."""
+    return hash(dataset.labels) if asked.label else 0
+
+
+def _number(text: str | None, default: float) -> float:
+    return float(text) if text and re.fullmatch(r"\d{1,6}(\.\d{1,4})?", text) else default
+
+
+def _lasting(text: str | None) -> tuple[float, float]:
+    """Seconds from and to, out of ``1.5-4``, ``-4`` or ``1.5-``."""
+    low, dash, high = (text or "").partition("-")
+    return (_number(low, 0.0), _number(high, float("inf"))) if dash else (0.0, float("inf"))
+
+
+_warm: set[tuple] = set()  # workspace and key of indexes that have been searched
+_found: OrderedDict[tuple[str, str], Found] = OrderedDict()
+_lock = threading.Lock()

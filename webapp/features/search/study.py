@@ -1,0 +1,256 @@
+"""Do people agree? Pairs to be rated, hits to be compared, and what the answers say (PCR section 5.3)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+from urllib.parse import urlencode
+
+import dash_mantine_components as dmc
+from dash import Dash, Input, Output, State, dcc, html, no_update, set_props
+from dash.dependencies import ClientsideFunction
+from dash.development.base_component import Component
+
+from core import analyses
+from core.evaluation.agreement import agreement, win_rates
+from core.mocap.dataset import Dataset
+from core.parameters import ParameterError
+from core.workspace import Workspace, WorkspaceError
+from webapp import jobs
+from webapp.features.search import searching, study_rounds
+from webapp.features.search.figures import agreement as figures
+from webapp.features.search.names import ENGINES
+from webapp.features.search.queries import write_hit
+from webapp.shell import settings
+from webapp.shell.icons import icon
+from webapp.shell.messages import empty_state, notice
+from webapp.shell.refusals import said
+from webapp.ui.charts import CONFIG, tall
+from webapp.ui.downloads import chart_menu
+from webapp.ui.tables import clock, strip_address
+
+MODES = {"rate": "Rate pairs", "vote": "Which is more alike?", "results": "Results"}
+HINT = (
+    "People rate how alike a query and a result are, without knowing which engine found it. "
+    "The results tell how well each engine's order agrees with theirs."
+)
+
+
+def layout() -> Component:
+    """The panel; assets/search_study.js draws its setup, pairs and duels."""
+    modes = dmc.SegmentedControl(
+        id="search-study",
+        data=[{"value": value, "label": label} for value, label in MODES.items()],
+        value="rate",
+        size="xs",
+        attributes={"root": {"data-key": "study"}},
+        **{"aria-label": "What to do"},
+    )
+    panels = [
+        _panel("rate", html.Div(id="study-rate", className="card study-card")),
+        _panel("vote", html.Div(id="study-vote", className="card study-card")),
+        _panel("results", html.Div(id="study-results")),
+    ]
+    stores = ("data", "drawn", "answer", "kept", "wish")
+    return html.Div(
+        [
+            html.P(HINT, className="muted study-hint"),
+            html.Div(id="study-setup", className="card study-setup"),
+            html.Div([modes], className="section-head section"),
+            *panels,
+            *(dcc.Store(id=f"study-{name}") for name in stores),
+            dcc.Store(id="study-person", storage_type="local"),  # {"id", "name"} of who answers in this browser
+        ],
+        className="study",
+    )
+
+
+def _panel(value: str, child: Component) -> Component:
+    hidden = "" if value == "rate" else " hidden"
+    return html.Div(child, className=f"view-panel{hidden}", **{"data-key": "study", "data-value": value})
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """The study's callbacks."""
+    _show(app, workspace)
+    _take(app, workspace)
+    app.clientside_callback(
+        ClientsideFunction("views", "chosen"), Input("search-study", "value"), State("view", "data")
+    )
+    app.clientside_callback(
+        ClientsideFunction("views", "show"),
+        Output("search-study", "value"),
+        Input("view", "data"),
+        Input("search-study", "id"),
+    )
+    app.clientside_callback(
+        ClientsideFunction("study", "draw"),
+        Output("study-drawn", "data"),
+        Input("study-data", "data"),
+        Input("view", "data"),
+        State("study-person", "data"),
+    )
+
+
+def _show(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("study-data", "data"),
+        Input("view", "data"),
+        Input("dataset", "data"),
+        Input("study-person", "data"),
+        Input("jobs-finished", "data"),
+        State("study-data", "data"),
+    )
+    def gather(view, name, person, finished, before):
+        view = view or {}
+        if view.get("look") != "agree":
+            return no_update
+        if not name:
+            return {"asked": [None], "error": "Add recordings, or make the demo, in the Library first."}
+        who = person_of(person)
+        kept = {key: text for key, text in view.items() if key == "asks" or key.startswith("search-")}
+        asked = [name, kept, who, finished]
+        if before and before["asked"] == asked:
+            return no_update
+        try:
+            return {"asked": asked, **study_data(workspace, workspace.open(name), view, who)}
+        except ValueError as error:
+            return {"asked": asked, "error": said(error)}
+
+    @app.callback(
+        Output("study-results", "children"),
+        Input("view", "data"),
+        Input("dataset", "data"),
+        Input("study-kept", "data"),
+        Input("theme", "data"),
+    )
+    def show_results(view, name, _kept, scheme):
+        if (view or {}).get("look") != "agree" or (view or {}).get("study") != "results" or not name:
+            return no_update
+        try:
+            return results(workspace, name, scheme)
+        except WorkspaceError as error:
+            return [empty_state("warning", "The results cannot be shown", str(error))]
+
+
+def study_data(workspace: Workspace, dataset: Dataset, view: Mapping[str, str], person: str) -> dict[str, Any]:
+    """What the browser shows of the study. Raises WorkspaceError or ValueError in plain words."""
+    ready = study_rounds.ready_engines(workspace, dataset.name, view)
+    queries = [query for query in study_rounds.queries_of(view) if query.clip in dataset.names]
+    store = workspace.info(dataset.name).id
+    rated = {(r.query, r.hit): r.value for r in workspace.ratings.list_ratings(store, person=person)}
+    voted = {(v.query, v.left, v.right): v.choice for v in workspace.ratings.list_votes(store, person=person)}
+    return {
+        "engines": [{"method": m, "label": ENGINES.get(m, m), "ready": ready[m]} for m in ready],
+        "queries": [
+            {
+                "name": write_hit(query),
+                "clip": query.clip,
+                "when": f"{clock(query.start / dataset.clip(query.clip).fps)}, "
+                f"{(query.end - query.start) / dataset.clip(query.clip).fps:.1f} s",
+                "strip": strip_address(dataset.name, query, 4, dataset.fingerprint),
+            }
+            for query in queries
+        ],
+        "pairs": study_rounds.shown_pairs(dataset, study_rounds.pairs(workspace, dataset, view), person, rated),
+        "duels": study_rounds.shown_duels(dataset, study_rounds.duels(workspace, dataset, view, person), person, voted),
+    }
+
+
+def _take(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("study-kept", "data"),
+        Input("study-answer", "data"),
+        State("dataset", "data"),
+        State("view", "data"),
+        State("study-person", "data"),
+        prevent_initial_call=True,
+    )
+    def keep(given, name, view, person):
+        answers = (given or {}).get("answers") or []
+        if not answers or not name:
+            return no_update
+        dataset, who = workspace.open(name), person_of(person)
+        for answer in answers:
+            try:
+                take = study_rounds.keep_vote if answer.get("kind") == "vote" else study_rounds.keep_rating
+                take(workspace, dataset, view, answer | {"person": str(answer.get("person") or who)[:80]})
+            except ValueError as error:
+                set_props("notices", {"sendNotifications": [notice("An answer was not kept", said(error), "red")]})
+        return {"kept": [answer.get("id") for answer in answers]}
+
+    app.clientside_callback(ClientsideFunction("study", "kept"), Input("study-kept", "data"))
+
+    @app.callback(
+        Output("study-kept", "data", allow_duplicate=True),
+        Input("study-wish", "data"),
+        State("dataset", "data"),
+        State("view", "data"),
+        prevent_initial_call=True,
+    )
+    def grant(wish, name, view):
+        """Builds an engine's index, draws queries, or forgets all answers."""
+        if not wish or not name:
+            return no_update
+        try:
+            if wish.get("build") in ENGINES:
+                asked = settings.request_of(searching.PAGE, name, study_rounds.with_engine(view, wish["build"]))
+                set_props("job-started", {"data": jobs.start(workspace, analyses.normalise(asked)).id})
+            elif wish.get("draw"):
+                drawn = study_rounds.draw_queries(workspace.open(name), int(wish["draw"]))
+                both = dict.fromkeys([*study_rounds.queries_of(view), *drawn])
+                set_props("view-change", {"data": {"asks": ",".join(map(write_hit, both))}})
+            elif wish.get("clear"):
+                gone = workspace.ratings.clear(workspace.info(name).id)
+                set_props("notices", {"sendNotifications": [notice("Forgotten", f"{gone} answers were removed.")]})
+                return {"at": wish.get("at")}
+        except (WorkspaceError, ParameterError) as error:
+            set_props("notices", {"sendNotifications": [notice("That did not work", str(error), "red")]})
+        return no_update
+
+
+def person_of(stored: Mapping[str, str] | None) -> str:
+    """Who answers: the name one gave, else the browser's own mark."""
+    stored = stored or {}
+    return str(stored.get("name") or stored.get("id") or "")[:80]
+
+
+def results(workspace: Workspace, name: str, scheme: str | None) -> list[Component]:
+    """Tables and charts of all answers about a data set. Raises WorkspaceError."""
+    store = workspace.info(name).id
+    ratings, votes = workspace.ratings.list_ratings(store), workspace.ratings.list_votes(store)
+    if not ratings and not votes:
+        return [html.Div(empty_state("person", "No answers yet", "Rate some pairs first."), className="card")]
+    people = len({answer.person for answer in (*ratings, *votes)})
+    count = f"{len(ratings):,} ratings and {len(votes):,} votes of {people} {'person' if people == 1 else 'people'}"
+    query = urlencode({"dataset": name})
+    head = html.Div(
+        [
+            html.Span(count, className="muted"),
+            html.Div(className="spacer"),
+            html.A(
+                [icon("download", 14), "Ratings (CSV)"],
+                href=f"/api/search/ratings.csv?{query}",
+                className="search-button",
+            ),
+            html.A(
+                [icon("download", 14), "Votes (CSV)"], href=f"/api/search/votes.csv?{query}", className="search-button"
+            ),
+            html.Button("Forget all answers", type="button", className="search-button", **{"data-study": "clear"}),
+        ],
+        className="section-head",
+    )
+    shown: list[Component] = [head]
+    if ratings:
+        found = agreement(ratings)
+        ranks = figures.rank_chart(found, ENGINES, scheme)
+        chart = dcc.Graph(id="study-chart", figure=ranks, config=CONFIG, style=tall(ranks))
+        bar = [html.H2("Rank against rank"), html.Div(className="spacer"), chart_menu("study-chart", "ranks")]
+        shown += [
+            html.Div(figures.means_table(found, ENGINES), className="card study-figures"),
+            html.Div(figures.correlations_table(found, ENGINES), className="card study-figures section"),
+            html.Div([html.Div(bar, className="section-head"), chart], className="card study-figures section"),
+        ]
+    if votes:
+        shown.append(html.Div(figures.votes_table(win_rates(votes), ENGINES), className="card study-figures section"))
+    return shown

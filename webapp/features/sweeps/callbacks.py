@@ -1,0 +1,334 @@
+"""The Sweeps page's callbacks: read the form, ask for the work, show what is there."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from dash import ALL, Dash, Input, Output, State, ctx, no_update, set_props
+from dash.dependencies import ClientsideFunction
+
+from core import analyses
+from core.mocap.dataset import Dataset
+from core.motifs.axes import SweepParameters, write_value
+from core.motifs.suggestion import suggest
+from core.motifs.sweep_table import SweepTable
+from core.parameters import ParameterError
+from core.workspace import Workspace, WorkspaceError
+from webapp import jobs
+from webapp.features.sweeps import layout, reading
+from webapp.features.sweeps.figures import charts
+from webapp.features.sweeps.figures import rows as sweep_rows
+from webapp.features.sweeps.figures.drawing import fixed
+from webapp.features.sweeps.figures.measures import MEASURES, PAIRS, pairs_of
+from webapp.features.sweeps.reading import Form
+from webapp.shell import links, results
+from webapp.shell.messages import notice
+from webapp.ui import tables
+from webapp.ui.parameter_form import parameter_form, read_form, summary
+
+_BASE = {"type": "sweep-base", "name": ALL}
+_CONTROLS = ("x-name", "x-values", "y-name", "y-values", "seeds")
+
+
+class Shown(NamedTuple):
+    """The sweep of a view and what is there of it."""
+
+    dataset: Dataset
+    sweep: SweepParameters
+    table: SweepTable
+
+    @property
+    def key(self) -> str:
+        """Changes with the sweep and with every point that gets ready."""
+        return f"{self.dataset.fingerprint} {self.sweep} {self.table.n_ready}"
+
+    def link(self, point: Any) -> str:
+        """Address of the result of a point, on the Motifs page."""
+        exact = {name: write_value(getattr(point, name)) for name in results.not_default(vars(point))}
+        return links.format_link(links.View("motifs", self.dataset.name, exact))
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """All of the page's callbacks."""
+    _fill(app, workspace)
+    _ask(app, workspace)
+    _look(app, workspace)
+    _draw(app, workspace)
+    for graph in ("sweep-lines-x", "sweep-lines-y", "sweep-heat"):
+        app.clientside_callback(ClientsideFunction("sweeps", "open"), Input(graph, "clickData"))
+
+
+def shown_sweep(workspace: Workspace, name: str | None, parameters: Any, view: Any) -> Shown | None:
+    """What the view shows; None without a dataset. Raises ParameterError, WorkspaceError."""
+    if not name:
+        return None
+    dataset = workspace.open(name)
+    sweep = reading.sweep_of(reading.form_of(dataset, view), parameters)
+    return Shown(dataset, sweep, reading.table_of(workspace, dataset, sweep))
+
+
+def _fill(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        *(Output(f"sweep-{control}", "value") for control in _CONTROLS),
+        Output("sweep-y-box", "className"),
+        Input("view", "data"),
+        Input("dataset", "data"),
+        Input("sweep-x-name", "value"),
+        Input("sweep-y-name", "value"),
+    )
+    def fill(view, name, x_name, y_name):
+        dataset = _dataset(workspace, name)
+        form = reading.form_of(dataset, view)
+        if ctx.triggered_id == "sweep-x-name" and x_name and x_name != form.x_name:
+            form = form._replace(x_name=x_name, x_values=reading.usual_values(dataset, x_name))
+            form = form._replace(y_name=y_name, y_values=no_update, seeds=no_update)
+        elif ctx.triggered_id == "sweep-y-name" and y_name and y_name != form.y_name:
+            form = form._replace(y_name=y_name, y_values=reading.usual_values(dataset, y_name))
+            form = form._replace(x_name=x_name, x_values=no_update, seeds=no_update)
+        return (*form, "hidden" if form.y_name == reading.NO_AXIS else "")
+
+    @app.callback(
+        Output("sweep-base", "children"),
+        Output("sweep-base-summary", "children"),
+        Input("parameters", "data"),
+        Input("sweep-x-name", "value"),
+        Input("sweep-y-name", "value"),
+    )
+    def show_base(parameters, x_name, y_name):
+        values = dict(results.motif_request("", parameters).parameters)
+        without = {x_name, y_name, "seed"}
+        said = results.not_default({name: value for name, value in values.items() if name not in without})
+        shown = [parameter for parameter in analyses.parameters(results.MOTIFS) if parameter.name not in without]
+        return parameter_form(shown, values, "sweep-base"), summary(said)
+
+    @app.callback(
+        Output("sweep-plan", "children"),
+        Output("sweep-x-values", "error"),
+        Output("sweep-y-values", "error"),
+        Output("sweep-y-name", "error"),
+        Output("sweep-seeds", "error"),
+        *(Input(f"sweep-{control}", "value") for control in _CONTROLS),
+        Input("sweep-seen", "data"),
+        State("dataset", "data"),
+        State("parameters", "data"),
+    )
+    def plan(x_name, x_values, y_name, y_values, seeds, _seen, name, parameters):
+        form = _form(x_name, x_values, y_name, y_values, seeds)
+        if form is None:
+            return (no_update,) * 5
+        problems = reading.problems_of(form)
+        same = form.x_name == form.y_name
+        y = problems.get("y")
+        errors = problems.get("x"), None if same else y, y if same else None, problems.get("seeds")
+        try:
+            sweep = reading.sweep_of(form, parameters)
+        except ParameterError as error:
+            return "" if problems else str(error), *errors
+        dataset = _dataset(workspace, name)
+        there = reading.table_of(workspace, dataset, sweep).n_ready if dataset else 0
+        return _plan(sweep, there), *errors
+
+
+def _plan(sweep: SweepParameters, there: int) -> str:
+    counts = [len(values) for values in sweep.values_of_axes().values()]
+    total = sweep.seeds
+    for n in counts:
+        total *= n
+    factors = " × ".join([*map(str, counts), f"{sweep.seeds} seed{'s' if sweep.seeds > 1 else ''}"])
+    done = "" if not there else ", all of them there already" if there == total else f", {there} of them there already"
+    return f"{factors} = {total} points{done}."
+
+
+def _ask(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output(_BASE, "error"),
+        Input("sweep-run", "n_clicks"),
+        *(State(f"sweep-{control}", "value") for control in _CONTROLS),
+        State(_BASE, "value"),
+        State(_BASE, "id"),
+        State("dataset", "data"),
+        prevent_initial_call=True,
+    )
+    def run(_clicks, x_name, x_values, y_name, y_values, seeds, base, ids, name):
+        taken, problems = read_form(analyses.parameters(results.MOTIFS), ids, base)
+        form = _form(x_name, x_values, y_name, y_values, seeds)
+        if problems:
+            set_props("sweep-base-fold", {"value": "base"})
+            return [problems.get(component["name"]) for component in ids]
+        try:
+            if not name or form is None:
+                raise WorkspaceError("Choose a dataset first; the library has none yet.")
+            parameters = results.not_default(taken)
+            request = reading.request_of(name, sweep := reading.sweep_of(form, parameters))
+            dataset = workspace.open(name)
+            if reading.table_of(workspace, dataset, sweep).n_ready < len(sweep.points()):
+                set_props("job-started", {"data": jobs.start(workspace, request).id})
+            set_props("parameters", {"data": parameters})
+            set_props("view-change", {"data": reading.view_of(form)})
+        except (ParameterError, WorkspaceError) as error:
+            set_props("notices", {"sendNotifications": [notice("Cannot run the sweep", str(error), "red")]})
+        return [None] * len(ids)
+
+
+def _look(app: Dash, workspace: Workspace) -> None:
+    @app.callback(
+        Output("sweep-status", "children"),
+        Output("sweep-status-of", "data"),
+        Output("sweep-seen", "data"),
+        Output("sweep-result", "className"),
+        Input("dataset", "data"),
+        Input("parameters", "data"),
+        Input("view", "data"),
+        Input("jobs-seen", "data"),
+        Input("jobs-finished", "data"),
+        Input("sweep-result", "id"),
+        State("sweep-status-of", "data"),
+        State("sweep-seen", "data"),
+    )
+    def look(name, parameters, view, _seen, _finished, _page, spoken, seen):
+        problem, shown, job = "", None, None
+        try:
+            shown = shown_sweep(workspace, name, parameters, view)
+            if shown is not None:
+                job = workspace.jobs.latest(analyses.key(workspace, reading.request_of(name, shown.sweep)))
+        except (ParameterError, WorkspaceError) as error:
+            problem = str(error)
+        ready, total = (shown.table.n_ready, len(shown.table.figures)) if shown else (0, 0)
+        alive = job is not None and job.alive
+        now = [name, problem, job.id if job else 0, job.state if job else "", ready > 0, alive or ready]
+        key = shown.key if shown else ""
+        return (
+            no_update if now == spoken else layout.status(name, job, ready, total, problem) or [],
+            no_update if now == spoken else now,
+            no_update if key == seen else key,
+            "" if ready else "hidden",
+        )
+
+
+def _draw(app: Dash, workspace: Workspace) -> None:
+    where = (State("dataset", "data"), State("parameters", "data"), State("view", "data"))
+
+    @app.callback(
+        *(Output(f"sweep-at-{side}", prop) for side in "xy" for prop in ("data", "value")),
+        *(Output(f"sweep-at-name-{side}", "children") for side in "xy"),
+        *(Output(f"sweep-at-box-{side}", "className") for side in "xy"),
+        *(Output(f"sweep-pair-{side}", prop) for side in "xy" for prop in ("data", "value")),
+        Output("sweep-card-heat", "className"),
+        Output("sweep-menu", "children"),
+        Input("sweep-seen", "data"),
+        *(State(f"sweep-at-{side}", "value") for side in "xy"),
+        *(State(f"sweep-pair-{side}", "value") for side in "xy"),
+        *where,
+    )
+    def choices(_seen, at_x, at_y, pair_x, pair_y, *view):
+        shown = _shown(workspace, *view)
+        if shown is None:
+            return (no_update,) * 13 + ([],)
+        names = list(shown.table.axes)
+        others = {"x": names[1:2], "y": names[:1] if len(names) > 1 else []}
+        data, values = {}, {}
+        for side, wanted in (("x", at_x), ("y", at_y)):
+            words = [write_value(v) for name in others[side] for v in shown.table.axes[name]]
+            usual = _usual(shown.table, names[0] if side == "x" else names[-1])
+            data[side] = words
+            values[side] = wanted if wanted in words else usual
+        said = {side: f"at {others[side][0].replace('_', ' ')}" if others[side] else "" for side in "xy"}
+        pairs = [{"value": pair, "label": layout.PAIR_NAMES[pair]} for pair in pairs_of(shown.table)]
+        known = {pair["value"] for pair in pairs}
+        return (
+            data["x"], values["x"], data["y"], values["y"], said["x"], said["y"],
+            *("sweep-at" if others[side] else "hidden" for side in "xy"),
+            pairs, pair_x if pair_x in known else "error-coverage", pairs, pair_y if pair_y in known else "motifs",
+            "card chart-card sweep-heat-card" if len(names) > 1 else "hidden",
+            layout.menu(reading.recipes_of(workspace.path, shown.dataset.name, shown.sweep)),
+        )  # fmt: skip
+
+    for side in "xy":
+        _draw_lines(app, workspace, side, where)
+
+    @app.callback(
+        Output("sweep-heat", "figure"),
+        Output("sweep-measure", "data"),
+        Output("sweep-measure-help", "children"),
+        Input("sweep-seen", "data"),
+        Input("sweep-measure", "value"),
+        Input("theme", "data"),
+        *where,
+    )
+    def draw_heat(_seen, measure, scheme, *view):
+        shown = _shown(workspace, *view)
+        if shown is None or len(shown.table.axes) < 2:
+            return (no_update,) * 3
+        offered = [{"value": m, "label": words.name} for m, words in MEASURES.items() if shown.table.has(m)]
+        measure = measure if any(entry["value"] == measure for entry in offered) else "explained"
+        addresses = charts.link_array(shown.table, shown.sweep.points(), shown.link)
+        figure = charts.heat(shown.table, addresses, measure, suggest(shown.table), scheme)
+        return figure, offered, MEASURES[measure].help
+
+    @app.callback(
+        Output("sweep-suggestion", "children"),
+        Output("sweep-table-place", "children"),
+        Input("sweep-seen", "data"),
+        *where,
+    )
+    def tell(_seen, *view):
+        shown = _shown(workspace, *view)
+        if shown is None:
+            return [], []
+        table, points = shown.table, shown.sweep.points()
+        addresses, found = charts.link_array(table, points, shown.link), suggest(table)
+        link = addresses[(*found.index, charts.typical_seed(table.of("explained")[found.index]))] if found.at else ""
+        rows = sweep_rows.rows(table, points, addresses)
+        grid = tables.grid("sweep-table", sweep_rows.columns(table), rows, "All points", row_height=34, headerHeight=48)
+        return layout.suggestion(found, link, table.n_ready == len(points)), grid
+
+
+def _draw_lines(app: Dash, workspace: Workspace, side: str, where: tuple) -> None:
+    @app.callback(
+        Output(f"sweep-lines-{side}", "figure"),
+        Input("sweep-seen", "data"),
+        Input(f"sweep-at-{side}", "value"),
+        Input(f"sweep-pair-{side}", "value"),
+        Input("theme", "data"),
+        *where,
+    )
+    def draw(_seen, at, pair, scheme, *view):
+        shown = _shown(workspace, *view)
+        if shown is None or pair not in PAIRS:
+            return no_update
+        names = list(shown.table.axes)
+        name = names[0] if side == "x" else names[-1]
+        others = {other: {write_value(v): v for v in shown.table.axes[other]} for other in names if other != name}
+        if any(at not in values for values in others.values()):
+            return no_update  # the choices of the last sweep: those of this one are on the way
+        addresses = charts.link_array(shown.table, shown.sweep.points(), shown.link)
+        at_values = {other: values[at] for other, values in others.items()}
+        return charts.lines(shown.table, addresses, name, at_values, PAIRS[pair], suggest(shown.table), scheme)
+
+
+def _usual(table: SweepTable, name: str) -> str | None:
+    """Where the other axis stands in a chart along ``name`` until someone chooses."""
+    at = fixed(table, name)
+    return next((write_value(value) for value in at.values()), None)
+
+
+def _shown(workspace: Workspace, name: str | None, parameters: Any, view: Any) -> Shown | None:
+    """The sweep shown where any point of it is there."""
+    try:
+        shown = shown_sweep(workspace, name, parameters, view)
+    except (ParameterError, WorkspaceError):
+        return None
+    return shown if shown is not None and shown.table.n_ready else None
+
+
+def _dataset(workspace: Workspace, name: str | None) -> Dataset | None:
+    try:
+        return workspace.open(name) if name else None
+    except WorkspaceError:
+        return None
+
+
+def _form(x_name, x_values, y_name, y_values, seeds) -> Form | None:
+    if not x_name or not y_name:
+        return None  # not filled yet
+    return Form(x_name, x_values or "", y_name, y_values or "", "" if seeds is None else str(seeds))

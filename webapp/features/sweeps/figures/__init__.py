@@ -1,0 +1,1 @@
+"""What the page shows, built by pure functions: charts, tables and drawings."""

@@ -1,1 +1,0 @@
-"""Pure builders: results in, what the components show out. Nothing here knows about callbacks or disks."""

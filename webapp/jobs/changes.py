@@ -1,0 +1,143 @@
+"""Changes of a dataset (recordings and labels that come, clips that go): asked for as jobs, told when done, undone.
+
+The stores live in the frame of the app, so that a notice comes, and its Undo works, on whatever page one is by then.
+"""
+
+from __future__ import annotations
+
+import json
+import time
+from collections.abc import Mapping
+from urllib.parse import urlencode
+
+import dash_mantine_components as dmc
+from dash import Dash, Input, Output, State, dcc, html, no_update, set_props
+from dash.development.base_component import Component
+
+from core import analyses
+from core.mocap.reports import ImportReport
+from core.workspace import Job, Workspace, WorkspaceError
+from webapp import jobs
+from webapp.shell.buttons import sends
+from webapp.shell.messages import notice
+
+UNDO_SHOWN = 15000  # milliseconds
+
+
+def stores() -> list[Component]:
+    """For the frame of the app."""
+    return [
+        dcc.Store(id="change-asked"),  # {"job": id} of a change that was asked for here
+        dcc.Store(id="changes", data=[], storage_type="session"),  # ids of those whose end has not been told
+        dcc.Store(id="undo"),  # {"revert": version}, {"restore": token of what is in the trash} or {"trash": name}
+    ]
+
+
+def ask(workspace: Workspace, request: analyses.Request) -> Job:
+    """In a callback: starts the job of a change; its end will be told. Raises WorkspaceError, ParameterError."""
+    job = jobs.start(workspace, request)
+    set_props("job-started", {"data": job.id})
+    set_props("change-asked", {"data": {"job": job.id}})
+    set_props("job-poke", {"data": time.time()})
+    return job
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """The notices at the end, and their Undo."""
+
+    @app.callback(
+        Output("changes", "data"),
+        Input("change-asked", "data"),
+        Input("jobs-finished", "data"),
+        State("changes", "data"),
+    )
+    def tell(asked, _finished, waiting):
+        waiting = waiting if isinstance(waiting, list) else []
+        before = [*waiting]
+        if asked and asked.get("job") not in waiting:
+            waiting = [*waiting, asked["job"]]
+            set_props("change-asked", {"data": None})
+        found = {number: workspace.jobs.get(number) for number in waiting if isinstance(number, int)}
+        done = [job for job in found.values() if job is not None and job.state == "done"]
+        if done:
+            set_props("notices", {"sendNotifications": [told(workspace, job) for job in done]})
+        left = [number for number, job in found.items() if job is not None and job.alive]
+        return left if left != before else no_update
+
+    @app.callback(Input("undo", "data"), prevent_initial_call=True)
+    def undo(request):
+        try:
+            message = undone(workspace, request or {})
+        except WorkspaceError as error:
+            message = notice("That did not work", str(error), "red")
+        set_props("notices", {"sendNotifications": [message]})
+        set_props("job-poke", {"data": time.time()})
+
+
+def undone(workspace: Workspace, request: Mapping[str, object]) -> dict:
+    """Undoes what the store "undo" asks for; the notice about it. Raises WorkspaceError."""
+    if request.get("trash"):
+        workspace.trash(str(request["trash"]))
+        return notice("Undone", f"{request['trash']} is in the trash.")
+    if request.get("restore"):
+        info = workspace.restore(str(request["restore"]))
+        set_props("awaited", {"data": info.name})
+        return notice("Restored", f"{info.name} is back in the library.")
+    info = workspace.revert(str(request.get("revert")))
+    return notice("Undone", f"{info.name} is what it was before, and so are its results.")
+
+
+def told(workspace: Workspace, job: Job) -> dict:
+    """The notice that a change has been made, with its Undo."""
+    name, method = str(job.request["dataset"]), job.request["method"]
+    into = job.request["parameters"].get("into", "") if method == "edit" else ""
+    name = into or name
+    try:
+        report, undo = workspace.report(name), workspace.last_version(name)
+    except WorkspaceError:  # renamed or deleted since
+        return notice(job.title, "It is done.")
+    if method == "remove":
+        title, words = "Removed", f"{_count(len(json.loads(job.request['parameters']['clips'])), 'clip')} from {name}."
+    elif method == "add":
+        title, words = "Added", what_came(name, report)
+    elif method == "edit":
+        clips = [file.clip for file in report.files if file.clip and file.addition == report.last_addition]
+        title, words = _count(len(clips), "new clip"), f"{clips[0]}{' and more' if len(clips) > 1 else ''} in {name}."
+    else:
+        title, words = "Done", f"{job.title}."
+    buttons = [_see_report(name)] if method == "add" else [_see_clip(name, clips[0])] if method == "edit" else []
+    back = {"trash": into} if into else {"revert": undo} if undo else None
+    return undo_notice(title, words, back, *buttons) if back else notice(title, words)
+
+
+def what_came(name: str, report: ImportReport) -> str:
+    """What the newest addition brought to the dataset called ``name``, in one sentence."""
+    files = [file for file in report.files if file.addition == report.last_addition]
+    clips = sum(file.clip is not None for file in files)
+    bad = sum(file.verdict == "error" for file in files)
+    doubts = sum(file.verdict == "warning" for file in files)
+    parts = [_count(clips, "clip") if clips else "labels", f"to {name}"]
+    more = [f"{bad} not read"] if bad else []
+    more += [_count(doubts, "warning")] if doubts else []
+    return " ".join(parts) + (f"; {', '.join(more)}." if more else ".")
+
+
+def undo_notice(title: str, words: str, undo: Mapping[str, str], *buttons: Component) -> dict:
+    """A notice with a button that sends ``undo`` to the store of that name."""
+    button = dmc.Button("Undo", size="compact-sm", variant="light", **sends("undo", undo, every_time=True))
+    text = html.Span(words, className="ellipsis", title=words)
+    return notice(title, dmc.Group([text, *buttons, button], gap=10, wrap="nowrap"), autoClose=UNDO_SHOWN)
+
+
+def _see_report(name: str) -> Component:
+    query = urlencode({"dataset": name, "tab": "report", "files": "added"})
+    return dcc.Link("See the report", href=f"/library?{query}", className="text-link notice-link")
+
+
+def _see_clip(name: str, clip: str) -> Component:
+    query = urlencode({"dataset": name, "clip": clip})
+    return dcc.Link("Show it", href=f"/clip?{query}", className="text-link notice-link")
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number:,} {what}{'' if number == 1 else 's'}"

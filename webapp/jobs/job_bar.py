@@ -1,0 +1,196 @@
+"""The bar of jobs: what runs in this workspace, how far it is, and how to stop or repeat it.
+
+ONE interval polls the job table for the whole app: fast while something runs, slowly otherwise. From the same look at
+the workspace come the revision of the dataset list and of finished jobs, so a second tab, a second person and a
+restarted server all show what is there.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import time
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from dash import Dash, Input, Output, State, dcc, html, no_update
+from dash.dependencies import ClientsideFunction
+from dash.development.base_component import Component
+
+from core.workspace import DatasetInfo, Job, Workspace, WorkspaceError
+from webapp import jobs as webapp_jobs
+from webapp.shell.advice import in_the_browser
+from webapp.shell.messages import notice
+
+FAST, SLOW = 600, 4000  # milliseconds between two looks
+FAILED_SHOWN = 600.0  # seconds a failed job stays in the bar
+STAGES = {  # words for the stages that computations report
+    "": "starting",
+    "poses": "computing postures",
+    "quantisation": "clustering postures",
+    "matching": "looking for repetitions",
+    "discovery": "choosing motifs",
+    "joining": "joining leftovers",
+    "alignment": "aligning motions",
+    "graph": "building the graph",
+    "opening": "opening the recordings",
+    "demo": "making the demo",
+    "postures": "computing postures",
+    "samples": "choosing different postures",
+    "map": "adapting the map",
+    "random beginnings": "looking for actions",
+    "recombination": "combining what was found",
+    "genetic search": "looking for actions",
+    "fine search": "cutting exactly",
+    "fine tuning": "moving the cuts",
+    "sentences": "dividing into routines",
+    "aligning": "laying routines side by side",
+    "held out": "trying routines held out",
+    "new motion": "making new motion",
+}
+
+
+@dataclass(frozen=True)
+class Pulse:
+    """One look at the workspace: what the bar shows, and marks that change when other views must look again."""
+
+    jobs: tuple[Job, ...]
+    revision: str
+    finished: str
+
+    @property
+    def busy(self) -> bool:
+        """Whether anything waits or runs."""
+        return any(job.alive for job in self.jobs)
+
+
+def layout() -> Component:
+    """The bar, empty, with its interval and stores."""
+    return html.Footer(
+        className="job-bar",
+        children=[
+            html.Div(id="job-list", role="status", **{"aria-live": "polite", "aria-label": "Jobs"}),
+            dcc.Store(id="jobs-shown"),  # the rows; assets/job_bar.js draws them
+            dcc.Interval(id="job-tick", interval=FAST),
+            dcc.Store(id="job-poke"),  # written when a job was just asked for: look now
+            dcc.Store(id="job-action"),  # {"action": "cancel" | "retry" | "dismiss", "job": id}
+            dcc.Store(id="jobs-seen", data={}),
+            dcc.Store(id="jobs-dismissed", data=[], storage_type="session"),
+            dcc.Store(id="jobs-finished"),  # changes when a job ends: results may have appeared
+        ],
+    )
+
+
+def look(workspace: Workspace, dismissed: Iterable[int] = ()) -> Pulse:
+    """A cheap look: two small queries."""
+    jobs, now, hidden = workspace.jobs.list(50), time.time(), set(dismissed)
+    shown = [job for job in jobs if job.alive or (_failed_lately(job, now) and job.id not in hidden)]
+    superseded = {job.key for job in jobs if job.alive or job.state == "done"}
+    shown = [job for job in shown if job.alive or job.key not in superseded]
+    return Pulse(
+        tuple(sorted(shown, key=lambda job: job.id)),
+        revision_of(workspace.datasets()),
+        _mark(f"{job.id}{job.state}" for job in jobs if not job.alive),
+    )
+
+
+def revision_of(datasets: Sequence[DatasetInfo]) -> str:
+    """A mark of the list of datasets: it changes when one comes, goes, is renamed or gets new content or labels."""
+    return _mark(f"{info.id}{info.name}{info.folder}" for info in datasets)
+
+
+def rows(jobs: Sequence[Job]) -> list[dict]:
+    """The bar's rows, as assets/job_bar.js draws them; ``error`` is there where the job has failed."""
+    return [_alive(job) if job.alive else _failed(job) for job in jobs]
+
+
+def stage_words(job: Job) -> str:
+    """What a living job is doing, in words."""
+    if job.cancelling:
+        return "stopping"
+    if job.state == "queued":
+        return "waiting for its turn"
+    stage, mark, count = job.stage.partition(" (")  # "rough search (2 of 6)"
+    return STAGES.get(stage, stage[:1].lower() + stage[1:]) + mark + count
+
+
+def _alive(job: Job) -> dict:
+    running = job.state == "running" and not job.cancelling
+    percent = round(100 * job.fraction) if running else None  # None: nobody knows how long
+    return {"id": job.id, "title": job.title, "stage": stage_words(job), "percent": percent, "stopping": job.cancelling}
+
+
+def _failed(job: Job) -> dict:
+    return {
+        "id": job.id,
+        "title": job.title,
+        "error": in_the_browser(job.error or "It failed for a reason we do not know."),
+    }
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """The poll, the rows it brings, and their buttons."""
+    app.clientside_callback(ClientsideFunction("jobs", "show"), Input("jobs-shown", "data"))
+
+    @app.callback(
+        Output("jobs-shown", "data"),
+        Output("job-tick", "interval"),
+        Output("revision", "data"),
+        Output("jobs-finished", "data"),
+        Output("jobs-seen", "data"),
+        Input("job-tick", "n_intervals"),
+        Input("job-poke", "data"),
+        Input("jobs-dismissed", "data"),
+        State("jobs-seen", "data"),
+    )
+    def poll(_ticks, _poke, dismissed, seen):
+        pulse = look(workspace, dismissed or ())
+        if pulse.busy:
+            webapp_jobs.tend(workspace)  # a worker may have died, or the one who asked may have gone
+        shown = rows(pulse.jobs)
+        marks = {
+            "rows": _mark(map(str, shown)),
+            "speed": FAST if pulse.busy else SLOW,
+            "revision": pulse.revision,
+            "finished": pulse.finished,
+        }
+        seen = seen or {}
+
+        def when_new(name, value):
+            return no_update if seen.get(name) == marks[name] else value
+
+        return (
+            when_new("rows", shown),
+            when_new("speed", marks["speed"]),
+            when_new("revision", pulse.revision),
+            when_new("finished", pulse.finished),
+            no_update if seen == marks else marks,
+        )
+
+    @app.callback(
+        Output("jobs-dismissed", "data"),
+        Output("job-poke", "data"),
+        Output("notices", "sendNotifications", allow_duplicate=True),
+        Input("job-action", "data"),
+        State("jobs-dismissed", "data"),
+        prevent_initial_call=True,
+    )
+    def act(request, dismissed):
+        action, job_id = (request or {}).get("action"), (request or {}).get("job")
+        try:
+            if action == "cancel":
+                workspace.jobs.cancel(int(job_id))
+            elif action == "retry":
+                webapp_jobs.restart(workspace, int(job_id))
+            if action in ("retry", "dismiss"):  # what is tried again no longer stands there as failed
+                dismissed = [*(dismissed or []), int(job_id)][-50:]
+        except (WorkspaceError, TypeError, ValueError) as error:
+            return no_update, time.time(), [notice("That did not work", str(error), "red")]
+        return dismissed, time.time(), no_update
+
+
+def _failed_lately(job: Job, now: float) -> bool:
+    return job.state == "failed" and now - (job.finished or now) < FAILED_SHOWN
+
+
+def _mark(parts: Iterable[str]) -> str:
+    return hashlib.blake2b("\n".join(parts).encode(), digest_size=8).hexdigest()

@@ -1,0 +1,41 @@
+"""What stands in a page while a job computes what the page will show."""
+
+from __future__ import annotations
+
+import dash_mantine_components as dmc
+from dash import html
+from dash.development.base_component import Component
+
+from core.workspace import Job
+from webapp.jobs.job_bar import stage_words
+from webapp.shell.buttons import sends
+from webapp.shell.icons import icon
+
+
+def running(job: Job, title: str, symbol: str) -> Component:
+    """Stage, progress and Cancel of a job, rendered once; assets/job_bar.js keeps them up to date."""
+    known = job.state == "running" and not job.cancelling
+    return html.Div(
+        className="empty-state running",
+        role="status",
+        children=[
+            html.Div(icon(symbol, 34), className="empty-icon"),
+            dmc.Title(title, order=2, size="h4"),
+            html.Div(stage_words(job), className="job-words muted"),
+            html.Div(
+                html.Div(style={"width": f"{round(100 * job.fraction)}%"}),
+                className="job-progress" if known else "job-progress waiting",
+                role="progressbar",
+                **{"aria-label": "Progress of this stage"},
+            ),
+            dmc.Button(
+                "Cancel",
+                variant="default",
+                mt="xs",
+                className="job-cancel",
+                disabled=job.cancelling,
+                **sends("job-action", {"action": "cancel", "job": job.id}, every_time=True),
+            ),
+        ],
+        **{"data-job": str(job.id)},
+    )

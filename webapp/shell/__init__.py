@@ -1,0 +1,1 @@
+"""The frame around all pages: navigation, links, settings, playback, access, and messages for people."""

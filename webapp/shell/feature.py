@@ -1,0 +1,128 @@
+"""What a feature brings to the app, and the features there are.
+
+A feature is one page with all that belongs to it: a folder of ``webapp/features`` whose ``__init__`` defines a
+:class:`Feature`. The shell, the Stage and the command line ask the features by way of this module and import none of
+them. Only the standard library is imported here: the command line must start quickly.
+"""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from importlib import import_module
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+    from dash import Dash
+    from dash.development.base_component import Component
+    from flask import Blueprint
+
+    from core.analyses import Request
+    from core.mocap.dataset import Dataset
+    from core.workspace import Workspace
+    from webapp.shell.playback import Shown, StageRequest
+
+NOTHING: Mapping[str, Any] = MappingProxyType({})
+
+
+def later(place: str) -> Callable[..., Any]:
+    """The function at ``"module:name"``, whose module is imported when the function is first called."""
+    module, _, name = place.partition(":")
+
+    def call(*arguments: Any, **options: Any) -> Any:
+        return getattr(import_module(module), name)(*arguments, **options)
+
+    return call
+
+
+@dataclass(frozen=True)
+class Command:
+    """A command of ``motionscape``: what --help says of it, its arguments, and what it does (the exit code)."""
+
+    help: str
+    arguments: Callable[[argparse.ArgumentParser], None]
+    run: Callable[[argparse.Namespace], int]
+
+
+@dataclass(frozen=True)
+class SelectionKind:
+    """A kind of thing that can be selected, such as ``{"motif": 3, "motion": 1}``.
+
+    key: names it in a link and in the store "selection"; its value is a whole number, or text of the form ``pattern``,
+    of which ``example`` is one. numbers: keys of whole numbers that may stand beside it.
+    """
+
+    key: str
+    numbers: tuple[str, ...] = ()
+    pattern: str = ""
+    example: str = ""
+
+
+@dataclass(frozen=True)
+class LinkKeys:
+    """The keys of a link that belong to a page: what it shows beside the selection, kept in the store "view".
+
+    names: all of them. of_dataset: those that mean nothing with another data set. free_text: those that may hold any
+    printable text, such as names of clips. patterns: regular expressions that values must match, by key.
+    """
+
+    names: tuple[str, ...] = ()
+    of_dataset: tuple[str, ...] = ()
+    free_text: tuple[str, ...] = ()
+    patterns: Mapping[str, str] = field(default_factory=lambda: NOTHING)
+
+
+@dataclass(frozen=True)
+class Feature:
+    """A page and all that belongs to it.
+
+    path: of the page in the address. label, symbol: its entry in the navigation.
+    page: makes the page before it knows what there is to show. register: adds its callbacks to the app.
+    keys: of its links. methods: name of the settings in the link -> the method they belong to; ``<name>-<parameter>``.
+    routes: the blueprints it serves. stores: components that stay when one goes to another page.
+    commands: its commands. recipes: method -> the commands that compute a result again.
+    selections: what can be selected on it; clip_colours: values of "as" in the selection of a clip that it answers.
+    plays: what the Stage plays for such a selection, None where nothing does. missing: what such a selection names
+    that is not there, as a sentence. replay_on: stores whose change makes the selection play again.
+    motion_kinds: made-up motion: kind -> opener of the data set ``~kind~...`` (see ``shell/virtual.py``).
+    """
+
+    path: str
+    label: str
+    symbol: str
+    page: Callable[[], Component]
+    register: Callable[[Dash, Workspace], None]
+    keys: LinkKeys = LinkKeys()
+    methods: Mapping[str, str] = field(default_factory=lambda: NOTHING)
+    routes: Callable[[Workspace], Sequence[Blueprint]] = lambda workspace: ()
+    stores: Callable[[], list[Component]] = lambda: []
+    commands: Mapping[str, Command] = field(default_factory=lambda: NOTHING)
+    recipes: Mapping[str, Callable[[Path, Request], str]] = field(default_factory=lambda: NOTHING)
+    selections: tuple[SelectionKind, ...] = ()
+    clip_colours: tuple[str, ...] = ()
+    plays: Callable[[Workspace, Dataset, Shown], StageRequest | None] = lambda workspace, dataset, shown: None
+    missing: Callable[[Workspace, Shown], str | None] = lambda workspace, shown: None
+    replay_on: tuple[str, ...] = ()
+    motion_kinds: Mapping[str, Callable[[Workspace, str], Dataset]] = field(default_factory=lambda: NOTHING)
+
+
+def register(feature: Feature) -> None:
+    """Adds a feature; the navigation has them in the order in which they were added."""
+    _features[feature.path] = feature
+
+
+def unregister(path: str) -> None:
+    """Takes a feature out again."""
+    _features.pop(path, None)
+
+
+def features() -> tuple[Feature, ...]:
+    """All features, in the order of the navigation."""
+    return tuple(_features.values())
+
+
+_features: dict[str, Feature] = {}

@@ -1,0 +1,120 @@
+"""From what is selected to what the Stage plays: the feature whose selection it is answers."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+from dash import Dash, Input, Output, State, no_update, set_props
+
+from core.mocap.dataset import Dataset
+from core.workspace import Workspace, WorkspaceError
+from webapp.shell.feature import Feature, features
+from webapp.shell.messages import notice
+
+MOST_FIGURES = 24  # the Stage stays fluid; more bodies would hide one another anyway
+
+StageRequest = dict[str, Any]
+"""What the Stage plays: see "The Stage's data" in docs/architecture.md."""
+
+
+class Shown(NamedTuple):
+    """What is on the screen when something is selected: name of the dataset, and the rest as a link has it."""
+
+    dataset: str
+    parameters: Mapping[str, Any]
+    selection: Mapping[str, Any]
+    view: Mapping[str, str]
+
+
+def selected_request(
+    workspace: Workspace,
+    dataset_name: str | None,
+    parameters: Mapping[str, Any] | None,
+    selection: Mapping[str, Any] | None,
+    view: Mapping[str, str] | None,
+) -> StageRequest | None:
+    """What plays when this is selected on a page that shows ``view``; None where nothing does."""
+    if not selection or not dataset_name:
+        return None
+    feature = _feature_of(selection)
+    try:
+        dataset = workspace.open(dataset_name)
+        if feature:
+            return feature.plays(workspace, dataset, Shown(dataset_name, parameters or {}, selection, view or {}))
+        return clip_request(dataset, selection) if "clip" in selection else None
+    except WorkspaceError:
+        return None
+
+
+def missing(
+    workspace: Workspace,
+    dataset_name: str | None,
+    parameters: Mapping[str, Any] | None,
+    selection: Mapping[str, Any],
+    view: Mapping[str, str] | None = None,
+) -> str | None:
+    """What a selection names that is not there, in plain words; None where it is, or where nobody can tell yet."""
+    if not selection or not dataset_name:
+        return None
+    try:
+        if "clip" in selection:
+            known = selection["clip"] in workspace.open(dataset_name).names
+            return None if known else f"“{dataset_name}” has no clip called “{selection['clip']}”."
+        feature = _feature_of(selection)
+        shown = Shown(dataset_name, parameters or {}, selection, view or {})
+        return feature.missing(workspace, shown) if feature else None
+    except WorkspaceError:
+        return None
+
+
+def clip_request(dataset: Dataset, selection: Mapping[str, Any]) -> StageRequest | None:
+    """A clip, or frames ``start`` to ``end`` of it; None where the dataset has no such clip."""
+    try:
+        clip = dataset.clip(str(selection["clip"]))
+    except (KeyError, ValueError):
+        return None
+    start, end = int(selection.get("start", 0)), int(selection.get("end", clip.n_frames))
+    start, end = (start, min(end, clip.n_frames)) if start < clip.n_frames and end > start else (0, clip.n_frames)
+    return overlay(dataset, [item(clip.name, start, end, clip.name)], clip.name)
+
+
+def item(clip: str, start: int, end: int, label: str, warp: list[float] | None = None) -> dict[str, Any]:
+    """One figure of a request: frames ``[start, end)`` of a clip; warp: its frame beside each frame of the medoid."""
+    return {"clip": clip, "start": int(start), "end": int(end), "label": label, "warp": warp}
+
+
+def overlay(dataset: Dataset, items: list[dict[str, Any]], title: str) -> StageRequest:
+    """A request that lays its figures over one another, in step where they have warps."""
+    content = {"dataset": dataset.name, "version": dataset.fingerprint, "items": items, "title": title}
+    return {**content, "layout": "overlay", "sync": "warp"}
+
+
+def register(app: Dash, workspace: Workspace) -> None:
+    """The selection plays, whichever page it was made on."""
+
+    @app.callback(
+        Output("stage-request", "data"),
+        Input("selection", "data"),
+        {store: Input(store, "data") for feature in features() for store in feature.replay_on},
+        State("view", "data"),
+        State("dataset", "data"),
+        State("parameters", "data"),
+        prevent_initial_call=True,
+    )
+    def play(selection, _stores, view, dataset_name, parameters):
+        gone = missing(workspace, dataset_name, parameters, selection, view)
+        if gone:
+            set_props("notices", {"sendNotifications": [notice("That is not there", gone, "orange", id="not-there")]})
+            set_props("selection", {"data": {}})
+        return selected_request(workspace, dataset_name, parameters, selection, view) or no_update
+
+
+def _feature_of(selection: Mapping[str, Any]) -> Feature | None:
+    """The feature that answers for a selection; None for a clip as it is, and for what nobody knows."""
+    for feature in features():
+        if any(kind.key in selection for kind in feature.selections):
+            return feature
+        if "clip" in selection and selection.get("as") in feature.clip_colours:
+            return feature
+    return None

@@ -1,0 +1,108 @@
+"""What one sees, as stores of the browser: opened from a link, kept in the address, and the choice of the dataset."""
+
+from __future__ import annotations
+
+import dash
+from dash import Input, Output, State, no_update, set_props
+from dash.dependencies import ClientsideFunction
+from dash.development.base_component import Component
+
+from core import analyses
+from core.workspace import Workspace
+from webapp.shell import links, results, settings
+from webapp.shell.messages import notice, unknown_page
+
+
+def register_pages(app: dash.Dash, pages: dict[str, Component]) -> None:
+    """The page of the address; pages: path -> page."""
+
+    @app.callback(Output("page", "children"), Input("url", "pathname"))
+    def show_page(pathname):
+        page = links.page_of(pathname)
+        return pages[page] if page else unknown_page()
+
+
+def register(app: dash.Dash, workspace: Workspace) -> None:
+    """Links open what they name, the address follows what is shown, and datasets can be chosen."""
+    names = tuple(parameter.name for parameter in analyses.parameters(results.MOTIFS))
+
+    @app.callback(
+        Output("dataset", "data"),
+        Output("parameters", "data"),
+        Output("selection", "data"),
+        Output("view", "data"),
+        Output("stage-restore", "data"),
+        Input("url", "pathname"),
+        Input("url", "search"),
+        State("dataset", "data"),
+        State("view", "data"),
+    )
+    def open_link(pathname, search, current, shown):
+        if current and not search:  # a click on the navigation: what is shown stays
+            return (no_update,) * 5
+        view, problems = links.parse(pathname, search, names)
+        known = [info.name for info in workspace.datasets()]
+        dataset, more = choose_dataset(view.dataset, known)
+        if links.page_of(pathname) is None:
+            problems = problems[1:]  # the page itself says so
+        problems = (*more, *problems, *results.refused(view.parameters), *settings.refused(view.page, view.view))
+        if problems:
+            message = " ".join(problems)
+            set_props("notices", {"sendNotifications": [notice("Part of the link was left out", message, "orange")]})
+        usable = results.not_default(results.motif_request("", view.parameters).parameters)
+        if more:
+            view = links.without_selection(view)
+        others = settings.of_other_pages(view.page, shown) if dataset == current else {}
+        return dataset, usable, dict(view.selection), others | view.view, dict(view.stage)
+
+    @app.callback(
+        Output("dataset-picker", "data"),
+        Output("dataset-picker", "value"),
+        Output("dataset-picker", "disabled"),
+        Input("revision", "data"),
+        Input("dataset", "data"),
+        State("awaited", "data"),
+    )
+    def show_datasets(_revision, current, awaited):
+        known = [info.name for info in workspace.datasets()]
+        if awaited in known:  # an import has ended: show what it brought
+            set_props("awaited", {"data": None})
+            set_props("dataset-choice", {"data": {"dataset": awaited}})
+        elif known and current not in known:
+            set_props("dataset-choice", {"data": {"dataset": known[0]}})
+        elif not known and current:
+            set_props("dataset-choice", {"data": {"dataset": None}})
+        return known, current if current in known else None, not known
+
+    app.clientside_callback(
+        ClientsideFunction("shell", "choose"), Input("dataset-choice", "data"), State("view-of-dataset", "data")
+    )
+    app.clientside_callback(
+        ClientsideFunction("shell", "pick"), Input("dataset-picker", "value"), State("dataset", "data")
+    )
+    app.clientside_callback(
+        ClientsideFunction("shell", "address"),
+        Output("address", "data"),
+        Input("url", "pathname"),
+        Input("dataset", "data"),
+        Input("parameters", "data"),
+        Input("selection", "data"),
+        Input("view", "data"),
+        State("view-keys", "data"),
+    )
+    app.clientside_callback(ClientsideFunction("shell", "change"), Input("view-change", "data"), State("view", "data"))
+    app.clientside_callback(ClientsideFunction("shell", "restore"), Input("stage-restore", "data"))
+    app.clientside_callback(ClientsideFunction("shell", "current"), Input("url", "pathname"))
+    app.clientside_callback(
+        ClientsideFunction("shell", "share"), Output("notices", "sendNotifications"), Input("share", "n_clicks")
+    )
+
+
+def choose_dataset(wanted: str | None, known: list[str]) -> tuple[str | None, tuple[str, ...]]:
+    """The dataset to show and, where it is not the wanted one, why."""
+    if wanted in known:
+        return wanted, ()
+    first = known[0] if known else None
+    if wanted is None:
+        return first, ()
+    return first, (f"There is no dataset called “{wanted[:60]}” here any more.",)

@@ -1,0 +1,56 @@
+"""Motion that is in no data set, under names like data sets have: ``~walk~<key>``, ``~blend~<key>~3~0.5,0.5``.
+
+The Stage, the filmstrips and the exports take segments of clips of a data set. A feature that makes motion names its
+kinds (``Feature.motion_kinds``), and what it makes is played, drawn and exported like any recording. A name tells the
+whole content: the same name, the same motion.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections import OrderedDict
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+from core.mocap.dataset import Dataset
+from core.workspace import Workspace, WorkspaceError
+from webapp.shell.feature import features
+
+MARK = "~"  # no data set of a person begins with it
+_KEPT = 24
+
+
+def virtual_name(kind: str, *parts: object) -> str:
+    """The name of made-up motion: its kind and what determines it."""
+    return MARK + MARK.join([kind, *map(str, parts)])
+
+
+def open_any(workspace: Workspace, name: str) -> Dataset:
+    """The data set of this name, from the workspace or made up. Raises WorkspaceError where there is none."""
+    if not name.startswith(MARK):
+        return workspace.open(name)
+    place = workspace.path, name
+    with _lock:
+        if place in _opened:
+            _opened.move_to_end(place)
+            return _opened[place]
+    kind, _, rest = name[1:].partition(MARK)
+    opener = next((f.motion_kinds[kind] for f in features() if kind in f.motion_kinds), None)
+    if opener is None:
+        raise WorkspaceError("This motion cannot be made here: its link is damaged or from another version.")
+    dataset = opener(workspace, rest)
+    with _lock:
+        _opened[place] = dataset
+        while len(_opened) > _KEPT:
+            _opened.popitem(last=False)
+    return dataset
+
+
+def opener(workspace: Workspace) -> Callable[[str], Dataset]:
+    """:func:`open_any` for one workspace, as routes take it."""
+    return partial(open_any, workspace)
+
+
+_opened: OrderedDict[tuple[Path, str], Dataset] = OrderedDict()
+_lock = threading.Lock()

@@ -1,0 +1,235 @@
+"""A page that shows the result of one method: its settings, the button that computes, progress, and what is there.
+
+A page P has in its layout :func:`settings_fold` and :func:`status_place`; :func:`register` gives them life. From then
+on the store ``P-settings`` says when the settings changed (``{"P-grid": "31x31"}``, defaults left out), and
+``P-result-key`` holds the key of the result that they stand for, None where it has not been computed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass, field
+from datetime import datetime
+
+import dash_mantine_components as dmc
+from dash import ALL, Dash, Input, Output, State, ctx, dcc, html, no_update, set_props
+from dash.dependencies import ClientsideFunction
+from dash.development.base_component import Component
+
+from core import analyses
+from core.parameters import ParameterError
+from core.workspace import Job, Workspace, WorkspaceError
+from webapp import jobs
+from webapp.jobs.running import running
+from webapp.shell import recipes, settings
+from webapp.shell.buttons import copies, sends
+from webapp.shell.icons import icon
+from webapp.shell.messages import empty_state, notice
+from webapp.ui.parameter_form import parameter_form, read_form, summary
+
+
+@dataclass(frozen=True)
+class MethodPage:
+    """How a page speaks of its method.
+
+    page: its name, as in settings.METHOD_OF; title: what the result is called ("Motion map"); action: what the button
+    says ("Build map"); doing: what the job does ("Building the map"); hint: what the result shows, one sentence;
+    labels: everyday names of parameters; without: parameters that the page sets in another way.
+    """
+
+    page: str
+    title: str
+    action: str
+    doing: str
+    symbol: str
+    hint: str
+    labels: Mapping[str, str] = field(default_factory=dict)
+    without: Collection[str] = ()
+
+    @property
+    def control(self) -> str:
+        """The type in the ids of the form's controls."""
+        return f"{self.page}-setting"
+
+    @property
+    def shown(self) -> list[analyses.Parameter]:
+        """The parameters that stand in the form."""
+        return [p for p in settings.parameters(self.page) if p.name not in self.without]
+
+
+def run_button(of: MethodPage) -> Component:
+    """The button in the page's head that computes the result."""
+    return dmc.Button(of.action, id=f"{of.page}-run", leftSection=icon(of.symbol, 16))
+
+
+def settings_fold(of: MethodPage) -> Component:
+    """The settings, folded away: what differs from the defaults stands in the line that is seen."""
+    head = [html.Span("Settings", className="settings-title"), html.Span(id=f"{of.page}-summary", className="muted")]
+    return dmc.Accordion(
+        id=f"{of.page}-fold",
+        variant="contained",
+        className="settings",
+        value=None,
+        children=dmc.AccordionItem(
+            value="form",
+            children=[dmc.AccordionControl(head), dmc.AccordionPanel(html.Div(id=f"{of.page}-form"))],
+        ),
+    )
+
+
+def status_place(of: MethodPage) -> Component:
+    """Progress, an ending, or what to do, in place of a result that is not there; and the page's stores."""
+    stores = ("settings", "result-key", "status-of", "again")
+    return html.Div(
+        [html.Div(id=f"{of.page}-status"), *(dcc.Store(id=f"{of.page}-{name}") for name in stores)],
+    )
+
+
+def register(app: Dash, workspace: Workspace, of: MethodPage) -> None:
+    """The callbacks of the settings, the button and the status."""
+    _form(app, of)
+    _run(app, workspace, of)
+    _look(app, workspace, of)
+
+
+def _form(app: Dash, of: MethodPage) -> None:
+    app.clientside_callback(
+        ClientsideFunction("settings", "pick"),
+        Output(f"{of.page}-settings", "data"),
+        Input("view", "data"),
+        State(f"{of.page}-settings", "data"),
+        State(f"{of.page}-settings", "id"),
+    )
+
+    @app.callback(
+        Output(f"{of.page}-form", "children"),
+        Output(f"{of.page}-summary", "children"),
+        Input(f"{of.page}-settings", "data"),
+    )
+    def show_form(view):
+        values = settings.request_of(of.page, "", view).parameters
+        return parameter_form(of.shown, values, of.control, of.labels), summary(settings.not_default(of.page, values))
+
+
+def _run(app: Dash, workspace: Workspace, of: MethodPage) -> None:
+    control = {"type": of.control, "name": ALL}
+
+    @app.callback(
+        Output(control, "error"),
+        Input(f"{of.page}-run", "n_clicks"),
+        Input(f"{of.page}-again", "data"),
+        State(control, "value"),
+        State(control, "id"),
+        State("dataset", "data"),
+        State("view", "data"),
+        prevent_initial_call=True,
+    )
+    def run(_clicks, _again, values, ids, dataset, view):
+        taken, problems = read_form(of.shown, ids, values)
+        if problems:
+            set_props(f"{of.page}-fold", {"value": "form"})
+            return [problems.get(component["name"]) for component in ids]
+        kept = settings.request_of(of.page, dataset or "", view).parameters
+        taken |= {name: value for name, value in kept.items() if name in of.without}
+        try:
+            ask(workspace, of.page, dataset, taken)
+        except (ParameterError, WorkspaceError) as error:
+            set_props("notices", {"sendNotifications": [notice(f"Cannot do that: {of.title}", str(error), "red")]})
+        return [None] * len(ids)
+
+
+def ask(workspace: Workspace, page: str, dataset: str | None, values: Mapping[str, object]) -> None:
+    """Shows the result with these settings: starts the job where it is not there, and writes the settings into the
+
+    link. To be called in a callback. Raises ParameterError, WorkspaceError in plain words.
+    """
+    if not dataset:
+        raise WorkspaceError("Choose a dataset first; the library has none yet.")
+    request = analyses.normalise(analyses.Request(dataset, settings.methods()[page], dict(values)))
+    if analyses.stored(workspace, request) is None:
+        set_props("job-started", {"data": jobs.start(workspace, request).id})
+    set_props("view-change", {"data": settings.view_of(page, request.parameters)})
+
+
+def _look(app: Dash, workspace: Workspace, of: MethodPage) -> None:
+    @app.callback(
+        Output(f"{of.page}-result-key", "data"),
+        Input("dataset", "data"),
+        Input(f"{of.page}-settings", "data"),
+        Input("jobs-finished", "data"),
+        Input("revision", "data"),
+        State(f"{of.page}-result-key", "data"),
+    )
+    def find_result(dataset, view, _finished, _revision, current):
+        key = settings.key_of(workspace, of.page, dataset, view)
+        return no_update if key == current and ctx.triggered_id in ("jobs-finished", "revision") else key
+
+    @app.callback(
+        Output(f"{of.page}-status", "children"),
+        Output(f"{of.page}-status-of", "data"),
+        Input("jobs-seen", "data"),
+        Input(f"{of.page}-result-key", "data"),
+        State("dataset", "data"),
+        State(f"{of.page}-settings", "data"),
+        State(f"{of.page}-status-of", "data"),
+    )
+    def show_status(_seen, key, dataset, view, current):
+        job = settings.latest_job(workspace, of.page, dataset, view) if not key else None
+        now = [key, dataset, job and [job.id, job.state, job.error]]
+        return (no_update, no_update) if now == current else (status(of, dataset, job, bool(key)) or [], now)
+
+
+def status(of: MethodPage, dataset: str | None, job: Job | None, ready: bool) -> Component | None:
+    """What stands in place of a result that is not there (yet); None where it is there."""
+    if ready:
+        return None
+    if not dataset:
+        link = dcc.Link("Go to the library", href="/library", className="text-link")
+        return _card(empty_state("person", "No dataset yet", "Add recordings, or make the demo, in the library.", link))
+    if job is not None and job.alive:
+        return _card(running(job, of.doing, of.symbol))
+    if job is not None and job.state == "failed":
+        return _card(empty_state("error", f"{of.doing} failed", job.error, _again(of, "Try again")))
+    if job is not None and job.state == "cancelled":
+        words = f"{of.doing} was cancelled"
+        return _card(empty_state(of.symbol, words, "Nothing was kept of it.", _again(of, of.action)))
+    words = f"Press {of.action}. {of.hint}"
+    return _card(empty_state(of.symbol, f"No {of.title[:1].lower()}{of.title[1:]} yet", words, _again(of, of.action)))
+
+
+def _again(of: MethodPage, label: str) -> Component:
+    return dmc.Button(label, variant="light", **sends(f"{of.page}-again", {"run": True}, every_time=True))
+
+
+def _card(child: Component) -> Component:
+    return html.Div(child, className="card section")
+
+
+def earlier_menu(workspace: Workspace, of: MethodPage, dataset: str | None, ready: bool) -> list[Component]:
+    """A menu of the results there are with other settings; empty where there is only the one shown."""
+    past = settings.earlier(workspace, of.page, dataset)
+    if len(past) <= (1 if ready else 0):
+        return []
+    items = [
+        dmc.MenuItem(
+            [
+                html.Div(summary(said), className="menu-title"),
+                html.Div(_when(job.finished), className="muted menu-note"),
+            ],
+            **sends("view-change", settings.view_of(of.page, job.request["parameters"]), every_time=True),
+        )
+        for job, said in past[:15]
+    ]
+    target = dmc.Button("Earlier results", variant="default", rightSection=icon("chevron", 14))
+    children = [dmc.MenuTarget(target), dmc.MenuDropdown(items, className="menu-long")]
+    return [dmc.Menu(shadow="md", position="bottom-end", children=children)]
+
+
+def copy_items(workspace: Workspace, of: MethodPage, dataset: str, view: Mapping[str, str] | None) -> list[Component]:
+    """Menu items that copy the result shown as a command and as Python."""
+    request = settings.request_of(of.page, dataset, view)
+    return [dmc.MenuItem(label, **copies(text)) for label, text in recipes.both(workspace.path, request).items()]
+
+
+def _when(moment: float | None) -> str:
+    return datetime.fromtimestamp(moment).strftime("%d %b, %H:%M") if moment else ""

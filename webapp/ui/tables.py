@@ -1,0 +1,181 @@
+"""Rows and columns of the app's tables."""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections import Counter
+from collections.abc import Iterable, Mapping
+from types import MappingProxyType
+from typing import Any
+from urllib.parse import quote, urlencode
+
+import dash_ag_grid as dag
+from dash import html
+
+from core.mocap.clip import Label, Segment
+from core.mocap.dataset import Dataset
+from core.workspace import MotifNote
+from webapp.shell import theme
+
+Row = dict[str, Any]
+
+NUMBER = {"cellClass": "number ag-right-aligned-cell", "headerClass": "ag-right-aligned-header"}
+
+STRIP = {
+    "headerName": "Motion",
+    "flex": 1,
+    "minWidth": 136,
+    "cellRenderer": "Filmstrip",
+    "sortable": False,
+    "cellClass": "strip-cell",
+}
+TEXT = {"filter": "agTextColumnFilter"}
+
+
+def decimals(digits: int) -> dict[str, Any]:
+    """How a column of numbers is written: so many digits behind the point, a dash where there is no number."""
+    words = f"params.value == null ? '–' : d3.format('.{digits}f')(params.value)"
+    return {"valueFormatter": {"function": words}, **NUMBER}
+
+
+SECONDS = decimals(1)
+WRAPPED = {"wrapHeaderText": True}
+
+
+def column(field: str, name: str, width: int, tip: str = "", **more: Any) -> dict[str, Any]:
+    tooltip = {"headerTooltip": tip} if tip else {}
+    return {"field": field, "headerName": name, "width": width, **tooltip, **more}
+
+
+MOTIF_COLUMNS = [
+    column("id", "Motif", 76, **NUMBER),
+    {"field": "strip", **STRIP},
+    column("motions", "Motions", 108, "How many times it occurs", sort="desc", **NUMBER),
+    column("seconds", "Seconds", 94, "Mean duration of its motions", **SECONDS),
+    column("clips", "Clips", 78, "In how many clips it occurs", **NUMBER),
+    column("label", "Mostly", 140, "The label that covers most of its frames", flex=1, minWidth=140),
+    column("name", "Name", 130, "What people call it", flex=1, minWidth=110, tooltipField="note"),
+    column("tags", "Tags", 100, flex=1, minWidth=90, tooltipField="tags"),
+    column("note", "Note", 100, hide=True),
+    column(
+        "stability",
+        "Stability",
+        112,
+        "How surely it is found again",
+        hide=True,
+        valueGetter={"function": "stabilityOf(params)"},
+        cellRenderer="Share",
+        cellClass="strip-cell",
+    ),
+]
+
+
+def grid(
+    table_id: str, columns: list[dict], rows: list[Row], label: str, *, row_height: int = 46, **options: Any
+) -> html.Div:
+    """A table whose rows are chosen by a click or by Enter (assets/actions.js). ``options``: more of AG Grid's own."""
+    table = dag.AgGrid(
+        id=table_id,
+        columnDefs=columns,
+        rowData=rows,
+        defaultColDef={
+            "sortable": True,
+            "resizable": True,
+            "suppressHeaderMenuButton": False,
+            "tooltipComponent": None,
+        },
+        getRowId="params.data.key",
+        rowClassRules={"row-chosen": "isChosen(params)"},
+        dashGridOptions={
+            "theme": theme.GRID_THEME,
+            "rowHeight": row_height,
+            "headerHeight": 36,
+            "animateRows": False,
+            "tooltipShowDelay": 400,
+            "suppressCellFocus": False,
+            "tabToNextCell": {"function": "leaveTable(params)"},  # arrows move within, Tab moves on
+            "ensureDomOrder": True,
+            "includeHiddenColumnsInQuickFilter": True,
+            **options,
+        },
+        eventListeners={"rowClicked": ["chooseRow(params)"], "cellKeyDown": ["chooseRowByKey(params)"]},
+        className="grid",
+    )
+    return html.Div(table, role="group", style={"--row-height": f"{row_height}px"}, **{"aria-label": label})
+
+
+def strip_address(dataset: str, segment: Segment, n_poses: int = 6, fingerprint: str = "") -> str:
+    """The URL of a filmstrip; ``fingerprint`` lets browsers keep it."""
+    query = urlencode({"start": segment.start, "end": segment.end, "n": n_poses, "v": fingerprint[:8]})
+    return f"/api/filmstrip/{quote(dataset, safe='')}/{quote(segment.clip, safe='')}?{query}"
+
+
+def motif_rows(graph: Any, dataset: Dataset, notes: Mapping[int, MotifNote] = MappingProxyType({})) -> list[Row]:
+    """One row a motif: how often, how long, in how many clips, and the label that covers most of it."""
+    by_clip: dict[str, list[Label]] = {}
+    for label in dataset.labels:
+        by_clip.setdefault(label.clip, []).append(label)
+    rates = {clip.name: clip.fps for clip in dataset.clips}
+    rows = []
+    for motif in graph.motifs:
+        medoid = motif.segments[motif.medoid]
+        seconds = [segment.n_frames / rates[segment.clip] for segment in motif.segments]
+        rows.append(
+            {
+                "key": str(motif.id),
+                "id": motif.id,
+                "strip": strip_address(dataset.name, medoid, 6, dataset.fingerprint),
+                "motions": len(motif.segments),
+                "seconds": round(sum(seconds) / len(seconds), 2),
+                "clips": len({segment.clip for segment in motif.segments}),
+                "label": majority_label(motif.segments, by_clip),
+                **_said(notes.get(motif.id)),
+                "selection": {"motif": motif.id},
+            }
+        )
+    return rows
+
+
+def motions_csv(dataset: Dataset, graph: Any, notes: Mapping[int, MotifNote] = MappingProxyType({})) -> str:
+    """One line a motion: its motif, what people call it, its frames (end exclusive), seconds and main label."""
+    by_clip: dict[str, list[Label]] = {}
+    for label in dataset.labels:
+        by_clip.setdefault(label.clip, []).append(label)
+    text = io.StringIO()
+    lines = csv.writer(text, lineterminator="\n")
+    lines.writerow(["motif", "name", "tags", "clip", "start_frame", "end_frame", "seconds", "label"])
+    for motif in graph.motifs:
+        note = notes.get(motif.id, MotifNote())
+        for segment in motif.segments:
+            seconds = f"{segment.n_frames / dataset.clip(segment.clip).fps:.3f}"
+            label = majority_label([segment], by_clip).rpartition(" (")[0]
+            lines.writerow([motif.id, note.name, ";".join(note.tags), *segment, seconds, label])
+    return text.getvalue()
+
+
+def _said(note: MotifNote | None) -> Row:
+    return {"name": note.name, "tags": ", ".join(note.tags), "note": note.note} if note else {"name": "", "tags": ""}
+
+
+def motif_columns(dataset: Dataset) -> list[dict[str, Any]]:
+    """The columns of the motif table; labels only where there are any."""
+    return [column for column in MOTIF_COLUMNS if column["field"] != "label" or dataset.labels]
+
+
+def majority_label(segments: Iterable[Segment], labels: dict[str, list[Label]]) -> str:
+    """The action whose labels cover most frames of the segments, with its share; empty where none does."""
+    covered: Counter[str] = Counter()
+    frames = 0
+    for segment in segments:
+        frames += segment.n_frames
+        for label in labels.get(segment.clip, ()):
+            covered[label.action] += max(0, min(label.end, segment.end) - max(label.start, segment.start))
+    (action, most), *_ = covered.most_common(1) or [("", 0)]
+    return f"{action} ({100 * most / frames:.0f} %)" if most else ""
+
+
+def clock(seconds: float) -> str:
+    """A moment of a clip: 0:07.3."""
+    minutes, rest = divmod(round(float(seconds), 1), 60)
+    return f"{int(minutes)}:{rest:04.1f}"
