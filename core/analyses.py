@@ -8,10 +8,8 @@ from __future__ import annotations
 
 import hashlib
 import json
-import threading
 import time
 import traceback
-from collections import OrderedDict
 from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import asdict, dataclass, field
@@ -19,6 +17,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from core.caching import RecentCache
 from core.grammar.table import TableParameters, part_report
 from core.methods import METHODS, Method
 from core.mocap.errors import RecordingError
@@ -44,7 +43,6 @@ if TYPE_CHECKING:
 DEMO = "demo"  # name of the embedded data set
 _POLL = 0.1  # seconds between two looks at a job that another process works on
 _KEPT_LOGS = 50
-_KEPT_RESULTS = 16
 
 
 class AnalysisError(ValueError):
@@ -110,8 +108,7 @@ def stored(workspace: Workspace, request: Request) -> Any | None:
 
 def kept(workspace: Workspace, method: str, result_key: str) -> Any | None:
     """The result of ``method`` under this key (:func:`key`), or None. Raises NameRefused for what is no key."""
-    with _lock:
-        known = (workspace.path, method, result_key) in _results
+    known = (workspace.path, method, result_key) in _results
     return _load(workspace, method, result_key) if known or _is_of(workspace, method, result_key) else None
 
 
@@ -217,7 +214,7 @@ def _perform(workspace: Workspace, job: Job, report: Report) -> Any:
         dataset = workspace.open_fingerprint(asked["fingerprint"])
         result = _computed(workspace, dataset, asked["method"], asked["parameters"], report)
         workspace.results.put(job.key, *method.pack(result, dataset))
-        _remember(workspace, asked["method"], job.key, result)
+        _results.put((workspace.path, asked["method"], job.key), result)
     return result
 
 
@@ -246,7 +243,7 @@ def _made(workspace: Workspace, dataset: Dataset, method: str, values: Mapping[s
     if result is None:
         result = _computed(workspace, dataset, method, request.parameters, report)
         workspace.results.put(made_key, *METHODS[method].pack(result, dataset))
-        _remember(workspace, method, made_key, result)
+        _results.put((workspace.path, method, made_key), result)
     return result
 
 
@@ -260,9 +257,9 @@ def _await(workspace: Workspace, job: Job, report: Report) -> Job:
 
 
 def _load(workspace: Workspace, method: str, result_key: str) -> Any | None:
-    with _lock:
-        if (workspace.path, method, result_key) in _results:
-            return _results[workspace.path, method, result_key]
+    place = workspace.path, method, result_key
+    if (result := _results.get(place)) is not None:
+        return result
     try:
         found = workspace.results.get(result_key)
         result = METHODS[method].unpack(*found) if found else None
@@ -272,15 +269,8 @@ def _load(workspace: Workspace, method: str, result_key: str) -> Any | None:
         workspace.results.remove(result_key)
         return None
     if result is not None:
-        _remember(workspace, method, result_key, result)
+        _results.put(place, result)
     return result
-
-
-def _remember(workspace: Workspace, method: str, result_key: str, result: Any) -> None:
-    with _lock:
-        _results[workspace.path, method, result_key] = result
-        while len(_results) > _KEPT_RESULTS:
-            _results.popitem(last=False)
 
 
 def _in_words(workspace: Workspace, job: Job, error: Exception) -> str:
@@ -325,8 +315,7 @@ def _kind(method: str) -> type:
     raise ParameterError(f"There is no method {str(method)[:40]!r}; there are {', '.join(METHODS)}.")
 
 
-_results: OrderedDict[tuple[Path, str, str], Any] = OrderedDict()  # by workspace, method and key; results never change
-_lock = threading.Lock()
+_results: RecentCache[tuple[Path, str, str], Any] = RecentCache(16)  # by workspace, method and key
 
 
 @dataclass(frozen=True)

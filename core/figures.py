@@ -8,13 +8,11 @@ from __future__ import annotations
 
 import hashlib
 import json
-import threading
-from collections import OrderedDict
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
 
+from core.caching import RecentCache
 from core.evaluation.coverage import score_motifs
 from core.mocap.clip import Label
 from core.mocap.dataset import Dataset
@@ -26,7 +24,6 @@ SCORES = ("purity", "f1_majority")
 """Agreement with labels; only where a data set has any."""
 
 _VERSION = 1  # goes into the names of summaries: raise it when figures are counted in another way
-_KEPT = 20_000
 
 Figures = dict[str, float]
 """METRICS, kappa (letters in use), seconds (of all stages together) and, where there are labels, SCORES."""
@@ -47,7 +44,7 @@ def keep_figures(workspace: Workspace, key: str, graph: MotifGraph, dataset: Dat
     """The figures of the motif graph stored under ``key``, from now on quick to read. Raises WorkspaceError."""
     figures, place = figures_of(graph, dataset.labels), _place(key, _label_mark(dataset))
     workspace.results.put(place, figures)
-    _remember(workspace.path, place, figures)
+    _known.put((workspace.path, place), figures)
     return figures
 
 
@@ -58,15 +55,14 @@ def read_figures(workspace: Workspace, dataset: Dataset, keys: Sequence[str]) ->
 
 
 def _read(workspace: Workspace, dataset: Dataset, key: str, place: str) -> Figures | None:
-    with _lock:
-        if (workspace.path, place) in _known:
-            return _known[workspace.path, place]
+    if (figures := _known.get((workspace.path, place))) is not None:
+        return figures
     if not workspace.results.has(key):
         return None
     with suppress(ResultDamaged):  # it has been set aside: count again
         found = workspace.results.get(place)
         if found is not None:
-            _remember(workspace.path, place, found.document)
+            _known.put((workspace.path, place), found.document)
             return found.document
     try:
         graph = workspace.results.get(key)
@@ -84,12 +80,4 @@ def _label_mark(dataset: Dataset) -> str:
     return hashlib.blake2b(json.dumps(dataset.labels).encode(), digest_size=16).hexdigest() if dataset.labels else ""
 
 
-def _remember(path: Path, place: str, figures: dict[str, Any]) -> None:
-    with _lock:
-        _known[path, place] = figures
-        while len(_known) > _KEPT:
-            _known.popitem(last=False)
-
-
-_known: OrderedDict[tuple[Path, str], Figures] = OrderedDict()
-_lock = threading.Lock()
+_known: RecentCache[tuple[Path, str], Figures] = RecentCache(20_000)

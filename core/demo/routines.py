@@ -71,7 +71,7 @@ def perform_sentence(
     """The sentence as one clip, a label an action, and the half-open frame ranges of the cross-fades.
 
     Labels meet in the middle of the cross-fades, cover every frame and do not overlap. plain: see :func:`routines`.
-    Raises ValueError for an empty sentence and for an action that is none of :data:`core.demo.grammar.ACTIONS`.
+    Raises ValueError for an empty sentence and for an action that is none of :data:`core.demo.hidden_rules.ACTIONS`.
     """
     if not sentence or not set(sentence) <= set(ACTIONS):
         raise ValueError(f"a routine is made of {', '.join(ACTIONS)}, not of {sentence}")

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
 
+from core.caching import RecentCache
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.progress import Report
@@ -24,8 +24,6 @@ EXACT, RERANKED = 3000, 1000
 """With up to EXACT clips all get the exact distance; of more the nearest RERANKED, and the others follow in the order
 of the rough one."""
 
-_KEPT = 3  # settings of weights whose clips stay resampled
-
 
 class BoundedEdit:
     """The default engine (docs/search.md)."""
@@ -33,7 +31,7 @@ class BoundedEdit:
     def __init__(self, store: FrameStore):
         self.store = store
         self._wholes = [Segment(clip.name, 0, clip.frames) for clip in store.clips]
-        self._resampled: OrderedDict[bytes, Motions] = OrderedDict()
+        self._resampled: RecentCache[bytes, Motions] = RecentCache(3)  # by the metric of the weights
 
     @property
     def clips(self) -> tuple[IndexedClip, ...]:
@@ -92,14 +90,8 @@ class BoundedEdit:
         return cls(FrameStore.unpack(document, arrays))
 
     def _all(self, metric: Metric) -> Motions:
-        """All clips resampled for a metric; the last few stay."""
-        kept = self._resampled
-        if metric.key not in kept:
-            kept[metric.key] = metric.clips(self.store)
-            while len(kept) > _KEPT:
-                kept.popitem(last=False)
-        kept.move_to_end(metric.key)
-        return kept[metric.key]
+        """All clips resampled for a metric."""
+        return self._resampled.get_or_compute(metric.key, lambda: metric.clips(self.store))
 
 
 def _ranked_distances(metric: Metric, asked: Motions, others: Motions) -> np.ndarray:

@@ -11,15 +11,14 @@ import json
 import secrets
 import shutil
 import sqlite3
-import threading
 import time
-from collections import OrderedDict
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from core.caching import RecentCache
 from core.mocap.files import atomic_file, replacing, sweep_abandoned
 from core.workspace.database import Database
 from core.workspace.errors import NameRefused, WorkspaceError, plain_errors
@@ -60,8 +59,7 @@ class DatasetStore:
 
     def __init__(self, folder: Path, bin_folder: Path, database: Database):
         self.folder, self._bin, self._database = folder, bin_folder, database
-        self._opened: OrderedDict[str, Dataset] = OrderedDict()
-        self._lock = threading.Lock()
+        self._opened: RecentCache[str, Dataset] = RecentCache(_OPEN_AT_ONCE)
         if database.is_new:
             self._adopt()
 
@@ -105,21 +103,12 @@ class DatasetStore:
         """The data set itself, its arrays memory-mapped; raises WorkspaceError where its files are damaged."""
         from core.mocap.storage import load_dataset  # numba comes with it: only who opens data pays
 
-        with self._lock:
-            if info.folder in self._opened:
-                self._opened.move_to_end(info.folder)
-                return self._opened[info.folder]
         try:
-            dataset = load_dataset(self._path(info.folder))
+            return self._opened.get_or_compute(info.folder, lambda: load_dataset(self._path(info.folder)))
         except (OSError, ValueError, KeyError, EOFError) as error:
             raise WorkspaceError(
                 f"The stored dataset {info.name!r} cannot be opened, its files are damaged; import it again."
             ) from error
-        with self._lock:
-            self._opened[info.folder] = dataset
-            while len(self._opened) > _OPEN_AT_ONCE:
-                self._opened.popitem(last=False)
-        return dataset
 
     def add(self, name: str, fill: Fill) -> DatasetInfo:
         """Stores under ``name`` what ``fill`` writes, whole or not at all. Raises NameRefused, WorkspaceError."""
@@ -264,8 +253,7 @@ class DatasetStore:
         return info
 
     def _discard(self, info: DatasetInfo) -> None:
-        with self._lock:
-            self._opened.pop(info.folder, None)
+        self._opened.discard(info.folder)
         with suppress(OSError, NameRefused):  # first out of sight, then deleted: never half a data set among the others
             target = self._bin / info.folder
             self._path(info.folder).replace(target)

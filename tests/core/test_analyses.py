@@ -25,8 +25,8 @@ def workspace(tmp_path):
 
 
 @pytest.fixture(autouse=True)
-def fresh_memory(monkeypatch):
-    monkeypatch.setattr(analyses, "_results", type(analyses._results)())
+def fresh_memory():
+    analyses._results.clear()
 
 
 def toy(**parameters):
@@ -103,10 +103,10 @@ def test_a_result_is_computed_once_and_then_opened(workspace, tmp_path):
     assert (job.state, job.title) == ("done", "Toy: toy")
 
 
-def test_a_damaged_result_is_computed_again(workspace, monkeypatch):
+def test_a_damaged_result_is_computed_again(workspace):
     result = analyses.run(workspace, toy())
     for damage in ("{", "[]"):
-        monkeypatch.setattr(analyses, "_results", type(analyses._results)())
+        analyses._results.clear()
         next(workspace.results.folder.rglob("*.json")).write_text(damage)
         assert analyses.stored(workspace, toy()) is None
         assert analyses.run(workspace, toy()) == result

@@ -32,9 +32,9 @@ def workspace(tmp_path):
 
 
 @pytest.fixture(autouse=True)
-def fresh_memory(monkeypatch):
-    monkeypatch.setattr(analyses, "_results", type(analyses._results)())
-    monkeypatch.setattr(figures, "_known", type(figures._known)())
+def fresh_memory():
+    analyses._results.clear()
+    figures._known.clear()
 
 
 def sweep(**parameters) -> Request:
@@ -103,7 +103,7 @@ def test_a_cancelled_sweep_keeps_its_points(workspace):
 
 def test_figures_are_read_without_opening_graphs(workspace, monkeypatch):
     analyses.run(workspace, sweep())
-    monkeypatch.setattr(figures, "_known", {})
+    figures._known.clear()
     monkeypatch.setattr(figures, "from_json", None)
     found = read_figures(workspace, workspace.open("moves"), [*keys(workspace), "0" * 32])
     assert found.pop() is None
@@ -129,9 +129,9 @@ def test_figures_of_graphs_that_no_sweep_made_and_of_changed_labels(workspace):
     assert figures_of(graph, LABELS) == pytest.approx(found, abs=1e-3)
 
 
-def test_a_damaged_graph_has_no_figures_and_is_made_again(workspace, monkeypatch):
+def test_a_damaged_graph_has_no_figures_and_is_made_again(workspace):
     analyses.run(workspace, sweep())
-    monkeypatch.setattr(figures, "_known", {})
+    figures._known.clear()
     for path in (workspace.path / "results").rglob("*.json"):
         path.write_text("{")
     dataset = workspace.open("moves")

@@ -2,7 +2,7 @@
 
 ``GET /api/map/<key>.bin``: ``uint32`` header length, JSON header (padded with spaces to 4 bytes), then little-endian
 arrays one after another: weights float32 ``(nx, ny, 3 n_joints)``; of the runs clip, start, end, node int32 and
-distance, ahead, aside float32, each ``(n_runs,)`` (see core.motion_map.keypose_search.Runs).
+distance, ahead, aside float32, each ``(n_runs,)`` (see core.motion_map.key_poses.Runs).
 ``GET /api/map/<key>/paths?dataset=&clip=&start=&end=&clip=...``: where segments go over the map.
 ``GET /api/map/<key>/drawn?path=x-y,x-y,...``: stretches whose way over the map follows a drawn path.
 ``GET /api/map/<key>/node?dataset=&clip=&frame=``: the node nearest to one frame of any clip.
