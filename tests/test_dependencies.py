@@ -1,4 +1,4 @@
-"""pyproject.toml declares exactly the libraries that the code imports."""
+"""pyproject.toml declares exactly the libraries that the code imports, and the files in requirements/ fit it."""
 
 from __future__ import annotations
 
@@ -11,10 +11,12 @@ from importlib.metadata import packages_distributions
 from pathlib import Path
 
 import pytest
+from packaging.requirements import Requirement
 
 ROOT = Path(__file__).resolve().parents[1]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
 OWN = {"core", "webapp", "tests", "scripts", "benchmarks"}
+LOCKED = {"run": (), "dev": ("dev",), "bench": ("dev", "bench")}  # file in requirements/ -> extras in it
 
 
 def declared(requirements: Iterable[str]) -> set[str]:
@@ -58,3 +60,29 @@ def test_nothing_is_declared_that_is_not_imported(imported):
 def test_every_direct_dependency_has_a_lower_bound():
     groups = [PROJECT["dependencies"], *PROJECT["optional-dependencies"].values()]
     assert [text for group in groups for text in group if ">=" not in text] == []
+
+
+def locked_versions(name: str) -> dict[str, str]:
+    """Version of each distribution in one of the files in requirements/."""
+    text = (ROOT / "requirements" / f"{name}.txt").read_text(encoding="utf-8")
+    return {normal(found[1]): found[2] for found in re.finditer(r"^([\w.-]+)==([^ ;]+)", text, re.MULTILINE)}
+
+
+@pytest.mark.parametrize("name", LOCKED)
+def test_locked_versions_are_those_that_the_project_allows(name):
+    versions = locked_versions(name)
+    wanted = [*PROJECT["dependencies"], *(r for extra in LOCKED[name] for r in PROJECT["optional-dependencies"][extra])]
+    for requirement in map(Requirement, wanted):
+        locked = versions.get(normal(requirement.name))
+        assert locked is not None, f"{requirement.name} is not in requirements/{name}.txt: run make lock"
+        assert requirement.specifier.contains(locked), f"{requirement} but {locked} is locked: run make lock"
+
+
+def test_the_locks_agree():
+    run, dev, bench = (locked_versions(name) for name in LOCKED)
+    assert run.items() <= dev.items() <= bench.items()
+
+
+@pytest.mark.parametrize("name", LOCKED)
+def test_locks_name_no_registry(name):
+    assert "://" not in (ROOT / "requirements" / f"{name}.txt").read_text(encoding="utf-8")
