@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 
 import pytest
 
@@ -32,6 +33,34 @@ def test_core_does_not_load_the_app_or_its_libraries():
 @pytest.mark.parametrize("path", [p for p in SOURCES if p.suffix in {".py", ".mjs", ".css"}], ids=lambda p: p.name)
 def test_files_stay_readable(path):
     assert len(path.read_text(encoding="utf-8").splitlines()) <= 420
+
+
+ROOMS = {  # a word of a file's name that speaks of a page -> the folders such a file may lie in
+    "library": {"library"},
+    "motif": {"motifs"},
+    "motifs": {"motifs"},
+    "sweep": {"sweeps", "motifs"},  # core computes sweeps where it computes motifs
+    "sweeps": {"sweeps", "motifs"},
+    "map": {"motion_map"},
+    "search": {"search", "retrieval"},
+    "grammar": {"grammar"},
+}
+
+
+def test_files_that_speak_of_a_page_lie_in_its_folder():
+    listed = subprocess.run(
+        ["git", "ls-files", "webapp", "assets", "core", "tests"],
+        cwd=REPOSITORY, capture_output=True, text=True, check=True,
+    ).stdout.split()  # fmt: skip
+    paths = [PurePosixPath(name) for name in listed]
+    assert len(paths) > 500
+    lost = [
+        str(path)
+        for path in paths
+        for word in re.split(r"[^a-z]+", path.name.lower())
+        if word in ROOMS and not ROOMS[word] & set(path.parts[:-1])
+    ]
+    assert lost == []
 
 
 def test_the_docstring_check_finds_what_is_missing(tmp_path):
