@@ -18,18 +18,17 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from core.caching import RecentCache
+from core.errors import AnalysisError, LoggedBug, MotionscapeError, ParameterError, new_bug_id
 from core.grammar.table import TableParameters, part_report
 from core.methods import METHODS, Method
-from core.mocap.errors import RecordingError
 from core.motifs.axes import SweepParameters
-from core.parameters import Parameter, ParameterError, build, parameters_of
+from core.parameters import Parameter, build, parameters_of
 from core.progress import Cancelled, Report, silent
 from core.requests import Request, query_request
 from core.workspace import (
     Job,
     ResultDamaged,
     Workspace,
-    WorkspaceError,
     explain,
     query_files,
     tasks,
@@ -43,10 +42,6 @@ if TYPE_CHECKING:
 DEMO = "demo"  # name of the embedded data set
 _POLL = 0.1  # seconds between two looks at a job that another process works on
 _KEPT_LOGS = 50
-
-
-class AnalysisError(ValueError):
-    """An analysis failed; the message is for the person who asked."""
 
 
 @dataclass(frozen=True)
@@ -167,7 +162,7 @@ def run(workspace: Workspace, request: Request, report: Report = silent) -> Any:
 def at_once(workspace: Workspace, request: Request, report: Report = silent) -> Any:
     """The result of a request that takes about a second: opened, or computed here and kept, without a job.
 
-    Raises ParameterError, WorkspaceError, and ValueError in plain words where it cannot be.
+    Raises MotionscapeError where it cannot be.
     """
     request = normalise(request)
     return _made(workspace, workspace.open(request.dataset), request.method, request.parameters, report)
@@ -176,7 +171,8 @@ def at_once(workspace: Workspace, request: Request, report: Report = silent) -> 
 def execute(workspace: Workspace, job: Job, report: Report = silent) -> Any:
     """Does a claimed job in this process and writes its end into the table; the result (None for a task).
 
-    Raises AnalysisError in plain words (the traceback goes to the workspace's logs), or Cancelled.
+    Raises AnalysisError in plain words (LoggedBug where it is our fault; then the traceback is in the workspace's
+    logs), or Cancelled.
     """
     with workspace.jobs.working(job.id) as note:
 
@@ -193,9 +189,9 @@ def execute(workspace: Workspace, job: Job, report: Report = silent) -> Any:
             if was_interrupted(error):
                 workspace.jobs.stopped(job.id)
                 raise KeyboardInterrupt from error
-            words = _in_words(workspace, job, error)
-            workspace.jobs.fail(job.id, words)
-            raise AnalysisError(words) from error
+            failure = _failure(workspace, job, error)
+            workspace.jobs.fail(job.id, str(failure))
+            raise failure from error
     workspace.jobs.finish(job.id)
     return result
 
@@ -273,34 +269,21 @@ def _load(workspace: Workspace, method: str, result_key: str) -> Any | None:
     return result
 
 
-def _in_words(workspace: Workspace, job: Job, error: Exception) -> str:
-    """What a person is told; everything else goes to a log file that only the server's owner sees."""
-    if isinstance(error, WorkspaceError | RecordingError | ParameterError | AnalysisError) or _is_refusal(error):
-        return str(error)
-    log = workspace.logs / f"job-{job.id}.log"
+def _failure(workspace: Workspace, job: Job, error: Exception) -> AnalysisError:
+    """What the person who asked is told. Errors that are not meant for people go to a log file of the workspace."""
+    if isinstance(error, MotionscapeError):
+        return AnalysisError(str(error))
+    bug_id, log = new_bug_id(), workspace.logs / f"job-{job.id}.log"
     with suppress(OSError):
-        log.write_text(
-            f"{datetime.now():%Y-%m-%d %H:%M:%S} {job.title} {job.request}\n{_trace(error)}", encoding="utf-8"
-        )
+        trace = "".join(traceback.format_exception(error))
+        head = f"{datetime.now():%Y-%m-%d %H:%M:%S} {bug_id} {job.title} {job.request}"
+        log.write_text(f"{head}\n{trace}", encoding="utf-8")
         for old in sorted(workspace.logs.glob("job-*"), key=lambda path: path.stat().st_mtime)[:-_KEPT_LOGS]:
             old.unlink()
     if isinstance(error, OSError | MemoryError):
-        return f"{job.title} failed: {explain(error)}."
-    return (
-        f"{job.title} failed because of a fault in Motionscape. The details stand in logs/{log.name} of the workspace."
-    )
-
-
-def _is_refusal(error: Exception) -> bool:
-    """Whether it is a ValueError that our own code raised, in words for people, and not one from a library."""
-    if type(error) is not ValueError or error.__traceback__ is None:
-        return False
-    *_, (innermost, _) = traceback.walk_tb(error.__traceback__)
-    return str(innermost.f_globals.get("__name__", "")).startswith("core.")
-
-
-def _trace(error: Exception) -> str:
-    return "".join(traceback.format_exception(error))
+        return AnalysisError(f"{job.title} failed: {explain(error)}.")
+    where = f"The details stand in logs/{log.name} of the workspace"
+    return LoggedBug(f"{job.title} failed because of a fault in Motionscape. {where} (error {bug_id}).", bug_id)
 
 
 def _digest(*parts: object) -> str:

@@ -13,6 +13,7 @@ from contextlib import suppress
 from pathlib import Path
 
 from core.caching import RecentCache
+from core.errors import FormatError
 from core.evaluation.coverage import score_motifs
 from core.mocap.clip import Label
 from core.mocap.dataset import Dataset
@@ -67,7 +68,7 @@ def _read(workspace: Workspace, dataset: Dataset, key: str, place: str) -> Figur
     try:
         graph = workspace.results.get(key)
         return keep_figures(workspace, key, from_json(graph.document), dataset) if graph else None
-    except (ResultDamaged, ValueError):  # set aside, or of another version: as if it had not been computed
+    except (ResultDamaged, FormatError):  # set aside, or of another version: as if it had not been computed
         return None
 
 

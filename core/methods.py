@@ -90,12 +90,9 @@ def _compress(dataset: Dataset, values: Any, report: Report, graph: Any) -> Any:
 
 
 def _walk(dataset: Dataset, values: Any, report: Report, graph: Any) -> Any:
-    from core.synthesis import NoWay, make_walk
+    from core.synthesis import make_walk
 
-    try:
-        return make_walk(dataset, graph, values.path, **values.options, report=report)
-    except NoWay as error:
-        raise ValueError(str(error)) from error
+    return make_walk(dataset, graph, values.path, **values.options, report=report)
 
 
 def _grammar(dataset: Dataset, values: Any, report: Report, terminals: Any) -> Any:

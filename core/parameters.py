@@ -12,6 +12,8 @@ from collections.abc import Mapping
 from dataclasses import MISSING, dataclass, field, fields
 from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
 
+from core.errors import ParameterError
+
 
 def parameter(
     default: Any,
@@ -26,10 +28,6 @@ def parameter(
     """A field of a parameters' dataclass, with the metadata that this module reads."""
     limits = {"min": low, "max": high, "step": step, "choices": choices}
     return field(default=default, metadata={"help": help, "label": label, "advanced": advanced, **limits})
-
-
-class ParameterError(ValueError):
-    """A parameter is unknown or its value cannot be used; the message says which and what is expected."""
 
 
 @dataclass(frozen=True)
@@ -113,13 +111,8 @@ def fill(kind: type, values: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def build(kind: type, values: Mapping[str, Any]) -> Any:
-    """An instance of ``kind`` from ``values``; raises ParameterError, also for what its own checks refuse."""
-    try:
-        return kind(**fill(kind, values))
-    except ParameterError:
-        raise
-    except ValueError as error:
-        raise ParameterError(str(error)) from error
+    """An instance of ``kind`` from ``values``. Raises ParameterError, also for what the checks of ``kind`` refuse."""
+    return kind(**fill(kind, values))
 
 
 def _read(field: Any, hint: Any) -> Parameter:

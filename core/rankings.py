@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 
+from core.errors import AnalysisError, FormatError, ParameterError
 from core.evaluation.ranking import RegimeScores, clip_labels, score_rankings
 from core.mocap.dataset import Dataset
 from core.parameters import parameter
@@ -32,7 +33,7 @@ KNOWN = (*ENGINES, *BASELINE_NAMES, CHANCE)
 class RankingParameters:
     """What ranks the clips. Each field's metadata: ``help``, ``min``, ``max``, ``step``, ``choices``, ``advanced``.
 
-    Raises ValueError, in plain words, for a value out of range.
+    Raises ParameterError, in plain words, for a value out of range.
     """
 
     engines: str = parameter(
@@ -45,11 +46,11 @@ class RankingParameters:
 
     def __post_init__(self) -> None:
         if not self.names:
-            raise ValueError(f"engines must name at least one of {', '.join(KNOWN)}")
+            raise ParameterError(f"engines must name at least one of {', '.join(KNOWN)}")
         if unknown := [name for name in self.names if name not in KNOWN]:
-            raise ValueError(f"there is no engine called {unknown[0][:40]!r}; there are {', '.join(KNOWN)}")
+            raise ParameterError(f"there is no engine called {unknown[0][:40]!r}; there are {', '.join(KNOWN)}")
         if not 1 <= self.queries <= 100_000:
-            raise ValueError(f"queries must be 1 to 100000, not {self.queries}")
+            raise ParameterError(f"queries must be 1 to 100000, not {self.queries}")
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -103,11 +104,11 @@ class Evaluation:
 def rank_dataset(dataset: Dataset, parameters: RankingParameters | None = None, report: Report = silent) -> Rankings:
     """The clips of a data set, each ranked for each query by each engine. Deterministic.
 
-    Raises ValueError where there are fewer than two clips; ``report`` may raise to stop the work.
+    Raises AnalysisError where there are fewer than two clips; ``report`` may raise to stop the work.
     """
     parameters = parameters or RankingParameters()
     if len(dataset.clips) < 2:
-        raise ValueError("a ranking needs at least two clips")
+        raise AnalysisError("a ranking needs at least two clips")
     n = len(dataset.clips)
     queries = np.unique(np.linspace(0, n - 1, min(parameters.queries, n)).round().astype(np.int64))
     orders, seconds = {}, {}
@@ -119,11 +120,13 @@ def rank_dataset(dataset: Dataset, parameters: RankingParameters | None = None, 
 
 
 def evaluate(rankings: Rankings, dataset: Dataset) -> Evaluation:
-    """What the labels of a data set say of its rankings. Raises ValueError where no query has a label."""
+    """What the labels of a data set say of its rankings. Raises AnalysisError where no query has a label."""
     labels = clip_labels(dataset)
     asked = [rankings.clips[k] for k in rankings.queries if rankings.clips[k] in labels.content]
     if not asked:
-        raise ValueError("no clip that was searched for has a label, so there is nothing to compare the rankings with")
+        raise AnalysisError(
+            "no clip that was searched for has a label, so there is nothing to compare the rankings with"
+        )
     engines = {}
     for name in rankings.orders:
         found = rankings.of(name)
@@ -132,9 +135,9 @@ def evaluate(rankings: Rankings, dataset: Dataset) -> Evaluation:
 
 
 def unpack(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Rankings:
-    """Rankings back from the arrays (n, ...) of :meth:`Rankings.pack`. Raises ValueError for anything else."""
+    """Rankings back from the arrays (n, ...) of :meth:`Rankings.pack`. Raises FormatError for anything else."""
     if document.get("format") != FORMAT:
-        raise ValueError(f"not rankings: expected format {FORMAT}, found {document.get('format')}")
+        raise FormatError(f"not rankings: expected format {FORMAT}, found {document.get('format')}")
     orders = {key.removeprefix("order "): value for key, value in arrays.items() if key.startswith("order ")}
     asked = [name for name in RankingParameters(**document["parameters"]).names if name in orders]
     return Rankings(

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from core.demo.routines import routines
+from core.errors import ParameterError
 from core.mocap.bvh import write_bvh
 from core.mocap.clip import Clip, Label
 from core.mocap.dataset import Dataset
@@ -47,7 +48,7 @@ def write_demo(folder: str | Path, minutes: float = 6, seed: int = 0, report: Re
 
 def _checked(minutes: float, seed: int, report: Report) -> Iterator[tuple[Clip, tuple[Label, ...]]]:
     if not minutes > 0:
-        raise ValueError(f"the demo needs a positive number of minutes, not {minutes}")
+        raise ParameterError(f"the demo needs a positive number of minutes, not {minutes}")
     seconds = 0.0
     for clip, labels in routines(minutes, seed):
         seconds += clip.seconds

@@ -18,6 +18,7 @@ import numpy as np
 from core.arrays import FloatArray
 from core.editing.contacts import floor_height, foot_contacts, heights, sole_points
 from core.editing.gait import Gait, find_gait
+from core.errors import ParameterError
 from core.mocap.anatomy import SIDES, find_anatomy
 from core.mocap.clip import Clip
 from core.mocap.kinematics import joint_positions
@@ -104,10 +105,10 @@ class ClipCurves:
         return self._feet_and_places[0]
 
     def place(self, joint: str) -> np.ndarray:
-        """World positions of a canonical joint ``(n_frames, 3)``, metres; raises ValueError for an unknown one."""
+        """World positions of a canonical joint ``(n_frames, 3)``, metres; raises ParameterError for an unknown one."""
         places = self._feet_and_places[3]
         if joint not in places:
-            raise ValueError(f"this body has no {joint}; it has {', '.join(places)}")
+            raise ParameterError(f"this body has no {joint}; it has {', '.join(places)}")
         return places[joint]
 
     def angles(self, joints: Iterable[str] | None = None, channels: Sequence[str] | None = None) -> list[Curve]:
@@ -129,12 +130,12 @@ class ClipCurves:
     def channels(self, joints: Iterable[int] | None = None) -> list[Curve]:
         """The file's own rotation channels of joints (indices; all that turn where None), degrees.
 
-        Raises ValueError for a joint that is not there or does not turn.
+        Raises ParameterError for a joint that is not there or does not turn.
         """
         curves = []
         for joint in self.turning_joints if joints is None else joints:
             if joint not in self.turning_joints:
-                raise ValueError(f"there is no turning joint number {joint} in this skeleton")
+                raise ParameterError(f"there is no turning joint number {joint} in this skeleton")
             names, values = channel_angles(self.clip, joint)
             curves += [Curve(self.clip.skeleton.names[joint], n, "deg", values[:, k]) for k, n in enumerate(names)]
         return curves
@@ -181,11 +182,12 @@ def speed(places: np.ndarray, fps: float) -> np.ndarray:
 def csv_blocks(clip: Clip, curves: Sequence[Curve], start: int = 0, end: int | None = None) -> Iterator[str]:
     """A table of curves as CSV text, piece by piece: a header with units, then a row a frame from ``start`` to ``end``.
 
-    The first columns are the frame of the clip and its time in seconds. Raises ValueError where these are out of range.
+    The first columns are the frame of the clip and its time in seconds. Raises ParameterError where these are out of
+    range.
     """
     end = clip.n_frames if end is None else end
     if not 0 <= start < end <= clip.n_frames:
-        raise ValueError(f"{clip.name} has frames 0 to {clip.n_frames}; cannot write {start} to {end}")
+        raise ParameterError(f"{clip.name} has frames 0 to {clip.n_frames}; cannot write {start} to {end}")
     header = io.StringIO()
     csv.writer(header, lineterminator="\n").writerow(["frame", "time [s]", *(curve.title for curve in curves)])
     yield header.getvalue()

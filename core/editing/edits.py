@@ -11,6 +11,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from core.editing.mirror import mirror
+from core.errors import AnalysisError, ParameterError
 from core.mocap.clip import Clip, Label
 from core.mocap.kinematics import resample
 from core.poses.body_frames import BodyFrames
@@ -28,11 +29,13 @@ class Edited(NamedTuple):
 
 
 def trim(clip: Clip, labels: Iterable[Label], start: int, end: int) -> Edited:
-    """Frames ``[start, end)`` as a clip of their own. Raises ValueError where they are out of range or fewer than 2."""
+    """Frames ``[start, end)`` as a clip of their own. Raises ParameterError where they are out of range or fewer than
+    2.
+    """
     if not 0 <= start < end <= clip.n_frames:
-        raise ValueError(f"{clip.name} has frames 0 to {clip.n_frames}; it cannot be trimmed to {start} to {end}")
+        raise ParameterError(f"{clip.name} has frames 0 to {clip.n_frames}; it cannot be trimmed to {start} to {end}")
     if end - start < FEWEST_FRAMES:
-        raise ValueError(f"A clip needs at least {FEWEST_FRAMES} frames; choose a longer range")
+        raise ParameterError(f"A clip needs at least {FEWEST_FRAMES} frames; choose a longer range")
     part = clip.cut(start, end, f"{clip.name} {start}-{end}")
     return _edited(part, _within(labels, clip, start, end, part.name), f"frames {start} to {end} of {clip.name}")
 
@@ -58,30 +61,36 @@ def at_rate(clip: Clip, labels: Iterable[Label], fps: float) -> Edited:
 
 
 def check_rate(clip: Clip, fps: float) -> None:
-    """Raises ValueError where ``fps`` is not from 1 to 1000, is the clip's own rate, or leaves fewer than 2 frames."""
+    """Raises ParameterError where ``fps`` is not from 1 to 1000, is the clip's own rate, or leaves fewer than 2
+    frames.
+    """
     if not 1 <= fps <= 1000:
-        raise ValueError(f"A frame rate is from 1 to 1000 frames a second, not {fps:g}")
+        raise ParameterError(f"A frame rate is from 1 to 1000 frames a second, not {fps:g}")
     if abs(clip.fps - fps) < 1e-3 * fps:
-        raise ValueError(f"{clip.name} has {clip.fps:g} frames a second already")
+        raise ParameterError(f"{clip.name} has {clip.fps:g} frames a second already")
     if (clip.n_frames - 1) * fps < (FEWEST_FRAMES - 1 - 1e-6) * clip.fps:
-        raise ValueError(f"At {fps:g} frames a second, {clip.name} would have a single frame")
+        raise ParameterError(f"At {fps:g} frames a second, {clip.name} would have a single frame")
 
 
 def split(clip: Clip, labels: Sequence[Label], cuts: Iterable[int]) -> tuple[Edited, ...]:
     """The clip in parts, cut before each frame of ``cuts``; no frame is lost.
 
-    A part that is one label throughout is named after it, the others are numbered. Raises ValueError where there is
+    A part that is one label throughout is named after it, the others are numbered. Raises ParameterError where there is
     nothing to cut, or a part would have fewer than 2 frames.
     """
     inside = sorted({int(cut) for cut in cuts if 0 < cut < clip.n_frames})
     if not inside:
-        raise ValueError(f"There is nothing to cut: choose a frame inside {clip.name}, from 1 to {clip.n_frames - 1}")
+        raise ParameterError(
+            f"There is nothing to cut: choose a frame inside {clip.name}, from 1 to {clip.n_frames - 1}"
+        )
     if len(inside) >= MOST_PARTS:
-        raise ValueError(f"{clip.name} would fall into {len(inside) + 1} parts; at most {MOST_PARTS} are made at once")
+        raise ParameterError(
+            f"{clip.name} would fall into {len(inside) + 1} parts; at most {MOST_PARTS} are made at once"
+        )
     edges = [0, *inside, clip.n_frames]
     short = next((start for start, end in pairwise(edges) if end - start < FEWEST_FRAMES), None)
     if short is not None:
-        raise ValueError(f"The part from frame {short} would have a single frame; cut elsewhere")
+        raise ParameterError(f"The part from frame {short} would have a single frame; cut elsewhere")
     parts: list[Edited] = []
     names: set[str] = set()
     for number, (start, end) in enumerate(pairwise(edges), 1):
@@ -98,7 +107,7 @@ def split(clip: Clip, labels: Sequence[Label], cuts: Iterable[int]) -> tuple[Edi
 def label_cuts(clip: Clip, labels: Iterable[Label]) -> tuple[int, ...]:
     """Frames at which labels of the clip begin or end, for :func:`split`, none closer than 2 to another or an end.
 
-    Raises ValueError where the clip has no label inside it.
+    Raises AnalysisError where the clip has no label inside it.
     """
     own = [label for label in labels if label.clip == clip.name]
     cuts: list[int] = []
@@ -106,7 +115,7 @@ def label_cuts(clip: Clip, labels: Iterable[Label]) -> tuple[int, ...]:
         if cut - (cuts[-1] if cuts else 0) >= FEWEST_FRAMES and clip.n_frames - cut >= FEWEST_FRAMES:
             cuts.append(cut)
     if not cuts:
-        raise ValueError(f"{clip.name} has no label that begins or ends inside it")
+        raise AnalysisError(f"{clip.name} has no label that begins or ends inside it")
     return tuple(cuts)
 
 

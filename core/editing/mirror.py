@@ -14,6 +14,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from core.errors import AnalysisError
 from core.mocap import quaternions as quat
 from core.mocap.anatomy import find_anatomy
 from core.mocap.anatomy_names import parse_name
@@ -66,7 +67,7 @@ def mirror(clip: Clip, name: str | None = None, frames: BodyFrames | None = None
 def partners(skeleton: Skeleton) -> tuple[int, ...]:
     """For every joint the one on the other side; joints in the middle are their own.
 
-    Raises ValueError where a joint of one side has no partner on the other.
+    Raises AnalysisError where a joint of one side has no partner on the other.
     """
     anatomy = find_anatomy(skeleton)
     found = [0]
@@ -74,7 +75,7 @@ def partners(skeleton: Skeleton) -> tuple[int, ...]:
         found.append(j if anatomy.side(j) == "centre" else _partner(skeleton, j, found[skeleton.parents[j]]))
     hang_alike = all(found[skeleton.parents[j]] == skeleton.parents[k] for j, k in enumerate(found) if j)
     if not hang_alike or any(found[k] != j for j, k in enumerate(found)):
-        raise ValueError("the joints on the left and on the right do not hang from one another in the same way")
+        raise AnalysisError("the joints on the left and on the right do not hang from one another in the same way")
     return tuple(found)
 
 
@@ -88,7 +89,7 @@ def _partner(skeleton: Skeleton, joint: int, above: int) -> int:
     across = [k for k in skeleton.children(above) if anatomy.side(k) == other]
     alike = [k for k in across if _key(skeleton.names[k]) == _key(skeleton.names[joint])]
     if not alike and len(across) != 1:
-        raise ValueError(f"{skeleton.names[joint]} is on the {side}, but there is no such joint on the {other}")
+        raise AnalysisError(f"{skeleton.names[joint]} is on the {side}, but there is no such joint on the {other}")
     return (alike or across)[0]
 
 

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.fft import irfft, next_fast_len
 
+from core.errors import ParameterError
 from core.mocap import quaternions as quat
 from core.mocap.clip import Clip
 from core.mocap.dataset import Dataset
@@ -21,13 +22,13 @@ def band_limited(
     """Stationary Gaussian noise of mean 0 and deviation 1 that holds only frequencies in ``band``: ``(n_frames,
     channels)`` float32.
 
-    band: lowest and highest frequency in Hz; what lies above half of ``fps`` is left out. Raises ValueError where
+    band: lowest and highest frequency in Hz; what lies above half of ``fps`` is left out. Raises ParameterError where
     nothing of the band is left, or its limits are not in order.
     """
     low, high = band
     top = min(high, fps / 2)
     if not 0 <= low < top:
-        raise ValueError(f"noise from {low:g} to {high:g} Hz is not possible at {fps:g} frames a second")
+        raise ParameterError(f"noise from {low:g} to {high:g} Hz is not possible at {fps:g} frames a second")
     n = next_fast_len(max(n_frames, int(np.ceil((_MIN_WAVES + 1) * fps / (top - low)))), real=True)
     frequencies = np.arange(n // 2 + 1) * fps / n
     inside = np.flatnonzero((frequencies >= low) & (frequencies <= top) & (frequencies > 0) & (frequencies < fps / 2))

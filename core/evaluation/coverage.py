@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
+from core.errors import AnalysisError
 from core.mocap.clip import Label, Segment
 
 
@@ -32,11 +33,11 @@ def score_motifs(motifs: Sequence[Sequence[Segment]], labels: Iterable[Label]) -
     """Scores of motifs, each a sequence of segments, against labels, both in frames of the clips' own rates.
 
     Frames without a label do not count; of overlapping labels the later counts, of overlapping motions the earlier.
-    Raises ValueError where there are no labels.
+    Raises AnalysisError where there are no labels.
     """
     labels = tuple(labels)
     if not labels:
-        raise ValueError("there are no labels to compare the motifs with")
+        raise AnalysisError("there are no labels to compare the motifs with")
     actions = sorted({label.action for label in labels})
     truth = _frames_of_labels(labels, actions)
     found = {clip: np.full(len(frames), -1) for clip, frames in truth.items()}

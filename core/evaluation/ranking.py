@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from core.errors import AnalysisError
 from core.mocap.dataset import Dataset
 
 FIRST = 20
@@ -122,7 +123,7 @@ def score_rankings(
     """
     for query, found in rankings.items():
         if query not in labels.content:
-            raise ValueError(f"the query {query!r} has no label")
+            raise AnalysisError(f"the query {query!r} has no label")
         if len(set(found)) != len(found):
             raise ValueError(f"a clip is twice in the list of {query!r}")
     regimes = ("ALL", "XSTYLE") if labels.has_styles else ("ALL",)

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import linear_sum_assignment
 
+from core.errors import AnalysisError
 from core.mocap.clip import Label, Segment
 
 Interval = tuple[int, int]
@@ -47,11 +48,11 @@ def frame_accuracy(terminals: Sequence[Sequence[Segment]], labels: Iterable[Labe
 def confusion(terminals: Sequence[Sequence[Segment]], labels: Iterable[Label]) -> tuple[np.ndarray, int]:
     """Frames of each terminal with each action, ``(n_terminals, n_actions)``, actions by name, and all labelled frames.
 
-    Raises ValueError where there are no labels.
+    Raises AnalysisError where there are no labels.
     """
     labels = tuple(labels)
     if not labels:
-        raise ValueError("there are no labels to compare the terminals with")
+        raise AnalysisError("there are no labels to compare the terminals with")
     actions = sorted({label.action for label in labels})
     ends: dict[str, int] = {}
     for label in labels:

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from core.editing.contacts import foot_contacts
+from core.errors import FormatError
 from core.export.splits import TEST_SHARE, motion_groups, split_groups
 from core.mocap.anatomy import CANONICAL, find_anatomy
 from core.mocap.clip import Clip
@@ -156,8 +157,8 @@ def pack_features(table: FeatureTable) -> tuple[dict[str, Any], dict[str, np.nda
 
 
 def unpack_features(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> FeatureTable:
-    """The table back from the arrays ``(n, ...)`` of :func:`pack_features`. Raises ValueError for anything else."""
+    """The table back from the arrays ``(n, ...)`` of :func:`pack_features`. Raises FormatError for anything else."""
     if document.get("format") != FORMAT:
-        raise ValueError(f"not a feature table: expected format {FORMAT}, found {document.get('format')}")
+        raise FormatError(f"not a feature table: expected format {FORMAT}, found {document.get('format')}")
     kept: dict[str, Any] = {name: tuple(document[name]) for name in _TEXT} | dict(arrays)
     return FeatureTable(fps=float(document["fps"]), **kept)

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from core.errors import ParameterError
 from core.export.features import FeatureTable
 from core.mocap.files import replacing
 
@@ -14,7 +15,7 @@ SUFFIXES = (".npz", ".parquet")
 
 
 def write_features(path: str | Path, table: FeatureTable) -> None:
-    """Writes a table by the suffix of ``path``, atomically. Raises ValueError for another suffix, OSError.
+    """Writes a table by the suffix of ``path``, atomically. Raises ParameterError for another suffix, OSError.
 
     npz: the arrays of :class:`FeatureTable` under their names (text as fixed-width strings: no pickles). Parquet: one
     row a frame with the columns clip, subject, split, frame, seconds, label, left_foot_contact, right_foot_contact,
@@ -22,7 +23,7 @@ def write_features(path: str | Path, table: FeatureTable) -> None:
     """
     path = Path(path)
     if path.suffix.lower() not in SUFFIXES:
-        raise ValueError(f"{path.name}: features are written as {' or '.join(SUFFIXES)}")
+        raise ParameterError(f"{path.name}: features are written as {' or '.join(SUFFIXES)}")
     write = _write_npz if path.suffix.lower() == ".npz" else _write_parquet
     with replacing(path) as temporary:
         write(temporary, table)

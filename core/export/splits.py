@@ -6,6 +6,7 @@ import hashlib
 import re
 from collections.abc import Mapping, Sequence
 
+from core.errors import ParameterError
 from core.inspection.duplicates import find_duplicates
 from core.mocap.clip import Clip
 from core.mocap.dataset import motion_digest
@@ -61,10 +62,11 @@ def split_groups(groups: Sequence[str], sizes: Sequence[int], share: float = TES
 
     groups, sizes: group and number of frames of each clip. The order is that of a hash of the name: it neither follows
     the alphabet nor changes from run to run. A group that is larger than twice what is missing stays in the training;
-    where all are, the smallest is tested; one group alone trains. Raises ValueError for a share not between 0 and 1.
+    where all are, the smallest is tested; one group alone trains. Raises ParameterError for a share not between 0 and
+    1.
     """
     if not 0 <= share < 1:
-        raise ValueError(f"the share of the test must be from 0 to below 1, not {share}")
+        raise ParameterError(f"the share of the test must be from 0 to below 1, not {share}")
     frames: dict[str, int] = {}
     for group, size in zip(groups, sizes, strict=True):
         frames[group] = frames.get(group, 0) + int(size)

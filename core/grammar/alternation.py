@@ -7,6 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from core.errors import AnalysisError
 from core.grammar.cuts import best_cuts
 from core.grammar.medoids import seed_medoids, swap_medoids
 from core.grammar.objective import Clustering, clustering_of, span_distances
@@ -127,7 +128,7 @@ def _choose(
 ) -> tuple[np.ndarray, np.ndarray]:
     """Indices ``(k,)`` of the spans that serve best as medoids, and the distances ``(n, k)`` of all spans to them."""
     if len(spans) < k:
-        raise ValueError(f"there are only {len(spans)} segments for {k} terminals; ask for fewer, or shorter pieces")
+        raise AnalysisError(f"there are only {len(spans)} segments for {k} terminals; ask for fewer, or shorter pieces")
     sample = np.arange(len(spans))
     if len(spans) > max(_MOST, 2 * k):
         sample = np.sort(rng.choice(len(spans), max(_MOST, 2 * k), replace=False))

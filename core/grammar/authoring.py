@@ -9,6 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from core.errors import ParameterError
 from core.grammar.motion_grammar import Grammar
 from core.grammar.trees import Node, Path, at_path, leaves, shifted
 
@@ -57,17 +58,17 @@ def alternatives(
 def replace(tree: Node, path: Sequence[int], made: Node) -> Node:
     """The sentence with ``made``, a tree below the same non-terminal, in place of the constituent at ``path``.
 
-    Raises IndexError where there is no such node, ValueError where it is another symbol.
+    Raises IndexError where there is no such node, ParameterError where it is another symbol.
     """
     if made.symbol != at_path(tree, path).symbol:
-        raise ValueError(f"{made.symbol} cannot stand in place of {at_path(tree, path).symbol}")
+        raise ParameterError(f"{made.symbol} cannot stand in place of {at_path(tree, path).symbol}")
     return _placed(_replaced(tree, path, made), tree.start)
 
 
 def _constituent(tree: Node, path: Sequence[int]) -> Node:
     node = at_path(tree, path)
     if node.is_leaf:
-        raise ValueError("a terminal has no alternatives; choose the constituent that made it")
+        raise ParameterError("a terminal has no alternatives; choose the constituent that made it")
     return node
 
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from core.errors import ParameterError
 from core.grammar.baselines import sequitur, state_machine
 from core.grammar.identification import find_terminals
 from core.grammar.induction import Induced, induce
@@ -28,7 +29,7 @@ ENOUGH_CLIPS = 8  # recordings that can be sentences by themselves: fewer have l
 class GrammarParameters(TerminalParameters):
     """How a grammar is learned, besides how its terminals are found. Metadata as there.
 
-    Raises ValueError, in plain words, for a value out of range.
+    Raises ParameterError, in plain words, for a value out of range.
     """
 
     sentences: str = parameter(
@@ -71,11 +72,11 @@ class GrammarParameters(TerminalParameters):
     def __post_init__(self) -> None:
         super().__post_init__()
         if not (1 <= self.min_sentence <= 1000 and 0 <= self.candidates <= 10_000):
-            raise ValueError("min_sentence must be 1 to 1000, candidates 0 to 10000")
+            raise ParameterError("min_sentence must be 1 to 1000, candidates 0 to 10000")
         for entry in fields(GrammarParameters):
             choices = entry.metadata.get("choices")
             if choices and getattr(self, entry.name) not in choices:
-                raise ValueError(f"{entry.name} must be one of {', '.join(choices)}")
+                raise ParameterError(f"{entry.name} must be one of {', '.join(choices)}")
 
     @property
     def terminals(self) -> dict[str, Any]:

@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from core.errors import AnalysisError
 from core.grammar.chart_kernels import inside, viterbi
 from core.grammar.trees import Node, Symbol
 
@@ -142,7 +143,7 @@ class Chart:
     def _numbers(self, sentence: Sequence[int]) -> np.ndarray | None:
         """The sentence as numbers ``(n,)`` int32; None where a terminal is unknown."""
         if (len(sentence) + 1) ** 2 * len(self._symbols) > _MOST_CELLS:
-            raise ValueError(f"a sentence of {len(sentence)} terminals is too long to be parsed by this grammar")
+            raise AnalysisError(f"a sentence of {len(sentence)} terminals is too long to be parsed by this grammar")
         numbers = [self._terminals.get(terminal, _NONE) for terminal in sentence]
         return None if _NONE in numbers else np.array(numbers, np.int32)
 

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from core.errors import AnalysisError
 from core.grammar.alternation import cut_by_medoids
 from core.grammar.identification import limits_of, space_of
 from core.grammar.parameters import TerminalParameters
@@ -21,11 +22,12 @@ def encode(
     """Clip of ``dataset`` -> its segments in time order, each with the terminal whose medoid it is nearest to.
 
     The cuts are those with the least E' for the medoids, motions of ``source``, the data set that the terminals
-    were found in. Raises ValueError where ``source`` lacks a medoid's clip, and for bodies without a joint in common.
+    were found in. Raises AnalysisError where ``source`` lacks a medoid's clip, and for bodies without a joint in
+    common.
     """
     lacking = sorted({m.clip for m in terminals.medoids} - set(source.names))
     if lacking:
-        raise ValueError(f"these terminals come from other recordings: {source.name} has no clip {lacking[0]}")
+        raise AnalysisError(f"these terminals come from other recordings: {source.name} has no clip {lacking[0]}")
     models = sorted({m.clip for m in terminals.medoids})
     clips = [source.clip(name) for name in models] + list(dataset.clips)
     named = tuple(replace(clip, name=f"{k:08d}") for k, clip in enumerate(clips))

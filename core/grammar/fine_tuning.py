@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from core.errors import AnalysisError
 from core.grammar.genetic import pam
 from core.grammar.objective import Clustering, span_distances
 from core.grammar.pose_space import PoseSpace
@@ -96,10 +97,10 @@ def fine_tune(
 
     iterations: of slide or resize; the poses by which they move fall from ``furthest`` to 1. limits: poses of the
     shortest and the longest segment. annealing: worse steps are taken too, more rarely as time goes on. Raises
-    ValueError where there are fewer than ``k`` spans.
+    AnalysisError where there are fewer than ``k`` spans.
     """
     if len(spans) < k:
-        raise ValueError(f"there are only {len(spans)} segments for {k} terminals; ask for fewer, or shorter pieces")
+        raise AnalysisError(f"there are only {len(spans)} segments for {k} terminals; ask for fewer, or shorter pieces")
     state = _State(space, spans, k, weight, limits)
     best, least = state.clustering(), state.cost
     for iteration in range(iterations):

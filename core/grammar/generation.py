@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from core.errors import AnalysisError
 from core.grammar.trees import Node, Symbol, build_tree
 
 if TYPE_CHECKING:
@@ -50,11 +51,11 @@ def generate(
     """A random tree below ``symbol``: rules by their probability, among those that keep within both bounds.
 
     Where no rule does, the shortest derivation ends it: rules may be cyclic. The bounds are only broken where even that
-    is too long. Raises ValueError for a symbol that has no rule or no finite derivation.
+    is too long. Raises AnalysisError for a symbol that has no rule or no finite derivation.
     """
     known = least(grammar)
     if known.get(symbol, _ENDLESS).terminals == np.inf:
-        raise ValueError(f"nothing can be generated from {symbol}")
+        raise AnalysisError(f"nothing can be generated from {symbol}")
     room = max_terminals - known[symbol].terminals  # terminals that may still come on top of the shortest
     depths = [0]  # of the non-terminals that are still to be rewritten, as they come in preorder
 

@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
+from core.errors import AnalysisError
 from core.grammar.alignment import Sentence, align, ways
 from core.grammar.constituents import grammar_of, merge_kinds, read_off
 from core.grammar.motion_grammar import Grammar
@@ -41,11 +42,11 @@ def induce(
     select_by, touching: see :func:`core.grammar.selection.select`;
     merge: "no", "side" or "rules", see :func:`core.grammar.constituents.merge_kinds`. With touching=False and
     merge="no" no sentence of the grammar has two neighbours that are not neighbours in a training sentence.
-    Raises ValueError where there are no sentences or one is empty.
+    Raises AnalysisError where there are no sentences or one is empty.
     """
     given = [tuple(map(int, sentence)) for sentence in sentences]
     if not given or not all(given):
-        raise ValueError("a grammar needs sentences, and every sentence at least one terminal")
+        raise AnalysisError("a grammar needs sentences, and every sentence at least one terminal")
     tried = ways(list(dict.fromkeys(given))) if align_by == "auto" else (align_by,)
     learned = [_induced(given, way, select_by, touching, merge, report) for way in tried]
     return min(learned, key=lambda one: one.bits)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from core.errors import AnalysisError
 from core.grammar.terminals import Terminals
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
@@ -15,11 +16,11 @@ def label_names(dataset: Dataset) -> tuple[str, ...]:
 def terminals_of_labels(dataset: Dataset) -> Terminals:
     """Every label a segment, every action a terminal, numbered as :func:`label_names`.
 
-    The objective is not theirs: it is nan. Raises ValueError where there are no labels.
+    The objective is not theirs: it is nan. Raises AnalysisError where there are no labels.
     """
     names = label_names(dataset)
     if not names:
-        raise ValueError("this data set has no labels")
+        raise AnalysisError("this data set has no labels")
     segments = tuple(
         tuple(
             sorted(

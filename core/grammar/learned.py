@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, NamedTuple
 
+from core.errors import FormatError
 from core.grammar import terminals as terminal_files
 from core.grammar.motion_grammar import Bits, Grammar, Rule
 from core.grammar.terminals import Terminals, segment_json
@@ -82,11 +83,11 @@ class LearnedGrammar:
 
 
 def from_json(document: Mapping[str, Any]) -> LearnedGrammar:
-    """The grammar back from :meth:`LearnedGrammar.to_json`. Raises ValueError for anything that is not such a document,
-    or whose derivations do not give its sentences."""
+    """The grammar back from :meth:`LearnedGrammar.to_json`. Raises FormatError for anything that is not such a
+    document, or whose derivations do not give its sentences."""
     if not isinstance(document, Mapping) or document.get("format") != FORMAT:
         found = document.get("format") if isinstance(document, Mapping) else type(document).__name__
-        raise ValueError(f"this is no grammar: found {found!r}, expected {FORMAT!r}")
+        raise FormatError(f"this is no grammar: found {found!r}, expected {FORMAT!r}")
     try:
         searched = document["terminal_search"]
         terminals = terminal_files.from_json({**document, "format": terminal_files.FORMAT, **searched})
@@ -108,8 +109,8 @@ def from_json(document: Mapping[str, Any]) -> LearnedGrammar:
             document["baselines"], document["parameters"], document["seconds"],
         )  # fmt: skip
     except (KeyError, TypeError, AttributeError) as error:
-        raise ValueError(f"this grammar is incomplete: {error!r} is missing or misshapen") from error
+        raise FormatError(f"this grammar is incomplete: {error!r} is missing or misshapen") from error
     for sentence, code in zip(sentences, document["derivations"], strict=True):
         if grammar.reconstruct(code) != sentence.terminals:
-            raise ValueError("this grammar's derivations do not give its sentences")
+            raise FormatError("this grammar's derivations do not give its sentences")
     return learned

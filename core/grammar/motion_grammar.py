@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from core.errors import ParameterError
 from core.grammar.chart import Chart
 from core.grammar.generation import generate
 from core.grammar.trees import Node, Symbol, build_tree, leaves, preorder
@@ -110,19 +111,19 @@ class Grammar:
         return tuple(self.choices[node.name].index(node.rule) for node in preorder(tree) if not node.is_leaf)
 
     def tree_of(self, indices: Iterable[int]) -> Node:
-        """The tree with this code; raises ValueError where the code does not fit the grammar."""
+        """The tree with this code; raises ParameterError where the code does not fit the grammar."""
         coming = iter(indices)
 
         def rewrite(left: str) -> tuple[int, tuple[Symbol, ...]]:
             index = next(coming, -1)
             if not 0 <= index < len(self.choices[left]):
-                raise ValueError(f"no tree of this grammar has the rule indices given: {left} has no rule {index}")
+                raise ParameterError(f"no tree of this grammar has the rule indices given: {left} has no rule {index}")
             rule = self.choices[left][index]
             return rule, self.rules[rule].right
 
         tree = build_tree(self.start, rewrite)
         if next(coming, None) is not None:
-            raise ValueError("there are more rule indices than the tree has non-terminals")
+            raise ParameterError("there are more rule indices than the tree has non-terminals")
         return tree
 
     def reconstruct(self, indices: Iterable[int]) -> tuple[int, ...]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from core.errors import ParameterError
 from core.parameters import parameter
 
 METHODS = ("alternation", "paper", "annealing")
@@ -13,7 +14,7 @@ METHODS = ("alternation", "paper", "annealing")
 class TerminalParameters:
     """How terminals are found. Each field's metadata: ``help``, ``min``, ``max``, ``step``, ``choices``, ``advanced``.
 
-    Raises ValueError, in plain words, for a value out of range.
+    Raises ParameterError, in plain words, for a value out of range.
     """
 
     n_terminals: int = parameter(20, "How many elementary actions to tell apart.", 1, 500, 1)
@@ -64,16 +65,16 @@ class TerminalParameters:
 
     def __post_init__(self) -> None:
         if not (1 <= self.n_terminals <= 500 and 0 <= self.weight <= 1 and 5 <= self.analysis_fps <= 240):
-            raise ValueError("n_terminals must be 1 to 500, weight 0 to 1, analysis_fps 5 to 240")
+            raise ParameterError("n_terminals must be 1 to 500, weight 0 to 1, analysis_fps 5 to 240")
         if not 0.1 <= self.min_seconds <= 10 or not 2 * self.min_seconds <= self.max_seconds <= 30:
-            raise ValueError("min_seconds must be 0.1 to 10, max_seconds at least twice as long and at most 30")
+            raise ParameterError("min_seconds must be 0.1 to 10, max_seconds at least twice as long and at most 30")
         if not (1 <= self.grid <= 1000 and 2 <= self.population <= 10_000 and 1 <= self.generations <= 100_000):
-            raise ValueError("grid must be 1 to 1000, population 2 to 10000, generations 1 to 100000")
+            raise ParameterError("grid must be 1 to 1000, population 2 to 10000, generations 1 to 100000")
         if not (1 <= self.starts <= 1000 and 0 <= self.crossings <= 10_000):
-            raise ValueError("starts must be 1 to 1000, crossings 0 to 10000")
+            raise ParameterError("starts must be 1 to 1000, crossings 0 to 10000")
         if not 0 <= self.iterations <= 1_000_000:
-            raise ValueError("iterations must be 0 to 1000000")
+            raise ParameterError("iterations must be 0 to 1000000")
         if not 0 <= self.velocity <= 2 or self.pose not in ("positions", "angles"):
-            raise ValueError("velocity must be 0 to 2 seconds, pose positions or angles")
+            raise ParameterError("velocity must be 0 to 2 seconds, pose positions or angles")
         if self.method not in METHODS:
-            raise ValueError(f"method must be one of {', '.join(METHODS)}, not {self.method!r}")
+            raise ParameterError(f"method must be one of {', '.join(METHODS)}, not {self.method!r}")

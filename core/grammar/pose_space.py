@@ -17,6 +17,7 @@ import numpy as np
 from scipy.ndimage import uniform_filter1d
 
 from core.editing.mirror import mirror
+from core.errors import AnalysisError
 from core.grammar.cuts import pose_distances
 from core.mocap.clip import Clip, Segment
 from core.mocap.dataset import Dataset
@@ -106,11 +107,11 @@ def pose_space(
 
     pose: "positions" or "angles"; velocity: seconds by which a speed counts as a difference of posture; mirrored:
     whether mirror images are the same (never on bodies whose joints have no partners on the other side). Raises
-    ValueError as :func:`core.poses.features.pose_features` does.
+    AnalysisError as :func:`core.poses.features.pose_features` does.
     """
     clips = sorted(dataset.clips, key=lambda clip: clip.name)
     if not clips:
-        raise ValueError("the dataset has no clips, so there are no poses")
+        raise AnalysisError("the dataset has no clips, so there are no poses")
     sampled = [resample(clip, analysis_fps) for clip in clips]
     images = _images(sampled) if mirrored else None
     bodies = _numbered(sampled, images or [])
@@ -140,7 +141,7 @@ def _images(clips: list[Clip]) -> list[Clip] | None:
             frames[clip.skeleton] = body_frames([c for c in clips if c.skeleton == clip.skeleton])
     try:
         return [mirror(clip, frames=frames[clip.skeleton]) for clip in clips]
-    except ValueError:
+    except AnalysisError:
         return None
 
 

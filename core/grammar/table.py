@@ -6,7 +6,7 @@ import json
 from dataclasses import dataclass, field
 from typing import Any
 
-from core.parameters import ParameterError
+from core.errors import ParameterError
 from core.progress import Report
 
 MOST = 24

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
+from core.errors import FormatError
 from core.mocap.clip import Segment
 
 FORMAT = "motionscape/terminals/1"
@@ -83,10 +84,12 @@ def segment_json(segment: Segment) -> dict[str, Any]:
 
 
 def from_json(document: Mapping[str, Any]) -> Terminals:
-    """The terminals back from :meth:`Terminals.to_json`. Raises ValueError for anything that is not such a document."""
+    """The terminals back from :meth:`Terminals.to_json`. Raises FormatError for anything that is not such a
+    document.
+    """
     if not isinstance(document, Mapping) or document.get("format") != FORMAT:
         found = document.get("format") if isinstance(document, Mapping) else type(document).__name__
-        raise ValueError(f"these are no terminals: found {found!r}, expected {FORMAT!r}")
+        raise FormatError(f"these are no terminals: found {found!r}, expected {FORMAT!r}")
     try:
         terminals = document["terminals"]
         return Terminals(
@@ -99,7 +102,7 @@ def from_json(document: Mapping[str, Any]) -> Terminals:
             dataset=dict(document["dataset"]),
         )
     except (KeyError, TypeError) as error:
-        raise ValueError(f"these terminals are incomplete: {error!r} is missing or misshapen") from error
+        raise FormatError(f"these terminals are incomplete: {error!r} is missing or misshapen") from error
 
 
 def _segment(item: Mapping[str, Any]) -> Segment:

@@ -14,6 +14,7 @@ from types import MappingProxyType
 
 import numpy as np
 
+from core.errors import ParameterError
 from core.mocap import anatomy_shape as shape
 from core.mocap.anatomy_names import CHOOSING_ORDER, LIMB_NAMES, TRUNK_NAMES, ParsedName, parse_name
 from core.mocap.skeleton import Skeleton
@@ -83,14 +84,14 @@ def find_anatomy(skeleton: Skeleton, corrections: Mapping[str, str | int | None]
 
 def _joint(skeleton: Skeleton, name: str, joint: str | int | None) -> int | None:
     if name not in CANONICAL:
-        raise ValueError(f"{name!r} is no part of the body; the parts are {', '.join(CANONICAL)}")
+        raise ParameterError(f"{name!r} is no part of the body; the parts are {', '.join(CANONICAL)}")
     if isinstance(joint, str):
         try:
             return skeleton.index(joint)
         except KeyError as error:
-            raise ValueError(error.args[0]) from None
+            raise ParameterError(error.args[0]) from None
     if joint is not None and not 0 <= joint < skeleton.n_joints:
-        raise ValueError(f"{name}: no joint number {joint}; the skeleton has {skeleton.n_joints}")
+        raise ParameterError(f"{name}: no joint number {joint}; the skeleton has {skeleton.n_joints}")
     return joint
 
 

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from core.errors import ParameterError
 from core.mocap.skeleton import Skeleton
 
 
@@ -73,9 +74,9 @@ class Clip:
         return self.n_frames / self.fps
 
     def cut(self, start: int, end: int, name: str | None = None) -> Clip:
-        """Frames ``[start, end)`` as a clip (views, not copies). Raises ValueError when out of range or empty."""
+        """Frames ``[start, end)`` as a clip (views, not copies). Raises ParameterError when out of range or empty."""
         if not 0 <= start < end <= self.n_frames:
-            raise ValueError(f"{self.name} has frames 0 to {self.n_frames}; cannot cut {start} to {end}")
+            raise ParameterError(f"{self.name} has frames 0 to {self.n_frames}; cannot cut {start} to {end}")
         return replace(
             self,
             name=name or f"{self.name}:{start}-{end}",

@@ -12,6 +12,7 @@ from typing import Literal
 
 from joblib import Parallel, delayed
 
+from core.errors import ParameterError
 from core.mocap.asfamc import DEFAULT_FPS, AsfSkeleton, read_amc, read_asf
 from core.mocap.bvh import read_bvh
 from core.mocap.clip import Clip, Label
@@ -173,10 +174,11 @@ def read_recordings(
     """Read recordings one after another (two at a time behind the scenes), in the order of their paths.
 
     Yields for each file its report and clip, or the RecordingError and None; parameters as in :func:`open_dataset`.
-    Clips of equal skeletons share one. Raises RecordingError where there is nothing to read, ValueError for a bad fps.
+    Clips of equal skeletons share one. Raises RecordingError where there is nothing to read, ParameterError for a bad
+    fps.
     """
     if fps is not None and not 0 < fps < 1e6:
-        raise ValueError(f"frame rate must be positive, not {fps}")
+        raise ParameterError(f"frame rate must be positive, not {fps}")
     recordings = name_recordings(source, clips)
     if not recordings:
         raise RecordingError(source if isinstance(source, str | os.PathLike) else source[0], "no clip is chosen")

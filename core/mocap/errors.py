@@ -6,8 +6,10 @@ import os
 from pathlib import Path
 from typing import Any
 
+from core.errors import MotionscapeError
 
-class RecordingError(ValueError):
+
+class RecordingError(MotionscapeError, ValueError):
     """A recording cannot be read: one line with file, line number, what was found and what was expected."""
 
     def __init__(self, path: str | os.PathLike[str], found: str, expected: str = "", line: int | None = None):

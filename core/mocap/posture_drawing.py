@@ -12,6 +12,7 @@ from weakref import WeakKeyDictionary
 
 import numpy as np
 
+from core.errors import ParameterError
 from core.mocap import quaternions as quat
 from core.mocap.anatomy import Anatomy, find_anatomy
 from core.mocap.clip import Clip
@@ -167,10 +168,10 @@ def _mean_direction(vectors: np.ndarray) -> np.ndarray:
 def drawn_positions(clip: Clip, start: int, end: int, step: int = 1) -> tuple[np.ndarray, DrawnBody, HeadAndFloor]:
     """Every ``step``-th frame of ``[start, end)``: ``(n, drawn joints, 3)`` float32, world metres, with its body.
 
-    Only those frames are computed. Raises ValueError when the interval is empty or outside the clip.
+    Only those frames are computed. Raises ParameterError when the interval is empty or outside the clip.
     """
     if not 0 <= start < end <= clip.n_frames or step < 1:
-        raise ValueError(f"{clip.name} has frames 0 to {clip.n_frames}; cannot show {start} to {end}")
+        raise ParameterError(f"{clip.name} has frames 0 to {clip.n_frames}; cannot show {start} to {end}")
     body = drawn_body(clip.skeleton)
     measured = _measured.get(clip)
     if measured is None:

@@ -8,8 +8,9 @@ from dataclasses import asdict, dataclass, field, replace
 from itertools import product
 from typing import Any
 
+from core.errors import ParameterError
 from core.motifs.parameters import MotifParameters
-from core.parameters import Parameter, ParameterError, build, parameters_of
+from core.parameters import Parameter, build, parameters_of
 
 Axes = Mapping[str, Sequence[Any]]
 """Name of a parameter -> the values it takes, in the order in which they are shown."""
@@ -92,14 +93,11 @@ def points_of(base: MotifParameters, axes: Axes, seeds: int = 1) -> tuple[MotifP
         n *= len(values)
     if not 1 <= n <= MOST_POINTS:
         raise ParameterError(f"a sweep has 1 to {MOST_POINTS} points, not {n}: give fewer values or seeds")
-    try:
-        return tuple(
-            replace(base, **dict(zip(axes, values, strict=True)), seed=base.seed + k)
-            for values in product(*axes.values())
-            for k in range(seeds)
-        )
-    except ValueError as error:
-        raise ParameterError(str(error)) from error
+    return tuple(
+        replace(base, **dict(zip(axes, values, strict=True)), seed=base.seed + k)
+        for values in product(*axes.values())
+        for k in range(seeds)
+    )
 
 
 @dataclass(frozen=True)

@@ -21,6 +21,7 @@ from core.compiled import njit
 from core.editing.blending import blend, ground_fit, turn_about_y
 from core.editing.contacts import floor_height, foot_contacts
 from core.editing.legs import lift_from_floor, lock_feet, smooth_step
+from core.errors import ParameterError
 from core.mocap import quaternions as quat
 from core.mocap.anatomy import find_anatomy
 from core.mocap.clip import Clip
@@ -135,12 +136,12 @@ class BlendSpace:
     def _chosen(self, weights: Mapping[int, float]) -> tuple[list[Track], np.ndarray]:
         for motion, weight in weights.items():
             if motion not in self.tracks:
-                raise ValueError(f"motion {motion + 1} of motif {self.motif.id} cannot be mixed with these motions")
+                raise ParameterError(f"motion {motion + 1} of motif {self.motif.id} cannot be mixed with these motions")
             if not 0 <= weight < np.inf:
-                raise ValueError(f"the weight of motion {motion + 1} must be 0 or more, not {weight}")
+                raise ParameterError(f"the weight of motion {motion + 1} must be 0 or more, not {weight}")
         used = {motion: weight for motion, weight in sorted(weights.items()) if weight > 0}
         if not used:
-            raise ValueError("at least one motion needs a weight above 0")
+            raise ParameterError("at least one motion needs a weight above 0")
         w = np.array(list(used.values()), np.float64)
         return [self.tracks[motion] for motion in used], w / w.sum()
 
@@ -164,11 +165,11 @@ def blendable(dataset: Dataset, motif: Motif) -> tuple[tuple[int, ...], ...]:
 def blend_space(dataset: Dataset, motif: Motif, motion: int | None = None) -> BlendSpace:
     """The motions of a motif that can be mixed: the largest group of one skeleton, or the group of ``motion``.
 
-    Raises ValueError where the motif has no such motion, KeyError where a clip is missing.
+    Raises ParameterError where the motif has no such motion, KeyError where a clip is missing.
     """
     group = next((g for g in blendable(dataset, motif) if motion is None or motion in g), None)
     if group is None:
-        raise ValueError(f"motif {motif.id} has {motif.n_motions} motions, no motion {motion}")
+        raise ParameterError(f"motif {motif.id} has {motif.n_motions} motions, no motion {motion}")
     segments = {k: motif.segments[k] for k in group}
     clips = {k: dataset.clip(s.clip).cut(s.start, s.end) for k, s in segments.items()}
     floors = {name: floor_height(dataset.clip(name)) for name in {s.clip for s in segments.values()}}

@@ -21,6 +21,7 @@ from typing import Any
 import numpy as np
 from scipy.sparse import coo_array, csr_array
 
+from core.errors import AnalysisError
 from core.motifs.graph import MotifGraph
 
 FORMAT = "motionscape/comparison/1"
@@ -94,10 +95,10 @@ class Comparison:
 def compare(a: MotifGraph, b: MotifGraph) -> Comparison:
     """The motifs of two graphs of the same clips matched by the motion they share.
 
-    Time counts, not frames, so a clip of a higher rate weighs no more. Raises ValueError where the clips differ.
+    Time counts, not frames, so a clip of a higher rate weighs no more. Raises AnalysisError where the clips differ.
     """
     if dict(_clips(a)) != dict(_clips(b)):
-        raise ValueError("the two results are of different recordings and cannot be compared motif by motif")
+        raise AnalysisError("the two results are of different recordings and cannot be compared motif by motif")
     first, weight = frame_motifs(a)
     second, _ = frame_motifs(b)
     shape = len(a.motifs) + 1, len(b.motifs) + 1

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from core.editing.blending import place, turn_about_y
+from core.errors import FormatError
 from core.mocap.clip import Clip, Segment
 from core.mocap.dataset import Dataset
 from core.mocap.kinematics import resample
@@ -100,13 +101,13 @@ class Compression:
 
 
 def from_json(document: Mapping[str, Any]) -> Compression:
-    """The compression back from :meth:`Compression.to_json`. Raises ValueError for anything else."""
+    """The compression back from :meth:`Compression.to_json`. Raises FormatError for anything else."""
     try:
         if document["format"] != FORMAT:
             raise KeyError("format")
         return Compression(tuple(Unit(u["kind"], u["name"], _read_curves(u["curves"])) for u in document["units"]))
     except (KeyError, TypeError, AttributeError) as error:
-        raise ValueError(f"not a compression of a data set: {error!r}") from error
+        raise FormatError(f"not a compression of a data set: {error!r}") from error
 
 
 def compress_dataset(dataset: Dataset, graph: MotifGraph, fps: float = 30.0, report: Report = silent) -> Compression:

@@ -11,6 +11,7 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
+from core.errors import FormatError
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 
@@ -116,10 +117,10 @@ def dataset_head(dataset: Dataset | None) -> dict[str, Any]:
 
 
 def from_json(document: Mapping[str, Any]) -> MotifGraph:
-    """The graph back from :meth:`MotifGraph.to_json`. Raises ValueError for anything that is not such a document."""
+    """The graph back from :meth:`MotifGraph.to_json`. Raises FormatError for anything that is not such a document."""
     if not isinstance(document, Mapping) or document.get("format") != FORMAT:
         found = document.get("format") if isinstance(document, Mapping) else type(document).__name__
-        raise ValueError(f"not a motif graph: expected format {FORMAT}, found {found}")
+        raise FormatError(f"not a motif graph: expected format {FORMAT}, found {found}")
     try:
         return MotifGraph(
             motifs=tuple(_read_motif(motif) for motif in document["motifs"]),
@@ -130,8 +131,8 @@ def from_json(document: Mapping[str, Any]) -> MotifGraph:
             clips=tuple((c["name"], int(c["frames"]), float(c["fps"])) for c in document["clips"]),
             dataset=dict(document["dataset"]),
         )
-    except (KeyError, TypeError, AttributeError) as error:
-        raise ValueError(f"the motif graph is incomplete or damaged: {error!r}") from error
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        raise FormatError(f"the motif graph is incomplete or damaged: {error!r}") from error
 
 
 def succession_edges(motifs: tuple[Motif, ...]) -> tuple[Edge, ...]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, fields
 from typing import Any
 
+from core.errors import ParameterError
 from core.parameters import parameter
 
 
@@ -16,7 +17,7 @@ class MotifParameters:
     benchmarks/bench_motifs.py, which also judges left-out clips); with tightness, join, hold and min_seconds at 0,
     adjacency "spheres" and seeding "random" the method is the paper's.
 
-    Raises ValueError, in plain words, for a value out of range.
+    Raises ParameterError, in plain words, for a value out of range.
     """
 
     kappa: int | str = parameter(
@@ -123,21 +124,21 @@ class MotifParameters:
         for f in fields(self):
             _check(f.name, getattr(self, f.name), f.default, f.metadata)
         if self.min_letters > self.max_letters:
-            raise ValueError(f"min_letters ({self.min_letters}) must not exceed max_letters ({self.max_letters})")
+            raise ParameterError(f"min_letters ({self.min_letters}) must not exceed max_letters ({self.max_letters})")
 
 
 def _check(name: str, value: Any, default: Any, allowed: Any) -> None:
     if allowed["choices"]:
         if value not in allowed["choices"]:
-            raise ValueError(f"{name} must be one of {', '.join(allowed['choices'])}, not {value!r}")
+            raise ParameterError(f"{name} must be one of {', '.join(allowed['choices'])}, not {value!r}")
         return
     if name == "kappa" and value == "auto":
         return
     whole = isinstance(default, int) or name == "kappa"
     kind = "a whole number" if whole else "a number"
     if isinstance(value, bool) or not isinstance(value, int if whole else (int, float)):
-        raise ValueError(f"{name} must be {kind}{' or auto' if name == 'kappa' else ''}, not {value!r}")
+        raise ParameterError(f"{name} must be {kind}{' or auto' if name == 'kappa' else ''}, not {value!r}")
     low, high = allowed["min"], allowed["max"]
     if not (low is None or value >= low) or not (high is None or value <= high):
         limits = f"at least {low}" if high is None else f"from {low} to {high}"
-        raise ValueError(f"{name} must be {kind} {limits}, not {value}")
+        raise ParameterError(f"{name} must be {kind} {limits}, not {value}")

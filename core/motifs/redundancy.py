@@ -12,6 +12,7 @@ import numpy as np
 from scipy.cluster.hierarchy import fcluster, linkage
 from scipy.spatial.distance import squareform
 
+from core.errors import FormatError
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.motifs.build import motifs_of_poses
@@ -114,9 +115,9 @@ class Redundancy:
 
 
 def from_json(document: Mapping[str, Any]) -> Redundancy:
-    """The report back from :meth:`Redundancy.to_json`. Raises ValueError for anything else."""
+    """The report back from :meth:`Redundancy.to_json`. Raises FormatError for anything else."""
     if document.get("format") != FORMAT:
-        raise ValueError(f"not a report on redundancy: expected format {FORMAT}, found {document.get('format')}")
+        raise FormatError(f"not a report on redundancy: expected format {FORMAT}, found {document.get('format')}")
     return Redundancy(
         metrics=dict(document["metrics"]),
         clips=tuple(ClipContent(**clip) for clip in document["clips"]),

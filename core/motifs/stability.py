@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from core.editing.noise import shake_dataset
+from core.errors import FormatError, ParameterError
 from core.mocap.dataset import Dataset
 from core.motifs.compare import Comparison, compare
 from core.motifs.graph import MotifGraph, dataset_head
@@ -33,7 +34,7 @@ KINDS = ("noise", "seed", "parameters")
 
 @dataclass(frozen=True)
 class StabilityParameters(MotifParameters):
-    """The parameters of the motif graph that is judged, and how it is tried. Raises ValueError as its base does."""
+    """The parameters of the motif graph that is judged, and how it is tried. Raises ParameterError as its base does."""
 
     repetitions: int = parameter(2, "How many times noise is added, and how many other seeds are tried.", 1, 20, 1)
     noise_degrees: float = parameter(2.0, "Strength of the noise on each axis of each joint, in degrees.", 0.0, 45, 1)
@@ -43,7 +44,7 @@ class StabilityParameters(MotifParameters):
     def __post_init__(self) -> None:
         super().__post_init__()
         if self.noise_low >= self.noise_high:
-            raise ValueError(f"noise_low ({self.noise_low:g}) must be below noise_high ({self.noise_high:g})")
+            raise ParameterError(f"noise_low ({self.noise_low:g}) must be below noise_high ({self.noise_high:g})")
 
     @property
     def motifs(self) -> MotifParameters:
@@ -113,9 +114,9 @@ class Stability:
 
 
 def from_json(document: Mapping[str, Any]) -> Stability:
-    """Back from :meth:`Stability.to_json`. Raises ValueError for anything that is not such a document."""
+    """Back from :meth:`Stability.to_json`. Raises FormatError for anything that is not such a document."""
     if not isinstance(document, Mapping) or document.get("format") != FORMAT:
-        raise ValueError(f"not the stability of motifs: expected format {FORMAT}")
+        raise FormatError(f"not the stability of motifs: expected format {FORMAT}")
     try:
         return Stability(
             tuple(int(motif["id"]) for motif in document["motifs"]),
@@ -125,7 +126,7 @@ def from_json(document: Mapping[str, Any]) -> Stability:
             dict(document["dataset"]),
         )
     except (KeyError, TypeError, AttributeError) as error:
-        raise ValueError(f"the stability of the motifs is incomplete or damaged: {error!r}") from error
+        raise FormatError(f"the stability of the motifs is incomplete or damaged: {error!r}") from error
 
 
 _DEFAULT = StabilityParameters()
@@ -236,7 +237,7 @@ def _repeat_json(repeat: Repeat) -> dict[str, Any]:
 def _read_repeat(entry: Mapping[str, Any], n_motifs: int) -> Repeat:
     overlaps, kept = np.array(entry["overlaps"], float), np.array(entry["kept"], bool)
     if overlaps.shape != (n_motifs,) or kept.shape != (n_motifs,):
-        raise ValueError("the stability of the motifs is damaged: a repeat speaks of another number of motifs")
+        raise FormatError("the stability of the motifs is damaged: a repeat speaks of another number of motifs")
     return Repeat(
         entry["kind"],
         entry["name"],

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from core.errors import AnalysisError
 from core.mocap.dataset import Dataset
 from core.mocap.kinematics import resample
 from core.motion_map.key_poses import runs_of
@@ -19,12 +20,12 @@ def assign_clips(motion_map: MotionMap, dataset: Dataset, report: Report = silen
     """The same map with the clips of ``dataset`` on it instead of its own: nodes, regions and icons stay.
 
     Searching, trajectories and layers then speak of these clips; ``fits`` says how far each lies from the map's
-    postures. Raises ValueError where there are no clips, or where one lacks a joint of the map.
+    postures. Raises AnalysisError where there are no clips, or where one lacks a joint of the map.
     """
     started = time.perf_counter()
     clips = sorted(dataset.clips, key=lambda clip: clip.name)
     if not clips:
-        raise ValueError("the dataset has no clips to put on the map")
+        raise AnalysisError("the dataset has no clips to put on the map")
     nodes, distances, velocities = [], [], []
     for k, clip in enumerate(clips):
         vectors, velocity = motion_map.vectors_of(resample(clip, motion_map.fps))

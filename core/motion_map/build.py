@@ -7,6 +7,7 @@ from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
+from core.errors import ParameterError
 from core.mocap.dataset import Dataset
 from core.motion_map.assign import assign_clips
 from core.motion_map.bones import bone_lengths
@@ -24,7 +25,7 @@ from core.progress import Report, silent, timed
 class MapParameters:
     """How a motion map is made. Each field's metadata: ``help``, ``min``, ``max``, ``step``, ``choices``, ``advanced``.
 
-    Raises ValueError, in plain words, for a value out of range.
+    Raises ParameterError, in plain words, for a value out of range.
     """
 
     grid: str = parameter(
@@ -58,18 +59,18 @@ class MapParameters:
     def __post_init__(self) -> None:
         parse_grid(self.grid)
         if not (50 <= self.samples <= 100_000 and 0.2 <= self.sigma <= 5.0 and 1 <= self.epochs <= 1000):
-            raise ValueError("samples must be 50 to 100000, sigma 0.2 to 5, epochs 1 to 1000")
+            raise ParameterError("samples must be 50 to 100000, sigma 0.2 to 5, epochs 1 to 1000")
         if self.training not in ("batch", "online") or not 1 <= self.passes <= 10_000:
-            raise ValueError("training must be batch or online, with 1 to 10000 passes")
+            raise ParameterError("training must be batch or online, with 1 to 10000 passes")
         if self.model and not re.fullmatch(r"[0-9a-f]{8,64}", self.model):
-            raise ValueError("model must be the key of an earlier map")
+            raise ParameterError("model must be the key of an earlier map")
 
 
 def parse_grid(text: str) -> tuple[int, int]:
-    """``21x21`` as numbers; raises ValueError unless both are whole numbers from 2 to 100."""
+    """``21x21`` as numbers; raises ParameterError unless both are whole numbers from 2 to 100."""
     parts = str(text).lower().replace("×", "x").split("x")
     if len(parts) != 2 or not all(part.strip().isdecimal() and 2 <= int(part) <= 100 for part in parts):
-        raise ValueError(f"grid must look like 21x21, with 2 to 100 nodes either way, not {str(text)[:40]!r}")
+        raise ParameterError(f"grid must look like 21x21, with 2 to 100 nodes either way, not {str(text)[:40]!r}")
     return int(parts[0]), int(parts[1])
 
 

@@ -9,6 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from core.errors import ParameterError
+
 
 class Runs(NamedTuple):
     """Stays of clips on nodes: successive frames of a clip on the same node, ordered by clip, then start.
@@ -41,7 +43,7 @@ class Pace:
     """How the body must travel while it passes a key: equal postures may stand, walk or run (MAP section 6).
 
     slowest, fastest: m/s over the ground; way: one of WAYS, as seen by the body, to within 45 degrees. Raises
-    ValueError for another way or a range that is none.
+    ParameterError for another way or a range that is none.
     """
 
     slowest: float = 0.0
@@ -50,7 +52,7 @@ class Pace:
 
     def __post_init__(self) -> None:
         if self.way not in WAYS or not 0 <= self.slowest <= self.fastest:
-            raise ValueError(f"a pace needs speeds that rise from 0 and one of {', '.join(WAYS)}")
+            raise ParameterError(f"a pace needs speeds that rise from 0 and one of {', '.join(WAYS)}")
 
     def allows(self, runs: Runs) -> np.ndarray:
         """Which runs ``(n_runs,)`` bool travel like this."""

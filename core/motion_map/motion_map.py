@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from core.errors import AnalysisError, FormatError
 from core.mocap.anatomy import find_anatomy
 from core.mocap.clip import Clip, Segment
 from core.motion_map.bones import refine, with_real_bones
@@ -151,7 +152,7 @@ class MotionMap:
     def vectors_of(self, clip: Clip) -> tuple[np.ndarray, np.ndarray]:
         """Every frame of any clip as the map compares it, ``(n, 3 n_joints)``, and its velocity ``(n, 2)`` in m/s.
 
-        Raises ValueError for a clip whose skeleton lacks a joint of the map.
+        Raises AnalysisError for a clip whose skeleton lacks a joint of the map.
         """
         own = posture_joints([clip.skeleton])[clip.skeleton]
         body = find_anatomy(clip.skeleton).joints
@@ -164,7 +165,7 @@ class MotionMap:
             else:
                 joints[name] = joint
         if missing:
-            raise ValueError(f"{clip.name} lacks joints of this map: {', '.join(missing[:5])}")
+            raise AnalysisError(f"{clip.name} lacks joints of this map: {', '.join(missing[:5])}")
         values, _, velocity = clip_postures(clip, joints)
         return values.reshape(len(values), -1), velocity
 
@@ -208,9 +209,9 @@ class MotionMap:
 
 
 def unpack(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> MotionMap:
-    """The map back from the arrays ``(n, ...)`` of :meth:`MotionMap.pack`. Raises ValueError for anything else."""
+    """The map back from the arrays ``(n, ...)`` of :meth:`MotionMap.pack`. Raises FormatError for anything else."""
     if document.get("format") != FORMAT:
-        raise ValueError(f"not a motion map: expected format {FORMAT}, found {document.get('format')}")
+        raise FormatError(f"not a motion map: expected format {FORMAT}, found {document.get('format')}")
     kept: dict[str, Any] = {name: tuple(v) if isinstance(v := document[name], list) else v for name in _TEXT}
     kept |= {name: arrays[name] for name in ("weights", "regions", "icons", "lengths")}
     kept |= {name: dict(document[name]) for name in ("metrics", "parameters", "seconds", "dataset")}

@@ -9,6 +9,7 @@ import numpy as np
 
 from core.arrays import Float64Array, Int64Array
 from core.compiled import njit
+from core.errors import ParameterError
 from core.mocap.clip import Segment
 from core.motion_map.key_poses import Runs
 from core.motion_map.motion_map import MotionMap
@@ -41,12 +42,12 @@ def search_path(
 
 
 def even_steps(points: Sequence[Sequence[float]], step: float = 1.0) -> np.ndarray:
-    """The polyline through ``points`` ``(k, 2)`` at equal steps, both ends among them. Raises ValueError."""
+    """The polyline through ``points`` ``(k, 2)`` at equal steps, both ends among them. Raises ParameterError."""
     line = np.asarray(points, np.float64)
     if line.ndim != 2 or line.shape[1] != 2 or len(line) < 2 or not np.isfinite(line).all():
-        raise ValueError("a path needs at least two points with two finite numbers each")
+        raise ParameterError("a path needs at least two points with two finite numbers each")
     if np.abs(line).max() > _FARTHEST_POINT:
-        raise ValueError("a path lies on the map, or near it")
+        raise ParameterError("a path lies on the map, or near it")
     along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(line, axis=0), axis=1))])
     n = int(np.clip(round(along[-1] / step), 1, _MOST_POINTS - 1)) + 1
     at = np.linspace(0, along[-1], n)

@@ -22,6 +22,7 @@ from typing import NamedTuple
 import numpy as np
 
 from core.arrays import FloatArray
+from core.errors import ParameterError
 from core.mocap import quaternions as quat
 from core.mocap.anatomy import SIDES, find_anatomy
 from core.mocap.clip import Clip
@@ -118,7 +119,7 @@ def joint_angles(clip: Clip, frames: BodyFrames, joints: Iterable[str] | None = 
     known = known_joints(frames)
     chosen = known if joints is None else tuple(joints)
     if unknown := [name for name in chosen if name not in known]:
-        raise ValueError(f"no angles for {', '.join(unknown)}; this body has {', '.join(known) or 'none'}")
+        raise ParameterError(f"no angles for {', '.join(unknown)}; this body has {', '.join(known) or 'none'}")
     world = forward_kinematics(clip)[1]
     segments: dict[str, np.ndarray] = {"": np.broadcast_to(_WORLD, (clip.n_frames, 3, 3))}
     indices = find_anatomy(clip.skeleton).joints

@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from types import MappingProxyType
 
+from core.errors import ParameterError
 from core.mocap.anatomy import Anatomy
 
 LEAVES: tuple[str, ...] = (
@@ -52,9 +53,9 @@ _JOINTS = {
 
 
 def leaves_of(node: str) -> tuple[str, ...]:
-    """The leaves at or below a node, in the order of :data:`LEAVES`. Raises ValueError for an unknown node."""
+    """The leaves at or below a node, in the order of :data:`LEAVES`. Raises ParameterError for an unknown node."""
     if node not in CHILDREN:
-        raise ValueError(f"{str(node)[:60]!r} is no part of the body; the parts are {', '.join(NODES)}")
+        raise ParameterError(f"{str(node)[:60]!r} is no part of the body; the parts are {', '.join(NODES)}")
     below = {node} if node in LEAVES else {leaf for child in CHILDREN[node] for leaf in leaves_of(child)}
     return tuple(leaf for leaf in LEAVES if leaf in below)
 
@@ -89,20 +90,20 @@ def normalise_weights(weights: Mapping[str, float]) -> dict[str, float]:
     """Weights of nodes or leaves as weights of the ten leaves that sum to 1 (PCR section 4).
 
     The weight of a node is shared evenly by its leaves; a leaf that is named itself as well gets both. Raises
-    ValueError, in plain words, for an unknown part, a weight that is negative or no number, or where all are zero.
+    ParameterError, in plain words, for an unknown part, a weight that is negative or no number, or where all are zero.
     """
     shares = dict.fromkeys(LEAVES, 0.0)
     for node, weight in weights.items():
         leaves = leaves_of(node)
         if isinstance(weight, bool) or not isinstance(weight, int | float) or not math.isfinite(weight) or weight < 0:
-            raise ValueError(
+            raise ParameterError(
                 f"{node}: the weight of a part must be zero or a positive number, not {str(weight)[:40]!r}"
             )
         for leaf in leaves:
             shares[leaf] += weight / len(leaves)
     total = sum(shares.values())
     if not 0 < total < math.inf:
-        raise ValueError("all weights are zero; give at least one part of the body a positive weight")
+        raise ParameterError("all weights are zero; give at least one part of the body a positive weight")
     return {leaf: share / total for leaf, share in shares.items()}
 
 

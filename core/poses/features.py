@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from core.errors import AnalysisError
 from core.mocap import quaternions as quat
 from core.mocap.anatomy import CANONICAL, Anatomy, find_anatomy
 from core.mocap.clip import Clip
@@ -105,7 +106,7 @@ def pose_features(
     if not analysis_fps > 0 or not 0 < variance <= 1:
         raise ValueError("analysis_fps must be positive and variance between 0 and 1")
     if not clips:
-        raise ValueError("the dataset has no clips, so there are no poses")
+        raise AnalysisError("the dataset has no clips, so there are no poses")
     bodies = _bodies([clip.skeleton for clip in clips])
     rest = _mean_rotations(clips, bodies)
     blocks = []
@@ -165,7 +166,7 @@ class _Body:
 def posture_joints(skeletons: Sequence[Skeleton]) -> dict[Skeleton, dict[str, int]]:
     """Per skeleton the joints of its posture vector: name -> index, the same names in the same order for all.
 
-    Raises ValueError where they have none in common.
+    Raises AnalysisError where they have none in common.
     """
     unique = list(dict.fromkeys(skeletons))
     anatomies = {s: find_anatomy(s) for s in unique}
@@ -174,7 +175,7 @@ def posture_joints(skeletons: Sequence[Skeleton]) -> dict[Skeleton, dict[str, in
         common = [n for n in CANONICAL if n != "pelvis" and all(n in anatomies[s].joints for s in unique)]
         own = {s: {n: anatomies[s].joints[n] for n in common} for s in unique}
     if not all(own.values()):
-        raise ValueError("the skeletons of this dataset have no posture joint in common; analyse them separately")
+        raise AnalysisError("the skeletons of this dataset have no posture joint in common; analyse them separately")
     return own
 
 

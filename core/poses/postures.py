@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from core.arrays import FloatArray
+from core.errors import AnalysisError
 from core.mocap import quaternions as quat
 from core.mocap.anatomy import find_anatomy
 from core.mocap.clip import Clip
@@ -64,7 +65,7 @@ def postures_of(dataset: Dataset, *, analysis_fps: float = 30, report: Report = 
     """
     clips = sorted(dataset.clips, key=lambda clip: clip.name)
     if not clips:
-        raise ValueError("the dataset has no clips, so there are no postures")
+        raise AnalysisError("the dataset has no clips, so there are no postures")
     if not analysis_fps > 0:
         raise ValueError(f"analysis_fps must be positive, not {analysis_fps}")
     chosen = posture_joints([clip.skeleton for clip in clips])

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from core.errors import AnalysisError
 from core.poses.body_parts import LEAVES
 from core.retrieval.descriptors import BLOCKS, N_COLUMNS, ROOT, smoothed
 from core.retrieval.frames import JITTER, FrameStore, column_weights, jitter
@@ -30,7 +31,7 @@ class Composed:
 def compose(store: FrameStore, query: Query, weights: Mapping[str, float]) -> Composed:
     """The query as one motion: parts that come from elsewhere are laid along the leading one by share of their way.
 
-    Parts without weight are left out, so that they have no influence. Raises ValueError where the skeletons of the
+    Parts without weight are left out, so that they have no influence. Raises AnalysisError where the skeletons of the
     query lack every part that has a weight.
     """
     parts = [part for part in query.parts if any(weights[leaf] > 0 for leaf in part.leaves)]
@@ -40,7 +41,7 @@ def compose(store: FrameStore, query: Query, weights: Mapping[str, float]) -> Co
         kept |= {leaf: weights[leaf] for leaf in part.leaves if leaf in has}
     total = sum(kept.values())
     if not total > 0:
-        raise ValueError(f"{query.name}: no body with the parts that have a weight is recognised in its skeleton")
+        raise AnalysisError(f"{query.name}: no body with the parts that have a weight is recognised in its skeleton")
     kept = {leaf: weight / total for leaf, weight in kept.items()}
     leading, codes, _ = max(coded, key=lambda entry: _leads(entry[0], kept))
     found = codes.copy()

@@ -14,6 +14,7 @@ import numpy as np
 
 from core.arrays import Float32Array, Float64Array, Int32Array, Int64Array
 from core.compiled import njit
+from core.errors import AnalysisError
 from core.poses.body_parts import CHILDREN, LEAVES, NODES, leaves_of
 
 
@@ -85,7 +86,7 @@ def propagate(scores: Mapping[str, np.ndarray], weights: Mapping[str, float], al
     with equal weights the even ratio of the paper. A node's own score mixes its leaves as they are, so its share is a =
     alpha * (least weight below it / mean weight below it): alpha for equal weights, and none where a leaf has no
     weight, which then has no influence at all. A node that is not in ``scores`` (a hybrid's, of several motions) hands
-    on what its children say. Raises ValueError where no leaf with a weight has a score.
+    on what its children say. Raises AnalysisError where no leaf with a weight has a score.
     """
     means = {node: float(np.mean([weights[leaf] for leaf in leaves_of(node)])) for node in NODES}
     combined: dict[str, np.ndarray] = {}
@@ -100,7 +101,7 @@ def propagate(scores: Mapping[str, np.ndarray], weights: Mapping[str, float], al
             share = own_share(node, weights, alpha) if node in scores else 0.0
             combined[node] = share * scores[node] + (1 - share) * below if share > 0 else below
     if "whole_body" not in combined:
-        raise ValueError("none of the parts with a weight has a score")
+        raise AnalysisError("none of the parts with a weight has a score")
     return combined["whole_body"]
 
 

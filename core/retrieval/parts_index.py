@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from joblib import Parallel, delayed
 
+from core.errors import AnalysisError
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.poses.body_parts import LEAVES, NODES, leaves_of
@@ -79,7 +80,7 @@ class Parts:
 
     @classmethod
     def build(cls, dataset: Dataset, parameters: Any, report: Report) -> Parts:
-        """An engine of all clips of the data set. Raises ValueError where no body is recognised in any of them."""
+        """An engine of all clips of the data set. Raises AnalysisError where no body is recognised in any of them."""
         store = FrameStore.build(dataset.clips, parameters.analysis_fps, report)
         settings = PatternSettings(
             cls.CENTRING, parameters.pattern_error, parameters.seed, travel=cls.TRAVEL, smooth=cls.SMOOTH
@@ -93,7 +94,9 @@ class Parts:
                 if index is not None:
                     built[node] = index
         if not built:
-            raise ValueError("no clip has a skeleton in which a body is recognised, so there are no parts to search by")
+            raise AnalysisError(
+                "no clip has a skeleton in which a body is recognised, so there are no parts to search by"
+            )
         return cls(store, built, settings)
 
     def rank_clips(
@@ -159,7 +162,7 @@ class Parts:
     def query_lists(self, query: Query, weights: Mapping[str, float]) -> QueryLists:
         """The pattern index lists of the nodes of which one motion of the query has all parts, each with a weight.
 
-        Raises ValueError where there is none.
+        Raises AnalysisError where there is none.
         """
         lists: dict[str, SymbolList] = {}
         frames: dict[str, int] = {}
@@ -176,7 +179,9 @@ class Parts:
                     if columns.shape[1]:
                         lists[node], frames[node] = self.nodes[node].listed(columns), len(columns)
         if not lists:
-            raise ValueError(f"{query.name}: no body with the parts that have a weight is recognised in its skeleton")
+            raise AnalysisError(
+                f"{query.name}: no body with the parts that have a weight is recognised in its skeleton"
+            )
         return QueryLists(lists, frames)
 
     def pack(self) -> tuple[dict[str, Any], dict[str, np.ndarray]]:

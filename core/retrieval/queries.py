@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from core.errors import ParameterError
 from core.mocap.clip import Clip
 from core.mocap.dataset import Dataset
 from core.poses.body_parts import LEAVES, leaves_of
@@ -22,7 +23,7 @@ class QueryPart:
 
     def __post_init__(self) -> None:
         if not 0 <= self.start < self.end <= self.clip.n_frames:
-            raise ValueError(
+            raise ParameterError(
                 f"{self.clip.name} has frames 0 to {self.clip.n_frames}; {self.start} to {self.end} is no stretch of it"
             )
 
@@ -37,7 +38,7 @@ class Query:
     """A motion to search for: one part with all leaves, or several with some each.
 
     The clips need not be of the data set that is searched. Leaves that no part has are left out of the comparison.
-    Raises ValueError where there is no part, or a leaf is in two.
+    Raises ParameterError where there is no part, or a leaf is in two.
     """
 
     parts: tuple[QueryPart, ...]
@@ -46,10 +47,10 @@ class Query:
     def __post_init__(self) -> None:
         given = self.leaves
         if not given:
-            raise ValueError("a query needs at least one part of the body")
+            raise ParameterError("a query needs at least one part of the body")
         twice = [leaf for leaf in LEAVES if given.count(leaf) > 1]
         if twice:
-            raise ValueError(f"{twice[0]} is given twice; every part of the body comes from one stretch")
+            raise ParameterError(f"{twice[0]} is given twice; every part of the body comes from one stretch")
 
     @property
     def leaves(self) -> tuple[str, ...]:
@@ -95,7 +96,9 @@ def hybrid_query(assignment: Mapping[str, tuple[Clip, int | None, int | None]], 
 
 
 def parse_stretch(text: str, dataset: Dataset) -> tuple[Clip, int | None, int | None]:
-    """``CLIP`` or ``CLIP:START-END`` as clip, start and end. Raises ValueError, in plain words, for anything else."""
+    """``CLIP`` or ``CLIP:START-END`` as clip, start and end. Raises ParameterError, in plain words, for anything
+    else.
+    """
     names = dataset.names
     if text in names:
         return dataset.clip(text), None, None
@@ -103,10 +106,12 @@ def parse_stretch(text: str, dataset: Dataset) -> tuple[Clip, int | None, int | 
     if match is None or match[1] not in names:
         name = match[1] if match else text
         known = ", ".join(names[:5]) + (", ..." if len(names) > 5 else "")
-        raise ValueError(f"no clip {name[:80]!r}; expected CLIP or CLIP:START-END, with one of {known or 'no clips'}")
+        raise ParameterError(
+            f"no clip {name[:80]!r}; expected CLIP or CLIP:START-END, with one of {known or 'no clips'}"
+        )
     clip, start, end = dataset.clip(match[1]), int(match[2]), int(match[3])
     if not start < end <= clip.n_frames:
-        raise ValueError(f"{text[:80]}: {clip.name} has frames 0 to {clip.n_frames}, the end excluded")
+        raise ParameterError(f"{text[:80]}: {clip.name} has frames 0 to {clip.n_frames}, the end excluded")
     return clip, start, end
 
 

@@ -10,6 +10,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from core.errors import AnalysisError, FormatError, ParameterError
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.parameters import parameter
@@ -36,7 +37,7 @@ class SearchParameters:
     """What an index is built from. Each field's metadata: ``help``, ``min``, ``max``, ``step``, ``choices``,
     ``advanced``.
 
-    Raises ValueError, in plain words, for a value out of range.
+    Raises ParameterError, in plain words, for a value out of range.
     """
 
     method: str = parameter(
@@ -56,11 +57,11 @@ class SearchParameters:
 
     def __post_init__(self) -> None:
         if self.method not in ENGINES:
-            raise ValueError(f"method must be one of {', '.join(ENGINES)}, not {str(self.method)[:40]!r}")
+            raise ParameterError(f"method must be one of {', '.join(ENGINES)}, not {str(self.method)[:40]!r}")
         if not 5 <= self.analysis_fps <= 240:
-            raise ValueError(f"analysis_fps must be 5 to 240, not {self.analysis_fps}")
+            raise ParameterError(f"analysis_fps must be 5 to 240, not {self.analysis_fps}")
         if not 0.1 <= self.pattern_error <= 5:
-            raise ValueError(f"pattern_error must be 0.1 to 5, not {self.pattern_error}")
+            raise ParameterError(f"pattern_error must be 0.1 to 5, not {self.pattern_error}")
 
 
 class Engine(Protocol):
@@ -135,14 +136,14 @@ class SearchIndex:
         that the query lacks count nothing. level: "clip" gives one hit a clip, all of them unless ``top`` says
         fewer; "interval" gives stretches of clips, 20 unless ``top`` says otherwise. root_path: from 0 (not at all) to
         1, how much the path over the ground counts. only, exclude: names of the clips that count, or do not. Raises
-        ValueError for weights, level, top or root_path that cannot be used.
+        ParameterError for weights, level, top or root_path that cannot be used.
         """
         if level not in ("clip", "interval"):
-            raise ValueError(f"level must be clip or interval, not {str(level)[:40]!r}")
+            raise ParameterError(f"level must be clip or interval, not {str(level)[:40]!r}")
         if top is not None and top < 1:
-            raise ValueError(f"top must be at least 1, not {top}")
+            raise ParameterError(f"top must be at least 1, not {top}")
         if not 0 <= root_path <= 1:
-            raise ValueError(f"root_path must be 0 to 1, not {root_path}")
+            raise ParameterError(f"root_path must be 0 to 1, not {root_path}")
         wanted, unwanted = None if only is None else set(only), set(exclude)
         among = [k for k, c in enumerate(self.clips) if (wanted is None or c.name in wanted) and c.name not in unwanted]
         shares = weights_for(query, weights)
@@ -157,26 +158,26 @@ class SearchIndex:
     def explain(self, query: Query, hit: Hit | Segment, *, weights: Mapping[str, float] | None = None) -> Explanation:
         """Which parts of a hit are like the query when, and which frames stand beside one another.
 
-        Raises KeyError for a clip that is not indexed, ValueError for a stretch that is none of it.
+        Raises KeyError for a clip that is not indexed, ParameterError for a stretch that is none of it.
         """
         segment = hit.segment if isinstance(hit, Hit) else hit
         clip = next((clip for clip in self.clips if clip.name == segment.clip), None)
         if clip is None:
             raise KeyError(f"the index has no clip {segment.clip!r}")
         if not 0 <= segment.start < segment.end <= clip.frames:
-            raise ValueError(f"{clip.name} has frames 0 to {clip.frames}, not {segment.start} to {segment.end}")
+            raise ParameterError(f"{clip.name} has frames 0 to {clip.frames}, not {segment.start} to {segment.end}")
         return self.engine.explain(query, segment, weights_for(query, weights))
 
     def add(self, dataset: Dataset, report: Report = silent) -> SearchIndex:
         """The index with the clips of another data set as well, without building it anew.
 
-        What was learned from the first clips (principal components, scales) stays. Raises ValueError where a name is
+        What was learned from the first clips (principal components, scales) stays. Raises AnalysisError where a name is
         there already.
         """
         known = {clip.name for clip in self.clips}
         twice = [name for name in dataset.names if name in known]
         if twice:
-            raise ValueError(f"the index has a clip called {twice[0]!r} already")
+            raise AnalysisError(f"the index has a clip called {twice[0]!r} already")
         return replace(self, engine=self.engine.add(dataset, report)) if dataset.clips else self
 
     def pack(self) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
@@ -187,11 +188,11 @@ class SearchIndex:
 
 
 def weights_for(query: Query, weights: Mapping[str, float] | None) -> dict[str, float]:
-    """Weights of the ten leaves, summing to 1, with none on parts that the query lacks. Raises ValueError."""
+    """Weights of the ten leaves, summing to 1, with none on parts that the query lacks. Raises ParameterError."""
     shares = dict.fromkeys(LEAVES, 1.0) if weights is None else normalise_weights(weights)
     shares = {leaf: weight if leaf in query.leaves else 0.0 for leaf, weight in shares.items()}
     if not any(shares.values()):
-        raise ValueError(f"{query.name}: the query has none of the parts of the body that have a weight")
+        raise ParameterError(f"{query.name}: the query has none of the parts of the body that have a weight")
     return normalise_weights(shares)
 
 
@@ -207,11 +208,11 @@ def build_search_index(
     >>> hits[0].segment.clip == demo.clips[0].name
     True
 
-    Raises ValueError where there are no clips; ``report`` may raise to stop the work.
+    Raises AnalysisError where there are no clips; ``report`` may raise to stop the work.
     """
     parameters = parameters or SearchParameters()
     if not dataset.clips:
-        raise ValueError("the dataset has no clips, so there is nothing to search")
+        raise AnalysisError("the dataset has no clips, so there is nothing to search")
     started = time.perf_counter()
     engine = _engine(parameters.method).build(dataset, parameters, report)
     return SearchIndex(
@@ -223,9 +224,9 @@ def build_search_index(
 
 
 def unpack(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> SearchIndex:
-    """The index back from the arrays (n, ...) of :meth:`SearchIndex.pack`. Raises ValueError for anything else."""
+    """The index back from the arrays (n, ...) of :meth:`SearchIndex.pack`. Raises FormatError for anything else."""
     if document.get("format") != FORMAT:
-        raise ValueError(f"not a search index: expected format {FORMAT}, found {document.get('format')}")
+        raise FormatError(f"not a search index: expected format {FORMAT}, found {document.get('format')}")
     parameters = SearchParameters(**document["parameters"])
     engine = _engine(parameters.method).unpack(document["engine"], arrays)
     return SearchIndex(engine, parameters, dict(document["dataset"]), dict(document["seconds"]))

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from core.errors import AnalysisError, MotionscapeError, ParameterError
 from core.grammar.baselines import sequitur, state_machine
 from core.grammar.build import GrammarParameters
 from core.grammar.induction import induce
@@ -32,7 +33,9 @@ Accepts = Callable[[Sequence[int]], bool]
 
 @dataclass(frozen=True)
 class BakeoffParameters(GrammarParameters):
-    """How the comparison is made, besides how the grammar is learned. Raises ValueError for a value out of range."""
+    """How the comparison is made, besides how the grammar is learned. Raises ParameterError for a value out of
+    range.
+    """
 
     folds: int = parameter(5, "Parts into which sentences are divided; each is held out once.", 2, 50)
     shuffles: int = parameter(20, "Shuffles of every held-out sentence.", 1, 1000)
@@ -48,7 +51,7 @@ class BakeoffParameters(GrammarParameters):
             ("max_terminals", 1, 200),
         ):
             if not low <= getattr(self, name) <= high:
-                raise ValueError(f"{name} must be {low} to {high}")
+                raise ParameterError(f"{name} must be {low} to {high}")
 
     @property
     def grammar(self) -> dict[str, Any]:
@@ -104,12 +107,14 @@ def bake_off(
 ) -> Bakeoff:
     """The four held against one another on one data set. Deterministic. Strings of motifs are held out clip by clip.
 
-    Raises ValueError where there are fewer than two sentences.
+    Raises AnalysisError where there are fewer than two sentences.
     """
     parameters = parameters or BakeoffParameters()
     strings = [sentence.terminals for sentence in learned.sentences]
     if len(strings) < 2:
-        raise ValueError("the comparison holds sentences out, and here there is only one: cut the recordings into more")
+        raise AnalysisError(
+            "the comparison holds sentences out, and here there is only one: cut the recordings into more"
+        )
     rng = np.random.default_rng(parameters.seed)
     paths = motif_paths(graph)
     shares, tried = _held_out(strings, paths, parameters, rng, report)
@@ -202,7 +207,7 @@ def _motions(
         try:
             sentence = write(parameters.seed + seed)[: parameters.max_terminals]
             made.append(perform(dataset, sentence, learned.segments, seed=seed))
-        except ValueError as error:
+        except MotionscapeError as error:
             why.append(str(error))
     return made, why
 
@@ -214,7 +219,7 @@ def _walks(
     for seed in range(parameters.routines):
         try:
             made.append(make_walk(dataset, graph, Random(seconds, parameters.seed + seed)))
-        except ValueError as error:
+        except MotionscapeError as error:
             why.append(str(error))
     return made, why
 

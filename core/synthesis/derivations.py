@@ -9,6 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from core.errors import AnalysisError, ParameterError
 from core.grammar.learned import LearnedGrammar
 from core.grammar.motion_grammar import Grammar
 from core.grammar.trees import Node, leaves
@@ -49,13 +50,13 @@ class Derivation:
 
 def read_sentence(grammar: Grammar, text: str) -> Node:
     """The tree that a text stands for: ``random:SEED:MOST`` (by chance, about so many terminals at most) or rule
-    indices, ``0.3.1`` (SYN 5.1). Raises ValueError in plain words."""
+    indices, ``0.3.1`` (SYN 5.1). Raises ParameterError in plain words."""
     by_chance = re.fullmatch(r"random:(\d{1,9})(?::(\d{1,4}))?", text)
     if by_chance:
         most = min(max(int(by_chance[2] or 40), 1), MOST_TERMINALS)
         return grammar.generate(int(by_chance[1]), max_terminals=most)
     if not re.fullmatch(r"\d{1,5}([.-]\d{1,5})*", text):
-        raise ValueError(f"sentence: expected random:SEED:MOST or rule indices such as 0.3.1, not {text[:40]!r}")
+        raise ParameterError(f"sentence: expected random:SEED:MOST or rule indices such as 0.3.1, not {text[:40]!r}")
     return grammar.tree_of(map(int, re.split("[.-]", text)))
 
 
@@ -92,10 +93,10 @@ def perform(
 ) -> Derivation:
     """Any sentence of terminals as motion; segments: those that may stand for each terminal.
 
-    Raises ValueError for an empty sentence, a terminal without segments, or where no one skeleton has them all.
+    Raises AnalysisError for an empty sentence, a terminal without segments, or where no one skeleton has them all.
     """
     if not terminals:
-        raise ValueError("this sentence has no actions, so there is nothing to show")
+        raise AnalysisError("this sentence has no actions, so there is nothing to show")
     usable = _of_one_skeleton(dataset, terminals, segments)
     pieces, jumps = choose_segments(dataset, terminals, usable, seed)
     made = stitch(dataset, pieces, keep_feet=keep_feet, name=name, report=report)
@@ -158,6 +159,6 @@ def _of_one_skeleton(
     if not whole:
         missing = [t for t in wanted if not any(usable[t] for usable in found)]
         if missing:
-            raise ValueError(f"no recording shows action {missing[0]}")
-        raise ValueError("no one skeleton has all actions of this sentence, and one motion needs one skeleton")
+            raise AnalysisError(f"no recording shows action {missing[0]}")
+        raise AnalysisError("no one skeleton has all actions of this sentence, and one motion needs one skeleton")
     return max(whole, key=lambda usable: sum(map(len, usable.values())))

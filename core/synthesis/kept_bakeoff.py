@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from core.errors import FormatError
 from core.mocap.clip import Clip
 from core.mocap.skeleton import Skeleton
 from core.synthesis.bakeoff import Bakeoff, Contender
@@ -46,10 +47,10 @@ def _read_contender(entry: Mapping[str, Any]) -> Contender:
 
 
 def unpack_bakeoff(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Bakeoff:
-    """The bake-off back from :func:`pack_bakeoff`; arrays ``(n, ...)`` as there. Raises ValueError, KeyError, TypeError
-    for others."""
+    """The bake-off back from :func:`pack_bakeoff`; arrays ``(n, ...)`` as there. Raises FormatError, KeyError,
+    TypeError for others."""
     if document.get("format") != FORMAT:
-        raise ValueError(f"not a bake-off: expected format {FORMAT}, found {document.get('format')}")
+        raise FormatError(f"not a bake-off: expected format {FORMAT}, found {document.get('format')}")
     return Bakeoff(
         contenders=tuple(map(_read_contender, document["contenders"])),
         clips=tuple(

@@ -7,6 +7,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from core.errors import FormatError
 from core.mocap.clip import Clip
 from core.mocap.skeleton import Skeleton
 from core.synthesis.footing import Skate
@@ -65,11 +66,11 @@ def pack_made(made: Made, document: dict[str, Any]) -> tuple[dict[str, Any], dic
 
 
 def unpack_made(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray], kind: str) -> dict[str, Any]:
-    """The fields of :class:`Made`; arrays ``(n, ...)`` as there. Raises ValueError for a document of another format,
+    """The fields of :class:`Made`; arrays ``(n, ...)`` as there. Raises FormatError for a document of another format,
     KeyError or TypeError for a broken one."""
     if document.get("format") != kind:
         name = kind.split("/")[1]
-        raise ValueError(f"not a {name}: expected format {kind}, found {document.get('format')}")
+        raise FormatError(f"not a {name}: expected format {kind}, found {document.get('format')}")
     skeleton = Skeleton.from_json(document["skeleton"])
     return {
         "clip": Clip(document["name"], skeleton, document["fps"], arrays["root"], arrays["rotations"]),

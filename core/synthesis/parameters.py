@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field, fields
 from typing import Any, Literal
 
+from core.errors import ParameterError
 from core.grammar.build import GrammarParameters
 from core.motifs.parameters import MotifParameters
 from core.synthesis.paths import parse_path
@@ -14,7 +15,7 @@ from core.synthesis.paths import parse_path
 class WalkParameters(MotifParameters):
     """A walk through the motif graph that the inherited parameters stand for.
 
-    Raises ValueError, in plain words, for a path that cannot be read or a value out of range.
+    Raises ParameterError, in plain words, for a path that cannot be read or a value out of range.
     """
 
     path: str = field(
@@ -38,7 +39,7 @@ class WalkParameters(MotifParameters):
     def __post_init__(self) -> None:
         MotifParameters(**self.graph)  # checks them
         if not self.path:
-            raise ValueError("path: must be given, such as 3-7-9 or random:30:7")
+            raise ParameterError("path: must be given, such as 3-7-9 or random:30:7")
         parse_path(self.path)
 
     @property
@@ -56,7 +57,7 @@ class WalkParameters(MotifParameters):
 class DeriveParameters(GrammarParameters):
     """A sentence of the grammar that the inherited parameters stand for.
 
-    Raises ValueError, in plain words, for a value out of range.
+    Raises ParameterError, in plain words, for a value out of range.
     """
 
     sentence: str = field(
@@ -70,7 +71,7 @@ class DeriveParameters(GrammarParameters):
     def __post_init__(self) -> None:
         super().__post_init__()
         if not 1 <= len(self.sentence) <= 10_000:
-            raise ValueError("sentence: must be given, such as random:7:40")
+            raise ParameterError("sentence: must be given, such as random:7:40")
 
     @property
     def grammar(self) -> dict[str, Any]:

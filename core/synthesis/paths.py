@@ -18,6 +18,7 @@ import numpy as np
 from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import connected_components, dijkstra
 
+from core.errors import AnalysisError, ParameterError
 from core.mocap.dataset import Dataset
 from core.motifs.graph import Motif, MotifGraph
 from core.synthesis.links import Link, further_links, seen_links
@@ -44,7 +45,7 @@ class Random(NamedTuple):
     start: int | None = None
 
 
-class NoWay(ValueError):
+class NoWay(AnalysisError):
     """No edge leads from ``source`` to ``target``; ``detour``: motifs of the shortest way, ends included, or None."""
 
     def __init__(self, source: int, target: int, detour: tuple[int, ...] | None):
@@ -111,12 +112,12 @@ class Ways:
         return tuple(reversed(path))
 
     def check(self, motif: int) -> None:
-        """Raises ValueError where a walk cannot come to this motif."""
+        """Raises ParameterError where a walk cannot come to this motif."""
         if motif not in self.motifs:
             known = f"they go from {min(self.motifs)} to {max(self.motifs)}" if self.motifs else "there are none"
-            raise ValueError(f"There is no motif {motif}; {known}.")
+            raise ParameterError(f"There is no motif {motif}; {known}.")
         if motif not in self.following:
-            raise ValueError(f"Motif {motif} has no motion of the skeleton that this walk keeps to.")
+            raise ParameterError(f"Motif {motif} has no motion of the skeleton that this walk keeps to.")
 
     def _matrix(self, ids: Sequence[int], cost: Callable[[int], float]) -> csr_matrix:
         at = {motif: k for k, motif in enumerate(ids)}
@@ -155,31 +156,33 @@ def skeleton_families(dataset: Dataset, graph: MotifGraph) -> list[frozenset[str
 
 
 def parse_path(text: str) -> tuple[int, ...] | Between | Random:
-    """What a path in text asks for. Raises ValueError, saying what is expected."""
+    """What a path in text asks for. Raises ParameterError, saying what is expected."""
     if re.fullmatch(r"\d{1,6}(-\d{1,6})*", text):
         path = tuple(map(int, text.split("-")))
         if len(path) > MOST_MOTIFS:
-            raise ValueError(f"A walk has at most {MOST_MOTIFS} motifs, not {len(path)}.")
+            raise ParameterError(f"A walk has at most {MOST_MOTIFS} motifs, not {len(path)}.")
         return path
     if match := re.fullmatch(r"(fewest|used):(\d{1,6}):(\d{1,6})", text):
         return Between(int(match[2]), int(match[3]), match[1])
     if match := re.fullmatch(r"random:(\d{1,6}(?:\.\d{1,3})?):(\d{1,9})(?::(\d{1,6}))?", text):
         seconds = float(match[1])
         if not 0 < seconds <= MOST_SECONDS:
-            raise ValueError(f"A random walk lasts at most {MOST_SECONDS:g} seconds, and more than 0, not {seconds:g}.")
+            raise ParameterError(
+                f"A random walk lasts at most {MOST_SECONDS:g} seconds, and more than 0, not {seconds:g}."
+            )
         return Random(seconds, int(match[2]), int(match[3]) if match[3] else None)
     shown = text if len(text) <= 40 else text[:39] + "…"
-    raise ValueError(f"“{shown}” is no path; it should look like 3-7-9, fewest:3:9, used:3:9 or random:30:7.")
+    raise ParameterError(f"“{shown}” is no path; it should look like 3-7-9, fewest:3:9, used:3:9 or random:30:7.")
 
 
 def random_path(dataset: Dataset, ways: Ways, wanted: Random, dead_end: str = "jump") -> tuple[tuple[int, ...], str]:
     """Motif ids of a random walk, and why it ended before its time ("" where it did not).
 
     dead_end: "stop" there, or "jump" to a motif that begins much like the dead end ends. The length is an estimate from
-    the mean lengths of motions and transitions. Raises ValueError where there is nothing to walk.
+    the mean lengths of motions and transitions. Raises AnalysisError where there is nothing to walk.
     """
     if not ways.following:
-        raise ValueError("There are no motifs to walk through.")
+        raise AnalysisError("There are no motifs to walk through.")
     rng = np.random.default_rng(wanted.seed)
     leads_on = [motif for motif in ways.following if motif not in ways.dead_ends] or list(ways.following)
     if wanted.start is None:

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from core.editing.blending import heading, turn_about_y
+from core.errors import AnalysisError
 from core.mocap.anatomy import CANONICAL, find_anatomy
 from core.mocap.clip import Clip
 from core.mocap.dataset import Dataset
@@ -51,7 +52,7 @@ def _common_joints(dataset: Dataset) -> list[str]:
     bodies = [find_anatomy(skeleton).joints for skeleton in {clip.skeleton for clip in dataset.clips}]
     names = [name for name in CANONICAL if all(name in joints for joints in bodies)]
     if len(names) < 2:
-        raise ValueError("the skeletons of this data set have no joints in common")
+        raise AnalysisError("the skeletons of this data set have no joints in common")
     return names
 
 

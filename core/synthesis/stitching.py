@@ -17,6 +17,7 @@ import numpy as np
 from core.editing.blending import at_frames, blend, joint_weights
 from core.editing.contacts import slide
 from core.editing.following import Placements, lay_once, lay_upon, travel
+from core.errors import AnalysisError
 from core.mocap import quaternions as quat
 from core.mocap.anatomy import find_anatomy
 from core.mocap.clip import Clip, Segment
@@ -154,7 +155,7 @@ def _sources(dataset: Dataset, pieces: Sequence[Segment]) -> tuple[dict[str, Cli
     for name, clip in clips.items():
         if not same_joints(clip.skeleton, body):
             other = next(n for n, c in clips.items() if c.skeleton == body)
-            raise ValueError(
+            raise AnalysisError(
                 f"“{name}” and “{other}” have skeletons with different joints, and one motion needs one skeleton. "
                 "Choose motions recorded with the same skeleton."
             )

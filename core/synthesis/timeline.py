@@ -10,6 +10,7 @@ from scipy.ndimage import gaussian_filter1d
 
 from core.arrays import FloatArray
 from core.editing.legs import smooth_step
+from core.errors import AnalysisError
 from core.mocap.clip import Clip, Segment
 
 _SMOOTH = 0.1  # seconds over which the staircase of a time warp is evened out
@@ -69,7 +70,7 @@ def schedule(
         overlap = overlaps[i] if i < len(overlaps) else None
         stop = float(piece.end) if overlap is None else float(overlap.rows[0, 0])
         if stop < at - 1e-6:
-            raise ValueError(
+            raise AnalysisError(
                 f"two blends meet in {piece.clip}: one lasts until frame {at:.0f}, the next begins earlier"
             )
         own = _alone(at, stop, rates[i] / fps)

@@ -9,6 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from core.errors import AnalysisError, MotionscapeError, ParameterError
 from core.mocap.clip import Clip, Segment
 from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
@@ -132,16 +133,16 @@ def find_route(
     """
     for value, known in ((gaps, ("refuse", "detour", "bridge")), (dead_end, ("jump", "stop"))):
         if value not in known:
-            raise ValueError(f"expected one of {', '.join(known)}, not {value!r}")
+            raise ParameterError(f"expected one of {', '.join(known)}, not {value!r}")
     wanted = parse_path(path) if isinstance(path, str) else path
     families = skeleton_families(dataset, graph)
     if not families:
-        raise ValueError("This motif graph has no motifs to walk through.")
-    refusal: ValueError | None = None
+        raise AnalysisError("This motif graph has no motifs to walk through.")
+    refusal: MotionscapeError | None = None
     for family in range(len(families)):
         try:
             return _route(dataset, open_ways(dataset, graph, further, family), wanted, gaps, dead_end)
-        except ValueError as error:
+        except MotionscapeError as error:
             refusal = refusal or error
     assert refusal is not None
     raise refusal
@@ -173,7 +174,7 @@ def _path(ways: Ways, wanted: Between | Sequence[int], gaps: str) -> tuple[int, 
             raise NoWay(wanted.start, wanted.target, None)
         return found or (wanted.start, wanted.target)
     if not wanted:
-        raise ValueError("A walk needs at least one motif.")
+        raise ParameterError("A walk needs at least one motif.")
     for motif in wanted:
         ways.check(motif)
     return fill_gaps(ways, wanted) if gaps == "detour" else tuple(wanted)

@@ -19,6 +19,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from core.caching import RecentCache
+from core.mocap.errors import RecordingError
 from core.mocap.files import atomic_file, replacing, sweep_abandoned
 from core.workspace.database import Database
 from core.workspace.errors import NameRefused, WorkspaceError, plain_errors
@@ -105,7 +106,7 @@ class DatasetStore:
 
         try:
             return self._opened.get_or_compute(info.folder, lambda: load_dataset(self._path(info.folder)))
-        except (OSError, ValueError, KeyError, EOFError) as error:
+        except (OSError, RecordingError) as error:
             raise WorkspaceError(
                 f"The stored dataset {info.name!r} cannot be opened, its files are damaged; import it again."
             ) from error

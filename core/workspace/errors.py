@@ -7,8 +7,10 @@ import sqlite3
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from core.errors import MotionscapeError
 
-class WorkspaceError(ValueError):
+
+class WorkspaceError(MotionscapeError, ValueError):
     """The workspace cannot do what was asked; the message says what happened and what to do."""
 
 

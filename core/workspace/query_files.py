@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from core.errors import FormatError
 from core.progress import Report
 from core.workspace.errors import WorkspaceError
 from core.workspace.workspace import Workspace
@@ -75,12 +76,12 @@ def pack_clip(clip: Clip) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
 
 
 def unpack_clip(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Clip:
-    """The clip back from :func:`pack_clip`, arrays ``(n, ...)`` as there. Raises ValueError, KeyError, TypeError."""
+    """The clip back from :func:`pack_clip`, arrays ``(n, ...)`` as there. Raises FormatError, KeyError, TypeError."""
     from core.mocap.clip import Clip
     from core.mocap.skeleton import Skeleton
 
     if document.get("format") != FORMAT:
-        raise ValueError(f"not a recording: expected format {FORMAT}, found {document.get('format')}")
+        raise FormatError(f"not a recording: expected format {FORMAT}, found {document.get('format')}")
     moving = {int(name.partition("_")[2]): track for name, track in arrays.items() if name.startswith("translation_")}
     skeleton = Skeleton.from_json(document["skeleton"])
     said = {"notes": tuple(document["notes"]), "warnings": tuple(document["warnings"])}

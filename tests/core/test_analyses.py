@@ -7,8 +7,9 @@ import signal
 import pytest
 
 from core import analyses, requests
-from core.analyses import AnalysisError, Request
-from core.parameters import ParameterError, fill, parameters_of
+from core.analyses import Request
+from core.errors import AnalysisError, ParameterError
+from core.parameters import fill, parameters_of
 from core.progress import Cancelled
 from core.workspace import Workspace, WorkspaceError
 from tests import toy_method

@@ -6,8 +6,8 @@ import json
 
 import pytest
 
+from core.errors import ParameterError
 from core.grammar.table import MOST, TableParameters, part_report
-from core.parameters import ParameterError
 
 
 def test_numbers_are_sorted_and_each_is_there_once():

@@ -6,9 +6,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from core.errors import ParameterError
 from core.motifs.axes import MOST_POINTS, PAPER, USUAL, points_of, read_axis, read_values, sweepable, write_axis
 from core.motifs.parameters import MotifParameters
-from core.parameters import ParameterError
 
 
 @pytest.mark.parametrize(

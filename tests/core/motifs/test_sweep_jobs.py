@@ -8,6 +8,7 @@ import pytest
 
 from core import analyses, figures
 from core.analyses import Request
+from core.errors import ParameterError
 from core.evaluation.coverage import score_motifs
 from core.figures import METRICS, SCORES, figures_of, read_figures
 from core.mocap.clip import Label
@@ -15,7 +16,6 @@ from core.motifs import stages
 from core.motifs.axes import SweepParameters
 from core.motifs.build import find_motifs
 from core.motifs.parameters import MotifParameters
-from core.parameters import ParameterError
 from core.progress import Cancelled
 from core.workspace import Workspace, WorkspaceError
 from tests.core.motifs.recordings import recurring

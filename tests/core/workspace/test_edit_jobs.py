@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from core import analyses, requests
+from core.errors import ParameterError
 from core.mocap.clip import Label
 from core.mocap.dataset import Dataset
-from core.parameters import ParameterError
 from core.workspace import Workspace, WorkspaceError
 from tests.core.editing.figures import going
 

@@ -9,11 +9,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from core.errors import ParameterError
 from core.motifs.axes import points_of, sweepable
 from core.motifs.parameters import MotifParameters
 from core.motifs.suggestion import CLEAR, UNSURE, Suggestion
 from core.motifs.sweep_table import SweepTable
-from core.parameters import ParameterError
 from core.workspace import Workspace
 from tests.core.motifs.recordings import recurring
 from webapp.cli import main
