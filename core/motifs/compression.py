@@ -20,6 +20,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from core.errors import ParameterError
 from core.mocap.clip import Clip
 from core.motifs.channels import Channels
 from core.motifs.motion_matrices import Motions, stored
@@ -87,7 +88,7 @@ def rebuild(motions: Motions, method: str, step: Step) -> tuple[np.ndarray, int]
         return _principal_motions(motions, step.motions)
     if 0 < step.motions <= len(motions.order) and method == (OWN_PCA if step.components else OWN):
         return _own_motions(motions, step)
-    raise ValueError(f"motions are not stored by {method!r} with {step}")
+    raise ParameterError(f"motions are not stored by {method!r} with {step}")
 
 
 def principal_postures(values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:

@@ -70,8 +70,9 @@ def of_method(
 
     also: parameter -> another name of its option."""
     from core.analyses import parameters
+    from core.errors import ParameterError
     from core.motifs.axes import read_values
-    from core.parameters import Parameter, ParameterError
+    from core.parameters import Parameter
 
     def reader(parameter: Parameter) -> Callable[[str], object]:
         def read(text: str) -> object:

@@ -10,6 +10,7 @@ import argparse
 import os
 import sys
 from collections.abc import Sequence
+from contextlib import suppress
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import NoReturn
@@ -48,6 +49,7 @@ def main(line: Sequence[str] | None = None) -> int:
 
 
 def _in_words(error: BaseException) -> tuple[str, int]:
+    from core.errors import LoggedBug, MotionscapeError
     from core.progress import Cancelled
     from core.workspace import explain, was_interrupted
     from webapp.shell.advice import on_the_command_line
@@ -62,9 +64,26 @@ def _in_words(error: BaseException) -> tuple[str, int]:
         return f"{error.filename}: {explain(error)}", 2
     if isinstance(error, OSError | MemoryError):
         return explain(error), 2
-    if isinstance(error, ValueError):  # RecordingError, WorkspaceError, ParameterError: written for people
-        return " ".join(on_the_command_line(str(error)).split()), 2
-    return f"a fault in Motionscape ({type(error).__name__}: {error}); {DEBUG}=1 shows where", 1
+    if isinstance(error, MotionscapeError):
+        return " ".join(on_the_command_line(str(error)).split()), 1 if isinstance(error, LoggedBug) else 2
+    return _log_bug(error), 1
+
+
+def _log_bug(error: BaseException) -> str:
+    """Writes the traceback of an error that is not meant for people into a file; what to print, on one line."""
+    import tempfile
+    import traceback
+
+    from core.errors import new_bug_id
+
+    bug_id = new_bug_id()
+    log = Path(tempfile.gettempdir(), f"motionscape-error-{bug_id}.log")
+    where = f"{DEBUG}=1 shows where"
+    with suppress(OSError):
+        log.write_text("".join(traceback.format_exception(error)), encoding="utf-8")
+        where = f"the details are in {log}"
+    what = " ".join(f"{type(error).__name__}: {error}".split())
+    return f"a fault in Motionscape, error {bug_id} ({what}); {where}"
 
 
 def _parser(line: Sequence[str]) -> Parser:

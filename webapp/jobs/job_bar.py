@@ -183,7 +183,7 @@ def register(app: Dash, workspace: Workspace) -> None:
                 webapp_jobs.restart(workspace, int(job_id))
             if action in ("retry", "dismiss"):  # what is tried again no longer stands there as failed
                 dismissed = [*(dismissed or []), int(job_id)][-50:]
-        except (WorkspaceError, TypeError, ValueError) as error:
+        except WorkspaceError as error:
             return no_update, time.time(), [notice("That did not work", str(error), "red")]
         return dismissed, time.time(), no_update
 

@@ -162,12 +162,14 @@ def supervise(workspace: Workspace, job: Job) -> None:
 
 def _watch(workspace: Workspace, job: Job, child: subprocess.Popen) -> bool:
     """Waits for the child, with heartbeats; ends it when the job is cancelled and it does not stop. True if it did."""
+    from core.workspace import WorkspaceError
+
     asked = None
     while True:
         with contextlib.suppress(subprocess.TimeoutExpired):
             child.wait(LOOK)
             return False
-        with contextlib.suppress(ValueError):  # a busy table (WorkspaceError): look again
+        with contextlib.suppress(WorkspaceError):  # a busy table: look again
             if workspace.jobs.beat(job.id) and asked is None:
                 asked = time.monotonic()
         if asked is not None and time.monotonic() - asked > GRACE:
@@ -177,7 +179,8 @@ def _watch(workspace: Workspace, job: Job, child: subprocess.Popen) -> bool:
 
 
 def _compute(workspace: Workspace, job_id: int) -> None:
-    from core.analyses import AnalysisError, execute
+    from core.analyses import execute
+    from core.errors import AnalysisError
     from core.progress import Cancelled
 
     job = workspace.jobs.get(job_id)

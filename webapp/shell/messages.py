@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
-import logging
 from html import escape
 
 import dash_mantine_components as dmc
 from dash import dcc, html, set_props
 from dash.development.base_component import Component
-from flask import Flask
+from flask import Flask, request
 from werkzeug.exceptions import HTTPException
 
+from core.errors import MotionscapeError
+from webapp.shell.errors import log_bug, sentence
 from webapp.shell.icons import icon
-
-log = logging.getLogger(__name__)
 
 _PAGE = """<!doctype html><html lang="en"><head><meta charset="utf-8"><title>Motionscape</title>
 <meta name="viewport" content="width=device-width"><style>
@@ -35,19 +34,24 @@ def register(server: Flask) -> None:
     def _known(error: HTTPException) -> tuple[str, int]:
         return error_page(error.code or 500, error.name, "The server could not answer this request.")
 
+    @server.errorhandler(MotionscapeError)
+    def _cannot(error: MotionscapeError) -> tuple[str, int]:
+        return error_page(400, "That cannot be done", sentence(error))
+
     @server.errorhandler(Exception)
-    def _unknown(error: Exception) -> tuple[str, int]:
-        log.exception("unexpected error", exc_info=error)
-        return error_page(
-            500, "Something went wrong", "It is our fault, not yours. The details are in the server's log."
-        )
+    def _bug(error: Exception) -> tuple[str, int]:
+        details = f"The details are in the server's log, as error {log_bug(request.path, error)}."
+        return error_page(500, "Something went wrong", f"It is our fault, not yours. {details}")
 
 
 def on_callback_error(error: Exception) -> None:
-    """Dash's handler: the view stays as it was and a notice says so; details go to the log."""
-    log.exception("callback failed", exc_info=error)
-    message = "The view stays as it was. Details are in the server's log."
-    set_props("notices", {"sendNotifications": [notice("Something went wrong", message, "red", id="fault")]})
+    """Dash's handler: the view stays as it was and a notice says why; a bug goes to the log."""
+    if isinstance(error, MotionscapeError):
+        message = notice("That cannot be done", sentence(error), "red")
+    else:
+        details = f"Details are in the server's log, as error {log_bug('a callback', error)}."
+        message = notice("Something went wrong", f"The view stays as it was. {details}", "red", id="fault")
+    set_props("notices", {"sendNotifications": [message]})
 
 
 def notice(title: str, message: str | Component, colour: str = "accent", **more: object) -> dict:

@@ -72,7 +72,7 @@ def clip_request(dataset: Dataset, selection: Mapping[str, Any]) -> StageRequest
     """A clip, or frames ``start`` to ``end`` of it; None where the dataset has no such clip."""
     try:
         clip = dataset.clip(str(selection["clip"]))
-    except (KeyError, ValueError):
+    except KeyError:
         return None
     start, end = int(selection.get("start", 0)), int(selection.get("end", clip.n_frames))
     start, end = (start, min(end, clip.n_frames)) if start < clip.n_frames and end > start else (0, clip.n_frames)

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from core import analyses
+from core.errors import ParameterError
 from core.motifs.graph import Edge, Motif, MotifGraph
-from core.parameters import ParameterError
 from core.workspace import Job, MotifNote, Workspace, WorkspaceError
 
 if TYPE_CHECKING:

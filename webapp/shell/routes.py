@@ -11,9 +11,10 @@ from urllib.parse import quote
 
 from flask import Blueprint, Response, jsonify, request
 
+from core.errors import MotionscapeError
 from core.mocap.clip import Clip
 from core.mocap.dataset import Dataset
-from core.workspace import WorkspaceError
+from webapp.shell.errors import log_bug, sentence
 
 log = logging.getLogger(__name__)
 
@@ -24,7 +25,7 @@ ASK_AGAIN = "private, no-cache"
 OpenDataset = Callable[[str], Dataset]
 
 
-class BadRequest(Exception):
+class BadRequest(MotionscapeError):
     """Something the asker can mend; ``status`` is the HTTP status."""
 
     def __init__(self, message: str, status: int = 400):
@@ -50,16 +51,16 @@ def interval(open_dataset: OpenDataset, dataset_name: str, clip_name: str, start
     """Frames from ``start`` to ``end`` (text; empty: all there are) of a clip. Raises BadRequest in plain words."""
     try:
         dataset = open_dataset(dataset_name)
-    except WorkspaceError as error:
+    except MotionscapeError as error:
         raise BadRequest(str(error), 404) from None
-    except (LookupError, OSError, ValueError) as error:
+    except (LookupError, OSError) as error:
         log.info("no dataset %r: %s", dataset_name, error)
         raise BadRequest(
             f"There is no dataset called “{dataset_name}”. It may have been renamed or deleted.", 404
         ) from None
     try:
         clip = dataset.clip(clip_name)
-    except (LookupError, ValueError):
+    except KeyError:
         raise BadRequest(f"There is no clip called “{clip_name}” in “{dataset_name}”.", 404) from None
     first, last = read_whole("start", start, 0), read_whole("end", end, clip.n_frames)
     if not 0 <= first < last <= clip.n_frames:
@@ -123,7 +124,7 @@ def kept(keys: Sequence[str], for_good: bool, make: Callable[[], bytes | str], m
     return response
 
 
-class Refusal(Exception):
+class Refusal(MotionscapeError):
     """Why there is nothing to download, and the HTTP status that says so."""
 
     def __init__(self, message: str, status: int):
@@ -153,10 +154,15 @@ def answer_errors(blueprint: Blueprint) -> None:
     def bad_request(error: BadRequest) -> tuple[Response, int]:
         return jsonify(error=str(error)), error.status
 
+    @blueprint.errorhandler(MotionscapeError)
+    def cannot(error: MotionscapeError) -> tuple[Response, int]:
+        return jsonify(error=sentence(error)), 400
+
     @blueprint.errorhandler(Exception)
-    def internal(error: Exception) -> tuple[Response, int]:
-        log.exception("the answer to %s failed", request.path)
-        return jsonify(error=BROKEN), 500
+    def bug(error: Exception) -> tuple[Response, int]:
+        return jsonify(error=broken(request.path, error)), 500
 
 
-BROKEN = "This motion cannot be shown: something went wrong on the server."
+def broken(where: str, error: Exception) -> str:
+    """What is told where motion cannot be shown because of a bug, which is logged."""
+    return f"This motion cannot be shown: something went wrong on the server (error {log_bug(where, error)})."

@@ -11,7 +11,8 @@ from collections.abc import Mapping
 from typing import Any
 
 from core import analyses
-from core.parameters import Parameter, ParameterError
+from core.errors import ParameterError
+from core.parameters import Parameter
 from core.workspace import Job, Workspace, WorkspaceError
 from webapp.shell.feature import features
 

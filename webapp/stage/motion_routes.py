@@ -13,13 +13,14 @@ from collections.abc import Sequence
 import numpy as np
 from flask import Blueprint, Response, request
 
+from core.errors import MotionscapeError
 from core.mocap.posture_drawing import DrawnBody, HeadAndFloor, drawn_positions
 from webapp.shell.routes import (
-    BROKEN,
     BadRequest,
     Interval,
     OpenDataset,
     answer_errors,
+    broken,
     cached,
     content_key,
     find_interval,
@@ -39,8 +40,8 @@ BINARY = "application/octet-stream"
 
 
 def motion_blueprint(open_dataset: OpenDataset) -> Blueprint:
-    """Routes of the Stage. ``open_dataset`` turns a name into a Dataset and raises LookupError, OSError or ValueError
-    where there is none."""
+    """Routes of the Stage. ``open_dataset`` turns a name into a Dataset and raises MotionscapeError, LookupError or
+    OSError where there is none."""
     blueprint = Blueprint("motion", __name__, url_prefix="/api")
     answer_errors(blueprint)
 
@@ -92,11 +93,10 @@ def find_part(open_dataset: OpenDataset, row: Row, fps: float, most: int) -> Par
     try:
         asked = interval(open_dataset, dataset, clip, start, end)
         return asked, frame_step(asked, fps, most)
-    except BadRequest as error:
+    except MotionscapeError as error:
         return str(error)
-    except Exception:
-        log.exception("a part of %s failed", request.path)
-        return BROKEN
+    except Exception as error:
+        return broken(request.path, error)
 
 
 def frame_step(asked: Interval, fps: float, most_values: int) -> int:

@@ -10,7 +10,8 @@ import dash_mantine_components as dmc
 from dash import html
 from dash.development.base_component import Component
 
-from core.parameters import Parameter, ParameterError
+from core.errors import ParameterError
+from core.parameters import Parameter
 from webapp.shell.icons import icon
 
 NO_LABELS: Mapping[str, str] = MappingProxyType({})

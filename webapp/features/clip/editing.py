@@ -13,8 +13,8 @@ from dash.development.base_component import Component
 from core import requests
 from core.editing import edits
 from core.editing.mirror import partners
+from core.errors import MotionscapeError, ParameterError
 from core.mocap.dataset import Dataset
-from core.parameters import ParameterError
 from core.workspace import Workspace, WorkspaceError, check_name
 from webapp.jobs import changes
 from webapp.shell import results
@@ -100,7 +100,7 @@ def problem(dataset: Dataset, clip: str, action: str, options: Mapping[str, Any]
             edits.split(recording, labels, cuts)
     except (KeyError, TypeError):
         return "Select a range of the clip first." if action == "trim" else "This clip is no longer there."
-    except ValueError as error:
+    except MotionscapeError as error:
         return f"{error}."
     return ""
 

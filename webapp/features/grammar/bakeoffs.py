@@ -10,8 +10,8 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from core import analyses
+from core.errors import ParameterError
 from core.mocap.dataset import Dataset
-from core.parameters import ParameterError
 from core.workspace import Job, Workspace, WorkspaceError
 from webapp.features.grammar import grammars
 from webapp.features.grammar.figures.bakeoff import NAMES

@@ -8,7 +8,7 @@ import dash_mantine_components as dmc
 from dash import Dash, Input, Output, State, dcc, html, no_update, set_props
 from dash.development.base_component import Component
 
-from core.parameters import ParameterError
+from core.errors import ParameterError
 from core.workspace import Job, Workspace, WorkspaceError
 from webapp import jobs
 from webapp.features.grammar import bakeoffs

@@ -13,11 +13,11 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from core import analyses
+from core.errors import MotionscapeError, ParameterError
 from core.grammar import authoring
 from core.grammar.trees import Node, at_path, leaves, preorder
 from core.mocap.clip import Label
 from core.mocap.dataset import Dataset
-from core.parameters import ParameterError
 from core.synthesis import Derivation
 from core.synthesis.derivations import read_sentence
 from core.workspace import Workspace, WorkspaceError
@@ -62,13 +62,13 @@ def open_derivation(workspace: Workspace, key: str) -> Dataset:
 
 
 def tree_of(found: LearnedGrammar, sentence: str) -> Node:
-    """The tree that a link's ``sentence`` stands for. Raises ValueError in plain words."""
+    """The tree that a link's ``sentence`` stands for. Raises ParameterError."""
     try:
         return read_sentence(found.grammar, sentence)
-    except ValueError as error:
+    except ParameterError as error:
         if sentence.startswith("random"):
             raise
-        raise ValueError("The routine of the link does not obey these rules: it was made with others") from error
+        raise ParameterError("The routine of the link does not obey these rules: it was made with others") from error
 
 
 def code_of(found: LearnedGrammar, tree: Node) -> str:
@@ -86,7 +86,7 @@ def composed(workspace: Workspace, name: str, view: View) -> dict[str, Any] | No
         tree = tree_of(found, view["sentence"])
         request = derive_request(found, name, view, tree)
         made = analyses.at_once(workspace, request)
-    except (ParameterError, ValueError) as error:
+    except MotionscapeError as error:
         return data | {"error": _sentence(str(error))}
     dataset, notes = workspace.open(name), grammars.notes_of(workspace, name, view) or {}
     again = {"recipes": recipes.both(workspace.path, request)}
@@ -106,10 +106,10 @@ def composed(workspace: Workspace, name: str, view: View) -> dict[str, Any] | No
 
 
 def derive_request(found: LearnedGrammar, dataset: str, view: View, tree: Node) -> analyses.Request:
-    """The request for the motion of a routine. Raises ValueError where it is too long for a link."""
+    """The request for the motion of a routine. Raises ParameterError where it is too long for a link."""
     code = code_of(found, tree)
     if len(code) > LONGEST:
-        raise ValueError("This routine is too long for a link; choose fewer actions")
+        raise ParameterError("This routine is too long for a link; choose fewer actions")
     return analyses.Request(
         dataset, DERIVE, {**settings.request_of(grammars.PAGE, dataset, view).parameters, "sentence": code}
     )
@@ -187,7 +187,7 @@ def alternatives(workspace: Workspace, name: str, view: View) -> dict[str, Any] 
         seed = _number(view, "alt") or 1
         others = authoring.alternatives(found.grammar, tree, chosen["at"], N_OTHERS, seed)
         shown = [_alternative(workspace, found, name, view, other, chosen["at"], notes) for other in others]
-    except (ParameterError, ValueError) as error:
+    except MotionscapeError as error:
         return data | {"error": _sentence(str(error))}
     return data | {"part": chosen["name"], "others": shown}
 
@@ -235,7 +235,7 @@ def keep(workspace: Workspace, name: str | None, view: View, called: str) -> str
         raise WorkspaceError("There is no routine to keep.")
     try:
         made = analyses.at_once(workspace, derive_request(found, name, view, tree_of(found, view["sentence"])))
-    except (ParameterError, ValueError) as error:
+    except MotionscapeError as error:
         raise WorkspaceError(_sentence(str(error))) from error
     notes = grammars.notes_of(workspace, name, view) or {}
     labels = tuple(

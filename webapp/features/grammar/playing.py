@@ -63,7 +63,7 @@ def _stretch(
 ) -> dict[str, Any] | None:
     try:
         clip = dataset.clip(str(selection["clip"]))
-    except (KeyError, ValueError):
+    except KeyError:
         return None
     start, end = int(selection.get("start", 0)), min(int(selection.get("end", clip.n_frames)), clip.n_frames)
     start, end = (start, end) if start < end else (0, clip.n_frames)

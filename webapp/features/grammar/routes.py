@@ -11,6 +11,7 @@ import json
 
 from flask import Blueprint, Response, request
 
+from core.errors import ParameterError
 from core.grammar.learned import LearnedGrammar
 from core.grammar.trees import leaves
 from core.mocap.dataset import Dataset
@@ -74,7 +75,7 @@ def _learned(routes: Blueprint, workspace: Workspace) -> None:
         if request.args.get("sentence"):
             try:
                 drawn = compositions.tree_of(found, request.args["sentence"])
-            except ValueError as error:
+            except ParameterError as error:
                 raise Refusal(f"{error}.", 400) from error
             typical = found.terminals.medoids
             segments = [typical[action] for action in leaves(drawn)]

@@ -12,8 +12,8 @@ from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
 from core import analyses, requests
-from core.parameters import ParameterError
-from core.workspace import Workspace, WorkspaceError, check_name
+from core.errors import MotionscapeError
+from core.workspace import Workspace, check_name
 from webapp import jobs
 from webapp.jobs import changes
 from webapp.shell.icons import icon
@@ -137,10 +137,10 @@ def ready(upload: Mapping[str, Any] | None, name: str | None) -> str:
 def request_for(upload: Mapping[str, Any], name: str | None, new: str, labels: str, fps: object) -> analyses.Request:
     """The request that adds an upload to the dataset ``name``, or makes the dataset ``new`` of it.
 
-    Raises WorkspaceError, ValueError in plain words.
+    Raises WorkspaceError.
     """
     asked = fps not in (None, "") and (upload.get("amc") or upload.get("archives"))
-    options = {"fps": float(fps)} if asked else {}
+    options = {"fps": fps} if asked else {}
     token = str(upload.get("token"))
     if name:
         return requests.add_request(name, token, labels=labels or "add", **options)
@@ -255,6 +255,6 @@ def _ask(app: Dash, workspace: Workspace) -> None:
                 set_props("job-started", {"data": jobs.start(workspace, request).id})
                 set_props("awaited", {"data": request.dataset})
             set_props("job-poke", {"data": time.time()})
-        except (WorkspaceError, ParameterError, ValueError) as error:
+        except MotionscapeError as error:
             return str(error), no_update, no_update
         return None, upload.get("token"), False

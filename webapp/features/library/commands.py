@@ -96,11 +96,12 @@ def _verdicts(asked: Namespace, report: Report) -> Iterator[Any]:
 
 def _inspect_labels(path: Path) -> Any:
     from core.mocap.dataset import FileReport
+    from core.mocap.errors import RecordingError
     from core.mocap.labels import read_labels
 
     try:
         return FileReport(str(path), "", "ok", (f"{len(read_labels(path))} labels",))
-    except (ValueError, OSError) as error:
+    except (RecordingError, OSError) as error:
         return FileReport(str(path), "", "error", (str(error),))
 
 

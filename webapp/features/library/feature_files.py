@@ -9,7 +9,7 @@ from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
 from core import analyses
-from core.parameters import ParameterError
+from core.errors import ParameterError
 from core.workspace import Workspace, WorkspaceError
 from webapp import jobs
 from webapp.shell.messages import notice

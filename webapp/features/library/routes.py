@@ -10,11 +10,11 @@ from urllib.parse import quote
 from flask import Blueprint, Response, request
 
 from core import analyses
+from core.errors import ParameterError
 from core.export import labelled, write_features
 from core.export.files import SUFFIXES
 from core.mocap.bvh import write_bvh
 from core.mocap.dataset import Dataset
-from core.parameters import ParameterError
 from core.workspace import Workspace, WorkspaceError, clean_name
 from webapp.shell.virtual import opener
 from webapp.stage.motion_routes import BadRequest, answer_errors, find_interval

@@ -8,7 +8,7 @@ from dash import ALL, Dash, Input, Output, State, ctx, dcc, no_update, set_props
 from dash.dependencies import ClientsideFunction
 
 from core import analyses
-from core.parameters import ParameterError
+from core.errors import ParameterError
 from core.workspace import Workspace, WorkspaceError
 from webapp import jobs
 from webapp.features.motifs import layout, stability_marks, views

@@ -11,6 +11,7 @@ from dash import Dash, Input, Output, State, dcc, html, no_update, set_props
 from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
+from core.errors import MotionscapeError
 from core.motifs.compare import Comparison, compare
 from core.motifs.graph import MotifGraph
 from core.motifs.neighbours import neighbours, other_seeds
@@ -149,7 +150,7 @@ def _start(workspace: Workspace, name: str, other: str) -> None:
         if results.motif_graph_key(workspace, name, read_parameters(other)) is None:
             job = jobs.start(workspace, results.motif_request(name, read_parameters(other)))
             set_props("job-started", {"data": job.id})
-    except (ValueError, WorkspaceError) as error:
+    except MotionscapeError as error:
         set_props("notices", {"sendNotifications": [notice("Cannot find the other motifs", str(error), "red")]})
 
 

@@ -15,6 +15,7 @@ from dataclasses import replace
 from typing import Any
 
 from core import analyses
+from core.errors import ParameterError
 from core.mocap.dataset import Dataset
 from core.motifs.blend_space import BlendSpace, blend_space, blendable
 from core.motifs.compression import Curves, Step, curves, rebuilt_clips
@@ -95,7 +96,7 @@ def open_blend(workspace: Workspace, rest: str) -> Dataset:
     weights = read_weights(text)
     try:
         clip = space_of(workspace, key, number, min(weights)).blend(weights)
-    except ValueError as error:
+    except ParameterError as error:
         raise WorkspaceError(f"This mixture cannot be made: {error}.") from error
     return Dataset("blend", (replace(clip, name=CLIP),))
 
@@ -107,7 +108,7 @@ def open_rebuilt(workspace: Workspace, rest: str) -> Dataset:
         raise WorkspaceError(_DAMAGED)
     try:
         pairs = list(rebuilt_clips(matrices_of(workspace, key, number), method, Step(int(motions), int(components))))
-    except ValueError as error:
+    except ParameterError as error:
         raise WorkspaceError(f"These motions cannot be rebuilt: {error}.") from error
     named = [
         replace(clip, name=f"{motion + 1} {what}")

@@ -10,7 +10,7 @@ from dash import Dash, Input, Output, State, dcc, no_update, set_props
 from dash.development.base_component import Component
 
 from core import analyses
-from core.parameters import ParameterError
+from core.errors import ParameterError
 from core.workspace import Job, Workspace, WorkspaceError
 from webapp import jobs
 from webapp.jobs.running import running

@@ -13,7 +13,7 @@ from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
 from core import analyses
-from core.parameters import ParameterError
+from core.errors import ParameterError
 from core.workspace import Job, Workspace, WorkspaceError
 from webapp import jobs
 from webapp.jobs.job_bar import stage_words

@@ -13,9 +13,9 @@ from itertools import groupby
 from typing import Any
 
 from core import analyses
+from core.errors import MotionscapeError, ParameterError
 from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
-from core.parameters import ParameterError
 from core.synthesis import NoWay, Walk, Ways, open_ways
 from core.synthesis.links import FURTHER, SEEN
 from core.workspace import Workspace, WorkspaceError
@@ -73,25 +73,23 @@ def walk_data(
     """
     asked = asked_of(view)
     data = {"key": graph_key, "asked": asked, "dataset": dataset.name, "motifs": _motifs(graph, names)}
-    try:
-        ways = _ways(dataset, graph, graph_key, asked.get("extra") == "1")
-    except (ValueError, IndexError, KeyError) as error:
-        return data | {"error": str(error) or "This graph has no motifs to walk through."}
-    data |= ways_data(ways)
+    if not graph.motifs:
+        return data | {"error": "This graph has no motifs to walk through."}
+    data |= ways_data(_ways(dataset, graph, graph_key, asked.get("extra") == "1"))
     if not asked.get("walk"):
         return data
-    request = walk_request(dataset.name, parameters, asked)
+    try:
+        request = analyses.normalise(walk_request(dataset.name, parameters, asked))
+    except ParameterError as error:
+        return data | {"error": _sentence(str(error))}
     try:
         walk = analyses.at_once(workspace, request)
         again = {"recipes": recipes.both(workspace.path, request)}
         return data | shown_walk(walk, analyses.key(workspace, request), names) | again
-    except ParameterError as error:
-        return data | {"error": _sentence(str(error))}
-    except ValueError as error:
+    except MotionscapeError as error:
         refused = {"error": _sentence(str(error)), "path": _listed(asked["walk"])}
-        if isinstance(error.__cause__, NoWay):
-            cause = error.__cause__
-            refused |= {"gap": [cause.source, cause.target], "detour": list(cause.detour or ())}
+        if isinstance(error, NoWay):
+            refused |= {"gap": [error.source, error.target], "detour": list(error.detour or ())}
         return data | refused
 
 

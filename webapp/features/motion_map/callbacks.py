@@ -9,12 +9,12 @@ import numpy as np
 from dash import Dash, Input, Output, State, no_update, set_props
 from dash.dependencies import ClientsideFunction
 
+from core.errors import ParameterError
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
 from core.motion_map import layers
 from core.motion_map.motion_map import MotionMap
-from core.parameters import ParameterError
 from core.workspace import Workspace, WorkspaceError
 from webapp.features.motion_map import layout, panels
 from webapp.features.motion_map.figures import heatmap as figures

@@ -21,6 +21,7 @@ import numpy as np
 from flask import Blueprint, Response, jsonify, request
 
 from core import analyses
+from core.errors import AnalysisError, ParameterError
 from core.motion_map.layers import frame_nodes
 from core.motion_map.motion_map import MotionMap
 from core.motion_map.path_queries import search_path
@@ -35,6 +36,14 @@ MOST_PATHS = 48
 def blueprints(workspace: Workspace) -> list[Blueprint]:
     """The routes of the page for one workspace."""
     return [map_blueprint(workspace, opener(workspace))]
+
+
+def _points(text: str) -> list[tuple[float, float]]:
+    """The points of a drawn path in an address: ``x-y,x-y``. Raises ParameterError."""
+    try:
+        return [(float(x), float(y)) for x, y in (point.split("-") for point in text.split(","))]
+    except ValueError:
+        raise ParameterError(f"{text[:40]!r} is no path") from None
 
 
 def map_blueprint(workspace: Workspace, open_dataset: OpenDataset) -> Blueprint:
@@ -56,7 +65,7 @@ def map_blueprint(workspace: Workspace, open_dataset: OpenDataset) -> Blueprint:
             wanted = interval(open_dataset, request.args.get("dataset", ""), clip, start, end)
             try:
                 found.append(path_of(motion_map, key, wanted.dataset, wanted.clip, wanted.start, wanted.end))
-            except ValueError as error:
+            except AnalysisError as error:
                 raise BadRequest(f"{error}.") from None
         return jsonify(found)
 
@@ -64,11 +73,8 @@ def map_blueprint(workspace: Workspace, open_dataset: OpenDataset) -> Blueprint:
     def drawn(key: str) -> Response:
         motion_map = _map(workspace, key)
         try:
-            points = [
-                [float(number) for number in point.split("-")] for point in request.args.get("path", "").split(",")
-            ]
-            hits = search_path(motion_map, points)
-        except ValueError:
+            hits = search_path(motion_map, _points(request.args.get("path", "")))
+        except ParameterError:
             raise BadRequest("This is no path over a map; draw it again.") from None
         return jsonify([hit._asdict() for _, hit in hits])
 
@@ -81,7 +87,7 @@ def map_blueprint(workspace: Workspace, open_dataset: OpenDataset) -> Blueprint:
         )
         try:
             vectors, _ = motion_map.vectors_of(asked.clip.cut(asked.start, asked.end))
-        except ValueError as error:
+        except AnalysisError as error:
             raise BadRequest(f"{error}.") from None
         at, apart = motion_map.nearest(vectors[0])
         return jsonify(node=at, distance=apart, usual=motion_map.metrics["usual_distance"])

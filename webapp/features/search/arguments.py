@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from core.errors import ParameterError
 from core.poses.body_parts import normalise_weights
 from webapp.cli.arguments import on_source
 
@@ -40,7 +41,7 @@ def _weights(text: str) -> dict[str, float]:
         weights[name.strip()] = weights.get(name.strip(), 0.0) + _number(value)
     try:
         normalise_weights(weights)
-    except ValueError as error:
+    except ParameterError as error:
         raise argparse.ArgumentTypeError(str(error)) from None
     return weights
 

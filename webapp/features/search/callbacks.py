@@ -11,8 +11,8 @@ from dash import Dash, Input, Output, State, no_update, set_props
 from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
+from core.errors import MotionscapeError
 from core.mocap.dataset import Dataset
-from core.parameters import ParameterError
 from core.workspace import Workspace, WorkspaceError
 from webapp.features.search import recipes, searching, uploaded
 from webapp.features.search.figures import hits as figures
@@ -22,8 +22,8 @@ from webapp.features.search.searching import PAGE
 from webapp.jobs.running import running
 from webapp.shell import results, settings
 from webapp.shell.buttons import copies
+from webapp.shell.errors import sentence
 from webapp.shell.icons import icon
-from webapp.shell.refusals import said
 from webapp.ui import method_page
 
 
@@ -101,8 +101,8 @@ def _search(app: Dash, workspace: Workspace) -> None:
             return no_update
         try:
             return {"asked": asked, **found_data(workspace, workspace.open(name), view)} if name else {"asked": asked}
-        except ValueError as error:  # WorkspaceError and what the query is refused for
-            return {"asked": asked, "error": said(error)}
+        except MotionscapeError as error:
+            return {"asked": asked, "error": sentence(error)}
 
     app.clientside_callback(
         ClientsideFunction("search", "draw"),
@@ -121,7 +121,7 @@ def _search(app: Dash, workspace: Workspace) -> None:
 
 
 def found_data(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None) -> dict[str, Any]:
-    """The query and its hits as assets/search.js draws them. Raises ValueError, in plain words, for a bad query."""
+    """The query and its hits as assets/search.js draws them. Raises MotionscapeError for a bad query."""
     asked = searching.read(view)
     if asked is None:
         searching.warm(workspace, dataset, view)
@@ -146,8 +146,8 @@ def found_data(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] |
             for rank, hit in enumerate(found.hits, 1)
         ]
         doubt = searching.doubt(workspace, dataset, view, query)
-    except ValueError as error:
-        return data | {"error": said(error)}
+    except MotionscapeError as error:
+        return data | {"error": sentence(error)}
     return data | {"hits": rows, "total": found.total, "milliseconds": round(found.milliseconds, 1), "doubt": doubt}
 
 
@@ -193,8 +193,8 @@ def _upload(app: Dash, workspace: Workspace) -> None:
             return None, []
         try:
             job = uploaded.start(workspace, str(upload.get("name") or "recording"), str(upload["token"]))
-        except (WorkspaceError, ParameterError) as error:
-            return None, [_problem(said(error))]
+        except MotionscapeError as error:
+            return None, [_problem(sentence(error))]
         set_props("job-started", {"data": job.id})
         return {"job": job.id}, [running(job, f"Reading {upload.get('name')}", "upload")]
 
@@ -215,7 +215,7 @@ def _upload(app: Dash, workspace: Workspace) -> None:
         try:
             clip = uploaded.open_upload(workspace, job.key).clips[0]
         except WorkspaceError as error:
-            return None, [_problem(said(error))]
+            return None, [_problem(sentence(error))]
         piece = Piece(clip.name, 0, clip.n_frames, dataset=uploaded.name_of(job))
         set_props("view-change", {"data": {"query": write_query([piece]), "hit": ""}})
         return None, []

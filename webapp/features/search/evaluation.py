@@ -11,15 +11,16 @@ import dash_mantine_components as dmc
 from dash import ClientsideFunction, Dash, Input, Output, State, dcc, html, no_update, set_props
 from dash.development.base_component import Component
 
+from core.errors import AnalysisError
 from core.mocap.dataset import Dataset
 from core.rankings import CHANCE, KNOWN, Evaluation, evaluate
 from core.workspace import Workspace, WorkspaceError
 from webapp.features.search.figures import ranking as figures
 from webapp.features.search.names import ENGINES
 from webapp.shell import settings
+from webapp.shell.errors import sentence
 from webapp.shell.icons import icon
 from webapp.shell.messages import empty_state
-from webapp.shell.refusals import said
 from webapp.ui import method_page
 from webapp.ui.charts import CONFIG, tall
 from webapp.ui.downloads import chart_menu
@@ -135,8 +136,10 @@ def _show(app: Dash, workspace: Workspace) -> None:
             found = evaluation_of(workspace, dataset, key, view)
         except WorkspaceError:
             return []
-        except ValueError as error:
-            words = f"{said(error)} Add labels in the Library: a CSV file with clip, start_frame, end_frame and action."
+        except AnalysisError as error:
+            words = (
+                f"{sentence(error)} Add labels in the Library: a CSV file with clip, start_frame, end_frame and action."
+            )
             return [html.Div(empty_state("warning", "No labels to compare with", words), className="card section")]
         return result(dataset, found, view, scheme) if found else []
 

@@ -12,6 +12,7 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
+from core.errors import ParameterError
 from core.mocap.clip import Segment
 from core.poses.body_parts import CHILDREN, LEAVES, leaves_of
 
@@ -31,14 +32,14 @@ class Piece(NamedTuple):
 
 
 def read_query(text: str) -> tuple[Piece, ...]:
-    """The pieces of a query in a link. Raises ValueError in plain words."""
+    """The pieces of a query in a link. Raises ParameterError."""
     words = text.split(",") if text else []
     if not 1 <= len(words) <= MOST_PIECES:
-        raise ValueError(f"a query has 1 to {MOST_PIECES} pieces, not {len(words)}")
+        raise ParameterError(f"a query has 1 to {MOST_PIECES} pieces, not {len(words)}")
     pieces = tuple(_read_piece(word) for word in words)
     given = [leaf for piece in pieces for leaf in piece.leaves]
     if len(given) != len(set(given)):
-        raise ValueError("each part of the body comes from one piece only")
+        raise ParameterError("each part of the body comes from one piece only")
     return pieces
 
 
@@ -51,7 +52,7 @@ def read_hit(text: str) -> Segment | None:
     """The hit that a link names, or None where it names none."""
     try:
         piece = _read_piece(text)
-    except ValueError:
+    except ParameterError:
         return None
     return Segment(piece.clip, piece.start, piece.end)
 
@@ -64,7 +65,7 @@ def write_hit(segment: Segment) -> str:
 def read_weights(text: str | None) -> dict[str, float] | None:
     """Weights of parts from a link (``left_arm:35,right_arm:45``); None for the whole body alike.
 
-    Raises ValueError in plain words where they cannot be read, or all are zero.
+    Raises ParameterError where they cannot be read, or all are zero.
     """
     if not text:
         return None
@@ -72,10 +73,10 @@ def read_weights(text: str | None) -> dict[str, float] | None:
     for word in text.split(","):
         match = re.fullmatch(r"([a-z_]{1,20}):(\d{1,4}(?:\.\d{1,4})?)", word)
         if not match or match[1] not in CHILDREN:
-            raise ValueError("weights of body parts look like left_arm:35,right_arm:45")
+            raise ParameterError("weights of body parts look like left_arm:35,right_arm:45")
         weights[match[1]] = float(match[2])
     if not any(weights.values()):
-        raise ValueError("all parts of the body are switched off; switch on at least one")
+        raise ParameterError("all parts of the body are switched off; switch on at least one")
     return weights
 
 
@@ -102,11 +103,14 @@ def escape(name: str) -> str:
 
 
 def unescape(text: str) -> str:
-    """The name back from :func:`escape`. Raises ValueError where it is damaged."""
+    """The name back from :func:`escape`. Raises ParameterError where it is damaged."""
     if re.search(r"~(?![0-9a-f]{2})", text):
-        raise ValueError("a name in the link is damaged")
+        raise ParameterError("a name in the link is damaged")
     encoded = re.sub(rb"~([0-9a-f]{2})", lambda found: bytes([int(found[1], 16)]), text.encode())
-    return encoded.decode()  # UnicodeDecodeError is a ValueError
+    try:
+        return encoded.decode()
+    except UnicodeDecodeError:
+        raise ParameterError("a name in the link is damaged") from None
 
 
 def _read_piece(word: str) -> Piece:
@@ -115,15 +119,12 @@ def _read_piece(word: str) -> Piece:
     match = _RANGE.fullmatch(fields[at]) if at is not None else None
     rest = fields[:at] if at is not None else []
     if match is None or len(rest) not in (1, 2) or not rest[-1]:
-        raise ValueError("a piece of a query looks like walk_01:10-90 or upper_body:walk_01:10-90")
+        raise ParameterError("a piece of a query looks like walk_01:10-90 or upper_body:walk_01:10-90")
     start, end = int(match[1]), int(match[2])
     if start >= end:
-        raise ValueError(f"frames {start} to {end} of a query are none; the end comes after the start")
+        raise ParameterError(f"frames {start} to {end} of a query are none; the end comes after the start")
     leaves = _leaves(rest[0].split("+")) if len(rest) == 2 else LEAVES
-    try:
-        clip, dataset = unescape(rest[-1]), unescape(fields[-1]) if at == -2 else ""
-    except UnicodeDecodeError:
-        raise ValueError("a name in the link is damaged") from None
+    clip, dataset = unescape(rest[-1]), unescape(fields[-1]) if at == -2 else ""
     return Piece(clip, start, end, leaves, dataset)
 
 

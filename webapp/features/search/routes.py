@@ -7,6 +7,7 @@ from urllib.parse import quote
 
 from flask import Blueprint, Response, jsonify, request
 
+from core.errors import AnalysisError, MotionscapeError
 from core.mocap.dataset import Dataset
 from core.rankings import evaluate
 from core.workspace import Workspace, WorkspaceError
@@ -14,7 +15,7 @@ from webapp.features.search import searching
 from webapp.features.search.figures import hits as figures
 from webapp.features.search.queries import read_hit
 from webapp.shell import links, settings
-from webapp.shell.refusals import said
+from webapp.shell.errors import sentence
 from webapp.shell.routes import BadRequest, answer_errors
 
 
@@ -41,8 +42,8 @@ def search_blueprint(workspace: Workspace) -> Blueprint:
             sources = [searching.source_of(workspace, dataset, piece) for piece in asked.pieces]
         except KeyError:
             raise BadRequest(f"There is no clip called “{hit.clip}” in this index.", 404) from None
-        except ValueError as error:
-            raise BadRequest(said(error)) from None
+        except MotionscapeError as error:
+            raise BadRequest(sentence(error)) from None
         played = figures.pair_request(dataset, sources, query, hit, why)
         return jsonify(strip=figures.strip_of(why), request=played)
 
@@ -73,8 +74,8 @@ def search_blueprint(workspace: Workspace) -> Blueprint:
             raise BadRequest("The engines have not been compared with these settings yet.", 404)
         try:
             scores = evaluate(rankings, dataset)
-        except ValueError as error:
-            raise BadRequest(said(error)) from None
+        except AnalysisError as error:
+            raise BadRequest(sentence(error)) from None
         head = {"format": "motionscape/evaluation/1", "dataset": {"name": dataset.name}}
         document = (
             head | {"parameters": dict(rankings.parameters), "seconds": dict(rankings.seconds)} | scores.to_json()
@@ -114,8 +115,8 @@ def _found(workspace: Workspace) -> tuple[Dataset, searching.Found]:
     dataset, view = _asked(workspace)
     try:
         found = searching.find(workspace, dataset, {**view, "top": view.get("top") or str(searching.MOST)})
-    except ValueError as error:
-        raise BadRequest(said(error)) from None
+    except MotionscapeError as error:
+        raise BadRequest(sentence(error)) from None
     if found is None:
         raise BadRequest("There is no query, or the index has not been built yet.", 404)
     return dataset, found

@@ -11,6 +11,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 
 from core import analyses
+from core.errors import MotionscapeError
 from core.mocap.clip import Label, Segment
 from core.mocap.dataset import Dataset
 from core.retrieval.hits import Explanation, Hit
@@ -68,7 +69,7 @@ def asked_of(view: Mapping[str, str] | None) -> dict[str, str]:
 
 
 def read(view: Mapping[str, str] | None) -> Asked | None:
-    """The search a view asks for, None where it has no query. Raises ValueError in plain words."""
+    """The search a view asks for, None where it has no query. Raises ParameterError."""
     view = view or {}
     if not view.get("query"):
         return None
@@ -86,7 +87,7 @@ def read(view: Mapping[str, str] | None) -> Asked | None:
 
 
 def query_of(workspace: Workspace, dataset: Dataset, pieces: tuple[Piece, ...]) -> Query:
-    """The query that the pieces of a link name. Raises WorkspaceError or ValueError, in plain words."""
+    """The query that the pieces of a link name. Raises WorkspaceError, ParameterError."""
     return Query(tuple(_part(workspace, dataset, piece) for piece in pieces), " + ".join(map(_piece_name, pieces)))
 
 
@@ -109,7 +110,7 @@ def index_of(workspace: Workspace, dataset: str | None, view: Mapping[str, str] 
 def find(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None) -> Found | None:
     """The hits of what a view asks for; None where it asks for nothing or the index has not been built.
 
-    Raises WorkspaceError or ValueError, in plain words, for a query that cannot be searched for.
+    Raises MotionscapeError for a query that cannot be searched for.
     """
     asked = read(view)
     request = settings.request_of(PAGE, dataset.name, view)
@@ -143,7 +144,7 @@ def warm(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None)
     def search() -> None:
         clip = min(dataset.clips, key=lambda clip: clip.n_frames)
         query = whole_query(clip, 0, min(clip.n_frames, round(2 * clip.fps)))
-        with suppress(ValueError):
+        with suppress(MotionscapeError):
             index = index_of(workspace, dataset.name, view)
             for level in ("clip", "interval"):
                 index.explain(query, index.search(query, level=level, top=1)[0])
@@ -154,7 +155,7 @@ def warm(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None)
 
 
 def explain(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None, hit: Segment) -> Explanation:
-    """Why a stretch is like the query of a view. Raises ValueError, KeyError or WorkspaceError in plain words."""
+    """Why a stretch is like the query of a view. Raises MotionscapeError, KeyError for a clip that is not indexed."""
     asked, index = read(view), index_of(workspace, dataset.name, view)
     if asked is None or index is None:
         raise WorkspaceError("There is no query, or the index has not been built yet.")
@@ -171,7 +172,7 @@ def doubt(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None
         return ""
     try:
         return plausibility(index, query).message or ""
-    except ValueError:
+    except MotionscapeError:
         return ""
 
 

@@ -12,9 +12,9 @@ from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
 from core import analyses
+from core.errors import MotionscapeError, ParameterError
 from core.evaluation.agreement import agreement, win_rates
 from core.mocap.dataset import Dataset
-from core.parameters import ParameterError
 from core.workspace import Workspace, WorkspaceError
 from webapp import jobs
 from webapp.features.search import searching, study_rounds
@@ -22,9 +22,9 @@ from webapp.features.search.figures import agreement as figures
 from webapp.features.search.names import ENGINES
 from webapp.features.search.queries import write_hit
 from webapp.shell import settings
+from webapp.shell.errors import sentence
 from webapp.shell.icons import icon
 from webapp.shell.messages import empty_state, notice
-from webapp.shell.refusals import said
 from webapp.ui.charts import CONFIG, tall
 from webapp.ui.downloads import chart_menu
 from webapp.ui.tables import clock, strip_address
@@ -114,8 +114,8 @@ def _show(app: Dash, workspace: Workspace) -> None:
             return no_update
         try:
             return {"asked": asked, **study_data(workspace, workspace.open(name), view, who)}
-        except ValueError as error:
-            return {"asked": asked, "error": said(error)}
+        except MotionscapeError as error:
+            return {"asked": asked, "error": sentence(error)}
 
     @app.callback(
         Output("study-results", "children"),
@@ -175,8 +175,9 @@ def _take(app: Dash, workspace: Workspace) -> None:
             try:
                 take = study_rounds.keep_vote if answer.get("kind") == "vote" else study_rounds.keep_rating
                 take(workspace, dataset, view, answer | {"person": str(answer.get("person") or who)[:80]})
-            except ValueError as error:
-                set_props("notices", {"sendNotifications": [notice("An answer was not kept", said(error), "red")]})
+            except MotionscapeError as error:
+                message = notice("An answer was not kept", sentence(error), "red")
+                set_props("notices", {"sendNotifications": [message]})
         return {"kept": [answer.get("id") for answer in answers]}
 
     app.clientside_callback(ClientsideFunction("study", "kept"), Input("study-kept", "data"))

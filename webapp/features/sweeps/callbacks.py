@@ -8,11 +8,11 @@ from dash import ALL, Dash, Input, Output, State, ctx, no_update, set_props
 from dash.dependencies import ClientsideFunction
 
 from core import analyses
+from core.errors import ParameterError
 from core.mocap.dataset import Dataset
 from core.motifs.axes import SweepParameters, write_value
 from core.motifs.suggestion import suggest
 from core.motifs.sweep_table import SweepTable
-from core.parameters import ParameterError
 from core.workspace import Workspace, WorkspaceError
 from webapp import jobs
 from webapp.features.sweeps import layout, reading

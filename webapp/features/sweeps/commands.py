@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from core import analyses
+from core.errors import ParameterError
 from core.figures import METRICS, SCORES, Figures, figures_of, read_figures
 from core.mocap.dataset import Dataset
 from core.motifs.axes import PAPER, SweepParameters, write_axis
@@ -18,7 +19,6 @@ from core.motifs.parameters import MotifParameters
 from core.motifs.suggestion import suggest
 from core.motifs.sweep import graphs_of
 from core.motifs.sweep_table import SweepTable
-from core.parameters import ParameterError
 from core.progress import Report
 from core.workspace import WorkspaceError, atomic_file
 from webapp.cli.progress_bar import progress_bar

@@ -9,11 +9,11 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from core import analyses
+from core.errors import ParameterError
 from core.figures import read_figures
 from core.mocap.dataset import Dataset
 from core.motifs.axes import USUAL, SweepParameters, read_axis, read_values, write_axis, write_value
 from core.motifs.sweep_table import SweepTable
-from core.parameters import ParameterError
 from core.workspace import Workspace
 from webapp.shell import results
 
