@@ -12,7 +12,7 @@ from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
 from core import analyses, requests
-from core.errors import MotionscapeError
+from core.errors import MotionscapeError, ParameterError
 from core.workspace import Workspace, check_name
 from webapp import jobs
 from webapp.jobs import changes
@@ -137,14 +137,21 @@ def ready(upload: Mapping[str, Any] | None, name: str | None) -> str:
 def request_for(upload: Mapping[str, Any], name: str | None, new: str, labels: str, fps: object) -> analyses.Request:
     """The request that adds an upload to the dataset ``name``, or makes the dataset ``new`` of it.
 
-    Raises WorkspaceError.
+    Raises WorkspaceError, ParameterError.
     """
     asked = fps not in (None, "") and (upload.get("amc") or upload.get("archives"))
-    options = {"fps": fps} if asked else {}
+    options = {"fps": _frame_rate(fps)} if asked else {}
     token = str(upload.get("token"))
     if name:
         return requests.add_request(name, token, labels=labels or "add", **options)
     return requests.import_request(check_name(new), token, **options)
+
+
+def _frame_rate(value: object) -> float:
+    try:
+        return float(str(value))
+    except ValueError:
+        raise ParameterError(f"A frame rate is a number, not {str(value)[:20]!r}.") from None
 
 
 def register(app: Dash, workspace: Workspace) -> None:

@@ -213,6 +213,6 @@ def test_what_jobs_leave_is_said(tmp_path):
 
 def test_a_suggestion_that_is_not_clear_says_so():
     assert "No clear suggestion" not in text_of(layout.suggestion(CHOSEN, "/motifs", True))
-    unsure = text_of(layout.suggestion(CHOSEN._replace(verdict=UNSURE), "/motifs", False))
+    unsure = text_of(layout.suggestion(replace(CHOSEN, verdict=UNSURE), "/motifs", False))
     assert "No clear suggestion so far" in unsure and "because" in unsure
     assert "Open it" not in text_of(layout.suggestion(Suggestion({}, (), "none", "too few"), "", True))
