@@ -1,4 +1,5 @@
-# make run: the app on the embedded demo data.  make test: lint and every test.
+# make run: the app on the embedded demo data.  make test: lint and all tests but the slow ones.
+# make test-fast, make test-browser, make test-js: parts of it.  make slow: the slow tests.
 VENV := .venv
 PYTHON ?= python3
 BIN := $(VENV)/bin
@@ -11,13 +12,22 @@ WORKSPACE ?= workspace
 # tests in as many processes as there are cores (four at most); a file's tests stay together, the browser's go first
 TOGETHER ?= -n logical --maxprocesses 4 --dist loadfile --no-loadscope-reorder
 
-.PHONY: run test test-lowest lock lint lint-js bench clean slow browser bundle
+.PHONY: run test test-fast test-browser test-js test-lowest lock lint lint-js bench clean slow browser bundle
 
 run: $(VENV)/.installed
 	$(BIN)/motionscape serve $(WORKSPACE) --demo --port $(PORT)
 
-test: $(VENV)/.installed-dev browser lint
+test: $(VENV)/.installed-dev browser lint test-js
 	$(BIN)/python -m pytest $(TOGETHER)
+
+test-fast: $(VENV)/.installed-dev
+	$(BIN)/python -m pytest -m "not slow and not browser" $(TOGETHER)
+
+test-browser: $(VENV)/.installed-dev browser
+	$(BIN)/python -m pytest -m "browser and not slow" $(TOGETHER)
+
+test-js: $(NODE_MODULES)
+	$(NODE) --test "tests/assets/**/*.test.mjs"
 
 slow: $(VENV)/.installed-dev browser
 	$(BIN)/python -m pytest -m slow

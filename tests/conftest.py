@@ -1,4 +1,7 @@
-"""Fixtures that every test may use."""
+"""What every test run shares: the tiers, second runs in CI, fixtures that every test may use.
+
+Tiers: tests in tests/browser carry the marker ``browser``; ``slow`` stands at the test. All others are the fast tier.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +13,7 @@ import pytest
 from hypothesis import settings
 
 REPOSITORY = Path(__file__).resolve().parents[1]
+BROWSER_TESTS = Path(__file__).parent / "browser"
 
 # As many processes as cores run the tests: threads of linear algebra in each would wait for one another. numpy reads
 # this when it is first imported; the processes that tests start inherit it.
@@ -23,6 +27,26 @@ settings.load_profile("motionscape")
 # A shell's background job ignores interrupts, and so would every process that a test starts and interrupts.
 if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+@pytest.hookimpl(tryfirst=True)  # before tests are selected by their markers
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Marks browser tests by their folder. Where CI=true is set, one that fails runs a second time."""
+    for item in items:
+        if BROWSER_TESTS in item.path.parents:
+            item.add_marker(pytest.mark.browser)
+            if os.environ.get("CI") == "true":
+                item.add_marker(pytest.mark.flaky(reruns=1))
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Names every test that needed a second run, just above pytest's closing line."""
+    names = sorted({report.nodeid for report in terminalreporter.getreports("rerun")})
+    if names:
+        terminalreporter.section("needed a second run")
+        for name in names:
+            terminalreporter.write_line(name)
 
 
 @pytest.fixture(scope="session")

@@ -17,14 +17,6 @@ expect.set_options(timeout=WAIT)
 PASSED = pytest.StashKey[bool]()
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """A browser test that failed runs once more, as it depends on the time that a busy machine leaves it. The summary
-    names what had to (-rR): look at it, each so far was a race in the app."""
-    for item in items:
-        if item.get_closest_marker("browser"):
-            item.add_marker(pytest.mark.flaky(reruns=1))
-
-
 @pytest.hookimpl(wrapper=True)
 def pytest_runtest_makereport(item: pytest.Item, call: pytest.CallInfo):
     """Notes for the fixtures below whether the test itself went well."""

@@ -10,7 +10,6 @@ from playwright.sync_api import expect
 from tests.browser.app import address, demo_workspace, show, workspace
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
-pytestmark = pytest.mark.browser
 DELAY = 2.0  # seconds
 
 

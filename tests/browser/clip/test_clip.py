@@ -10,7 +10,6 @@ from playwright.sync_api import Page, expect
 from tests.browser.app import PATIENCE, address, demo_workspace, show, workspace
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
-pytestmark = pytest.mark.browser
 
 
 def drawn(page: Page, clip: str) -> None:

@@ -9,7 +9,6 @@ import re
 from dataclasses import replace
 from urllib.parse import parse_qs, urlsplit
 
-import pytest
 from playwright.sync_api import Page, expect
 
 from core.mocap.dataset import Dataset
@@ -17,7 +16,6 @@ from tests.browser.app import address, demo_workspace, setting, show, wait_for_s
 from tests.browser.grammar.app import LINK, PATIENCE, grammar_workspace, learned, wait_for_string, workspace
 
 __all__ = ["address", "demo_workspace", "grammar_workspace", "show", "workspace"]
-pytestmark = pytest.mark.browser
 
 
 def view_of(page: Page) -> dict[str, str]:

@@ -14,7 +14,6 @@ from webapp.features.grammar import bakeoffs
 from webapp.shell import settings
 
 __all__ = ["address", "demo_workspace", "grammar_workspace", "show", "workspace"]
-pytestmark = pytest.mark.browser
 
 
 def bars(page: Page, title: str) -> dict[str, float]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 
-import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.app import address, demo_workspace, show, wait_for_stage
@@ -20,7 +19,6 @@ from tests.browser.grammar.app import (
 from tests.browser.grammar.test_grammar import base, view_of
 
 __all__ = ["address", "demo_workspace", "grammar_workspace", "show", "workspace"]
-pytestmark = pytest.mark.browser
 
 
 def press(page: Page, name: str) -> None:

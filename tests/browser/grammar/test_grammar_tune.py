@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.app import address, demo_workspace, show
@@ -10,7 +9,6 @@ from tests.browser.grammar.app import LINK, PATIENCE, grammar_workspace, wait_fo
 from tests.browser.grammar.test_grammar import view_of
 
 __all__ = ["address", "demo_workspace", "grammar_workspace", "show", "workspace"]
-pytestmark = pytest.mark.browser
 
 
 def points(page: Page) -> list[int]:

@@ -5,14 +5,12 @@ from __future__ import annotations
 import time
 
 import psutil
-import pytest
 from playwright.sync_api import Error, Page, expect
 
 from core import analyses
 from tests.browser.app import PATIENCE, address, demo_workspace, setting, show, wait_for_graph, workspace
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
-pytestmark = pytest.mark.browser
 SLOW = {"minutes": 30}  # a demo that takes minutes to make: plenty of time to look, and it is cancelled in the end
 
 

@@ -22,7 +22,7 @@ from tests.browser.app import demo_workspace, workspace
 from webapp import jobs
 
 __all__ = ["demo_workspace", "workspace"]
-pytestmark = [pytest.mark.browser, pytest.mark.slow]
+pytestmark = pytest.mark.slow
 
 
 @contextmanager

@@ -28,7 +28,6 @@ from tests.webapp.generated import walk
 from webapp.app import create_app
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
-pytestmark = pytest.mark.browser
 
 
 @pytest.fixture

@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-import pytest
 from playwright.sync_api import Page, expect
 
 from core.mocap.bvh import read_bvh
@@ -22,7 +21,6 @@ from tests.browser.app import (
 )
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
-pytestmark = pytest.mark.browser
 
 
 def on_stage(page: Page, pattern: str) -> None:

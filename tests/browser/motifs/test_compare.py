@@ -22,7 +22,6 @@ from tests.browser.app import (
 from webapp.features.motifs.figures.compare import filters, sentence
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
-pytestmark = pytest.mark.browser
 
 OTHER = {"kappa": 300, "rho": 0.5}
 

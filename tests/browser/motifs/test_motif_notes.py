@@ -6,13 +6,11 @@ import json
 import re
 from pathlib import Path
 
-import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.app import PATIENCE, address, demo_workspace, show, wait_for_graph, wait_for_stage, workspace
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
-pytestmark = pytest.mark.browser
 
 
 def wait_for_label(page: Page, motif: int, text: str) -> None:

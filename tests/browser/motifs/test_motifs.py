@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 
-import pytest
 from playwright.sync_api import expect
 
 from tests.browser.app import (
@@ -21,7 +20,6 @@ from tests.browser.app import (
 )
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
-pytestmark = pytest.mark.browser
 
 
 def test_a_click_on_a_box_plays_its_motions_together(show):

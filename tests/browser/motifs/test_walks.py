@@ -5,7 +5,6 @@ from __future__ import annotations
 import re
 from urllib.parse import parse_qs, urlsplit
 
-import pytest
 from playwright.sync_api import Page, expect
 
 from core import analyses
@@ -14,7 +13,6 @@ from core.synthesis.links import FURTHER
 from tests.browser.app import address, click_in_graph, demo_workspace, show, wait_for_graph, wait_for_stage, workspace
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
-pytestmark = pytest.mark.browser
 PATIENCE = 60_000
 
 

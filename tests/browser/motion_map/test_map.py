@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import pytest
 from playwright.sync_api import expect
 
 from core import analyses
@@ -16,7 +15,6 @@ from tests.browser.app import (
 from tests.browser.motion_map.page import SMALL, click_node, hits_of, mapped, open_map, place_of, two_keys, wait_for_map
 
 __all__ = ["address", "demo_workspace", "mapped", "show", "workspace"]
-pytestmark = pytest.mark.browser
 
 
 def test_a_map_is_built_and_its_icons_are_one_picture(show):

@@ -6,7 +6,6 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
-import pytest
 from playwright.sync_api import expect
 
 from core import analyses
@@ -17,7 +16,6 @@ from tests.browser.motion_map.page import SMALL, hits_of, mapped, open_map, plac
 from webapp.shell import settings
 
 __all__ = ["address", "demo_workspace", "mapped", "show", "workspace"]
-pytestmark = pytest.mark.browser
 
 
 def bone_lengths(posture: list[float], parents: list[int]) -> np.ndarray:

@@ -15,7 +15,6 @@ from core.workspace import Workspace
 from tests.browser.app import PATIENCE, address, demo_workspace, show, wait_for_graph, wait_for_stage, workspace
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
-pytestmark = pytest.mark.browser
 WIDE = {"width": 1700, "height": 950}
 
 

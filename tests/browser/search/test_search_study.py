@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 
-import pytest
 from playwright.sync_api import Page, expect
 
 from core import analyses
@@ -12,7 +11,6 @@ from core.workspace import Workspace
 from tests.browser.app import PATIENCE, address, demo_workspace, show, wait_for_stage, workspace
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
-pytestmark = pytest.mark.browser
 
 
 def test_pairs_are_rated_duels_are_won_and_results_are_shown(show, workspace) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import pytest
 from playwright.sync_api import expect
 
 from core import analyses
@@ -10,7 +9,6 @@ from tests.browser.app import address, demo_workspace, show, wait_for_graph, wai
 from webapp.shell.links import View, format_link, parse
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
-pytestmark = pytest.mark.browser
 
 
 def test_a_link_opens_the_same_view_in_another_browser(show, address):

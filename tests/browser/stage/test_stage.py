@@ -7,7 +7,6 @@ import pytest
 from tests.browser.stage.page import INK, NAMES, PIXELS, get, page, play, request, settle, stage_app, warped
 
 __all__ = ["page", "stage_app"]
-pytestmark = pytest.mark.browser
 
 
 def test_empty_stage_gives_a_hint(page):

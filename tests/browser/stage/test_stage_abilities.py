@@ -7,7 +7,6 @@ import pytest
 from tests.browser.stage.page import INK, NAMES, PIXELS, get, page, play, request, settle, stage_app, warped
 
 __all__ = ["page", "stage_app"]
-pytestmark = pytest.mark.browser
 
 FRAMES = "() => [0, 1, 2, 3].map(motionscape.stage.frameOf).filter(Boolean).map((item) => item.frame)"
 RED, BLUE = "#d02020", "#2040d0"

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import pytest
-
 from tests.browser.app import (
     address,
     click_in_graph,
@@ -15,7 +13,6 @@ from tests.browser.app import (
 )
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
-pytestmark = pytest.mark.browser
 
 PLACE = """id => {
     const cy = document.getElementById('motif-graph')._cyreg.cy, at = cy.getElementById(id).renderedPosition();

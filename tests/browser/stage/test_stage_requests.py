@@ -4,14 +4,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-import pytest
-
 from core.mocap.dataset import Dataset
 from tests.browser.stage.page import DATASETS, NAMES, PIXELS, get, page, play, request, stage_app
 from tests.webapp.generated import walk
 
 __all__ = ["page", "stage_app"]
-pytestmark = pytest.mark.browser
 
 
 def test_a_missing_clip_says_so_and_can_be_tried_again(page):

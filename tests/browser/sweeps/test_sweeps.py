@@ -5,14 +5,12 @@ from __future__ import annotations
 import re
 from urllib.parse import parse_qs, urlsplit
 
-import pytest
 from playwright.sync_api import Page, expect
 
 from core import analyses
 from tests.browser.app import PATIENCE, address, demo_workspace, show, wait_for_graph, workspace
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
-pytestmark = pytest.mark.browser
 
 SWEEP = "x=kappa:20,30,40&y=rho:0.2,1&seeds=2&analysis_fps=15"
 
