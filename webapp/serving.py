@@ -20,13 +20,13 @@ THREADS = 12
 MAX_BODY = 8 * 1024**3  # bytes; the upload route has its own, lower limits
 
 
-def serve(asked: Namespace) -> int:
+def serve(arguments: Namespace) -> int:
     """Shows a workspace in the browser until interrupted. Raises WorkspaceError (folder, port or address unusable)."""
-    workspace = shared_workspace(asked.workspace)
-    token = token_for(asked.host)
-    server = listen(asked.host, asked.port)  # before anything slow: a port that is in use is said at once
+    workspace = shared_workspace(arguments.workspace)
+    token = token_for(arguments.host)
+    server = listen(arguments.host, arguments.port)  # first, so that a port in use is reported before anything slow
     try:
-        return _serve(workspace, asked, token, server)
+        return _serve(workspace, arguments, token, server)
     finally:
         server.close()
 
@@ -70,21 +70,21 @@ def prepare_demo(workspace: Workspace) -> None:
         start(workspace, Request(DEMO, "motifs"))
 
 
-def _serve(workspace: Workspace, asked: Namespace, token: str | None, listener: socket.socket) -> int:
+def _serve(workspace: Workspace, arguments: Namespace, token: str | None, listener: socket.socket) -> int:
     from waitress import create_server
 
     from webapp.jobs import tend
 
-    if asked.demo:
+    if arguments.demo:
         prepare_demo(workspace)  # its worker starts while the app is being built
     tend(workspace)  # jobs that were waiting when the last server ended
     app = _app(workspace, token)
     port = listener.getsockname()[1]
-    url = f"http://{_shown(asked.host)}:{port}/" + (f"?token={token}" if token else "")
+    url = f"http://{_shown(arguments.host)}:{port}/" + (f"?token={token}" if token else "")
     print(f"Motionscape shows {workspace.path} at\n  {url}\nCtrl+C stops it.", flush=True)
-    if token and not is_loopback(asked.host):
+    if token and not is_loopback(arguments.host):
         print("Whoever has this link can see and change the workspace; traffic is not encrypted.", flush=True)
-    if not asked.no_browser and _has_display():
+    if not arguments.no_browser and _has_display():
         threading.Timer(0.3, webbrowser.open, [url]).start()
     server = create_server(
         app.server, sockets=[listener], threads=THREADS, max_request_body_size=MAX_BODY, ident="motionscape"

@@ -34,9 +34,9 @@ def main(line: Sequence[str] | None = None) -> int:
     line = list(sys.argv[1:] if line is None else line)
     name = "motionscape"
     try:
-        asked = _parser(line).parse_args(line)
-        name += f" {asked.command}"
-        return commands()[asked.command].run(asked)
+        arguments = _parser(line).parse_args(line)
+        name += f" {arguments.command}"
+        return commands()[arguments.command].run(arguments)
     except BrokenPipeError:  # the reader of our output (head, less) has seen enough
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
@@ -93,7 +93,7 @@ def _parser(line: Sequence[str]) -> Parser:
     chosen = next((word for word in line if not word.startswith("-")), None)
     for name, command in commands().items():
         part = parts.add_parser(name, help=command.help, description=command.help, allow_abbrev=False)
-        if name == chosen:  # the parameters of a method are only read when they are asked for
+        if name == chosen:  # the parameters of a method are only read when they are arguments for
             command.arguments(part)
     return parser
 
@@ -107,10 +107,12 @@ def _version() -> str:
 
 def commands() -> dict[str, Command]:
     """All commands by name: ``serve``, and those of the features."""
-    found = {"serve": Command("Show a workspace in the browser.", _serve_arguments, later("webapp.serving:serve"))}
+    commands_by_name = {
+        "serve": Command("Show a workspace in the browser.", _serve_arguments, later("webapp.serving:serve"))
+    }
     for feature in features():
-        found.update(feature.commands)
-    return found
+        commands_by_name.update(feature.commands)
+    return commands_by_name
 
 
 def _serve_arguments(parser: argparse.ArgumentParser) -> None:

@@ -11,20 +11,20 @@ from webapp.cli.progress_bar import progress_bar
 from webapp.cli.sources import named_dataset, open_source, refuse_reading_options
 
 
-def result_of(asked: Namespace, method: str) -> Any:
+def result_of(arguments: Namespace, method: str) -> Any:
     """The result of ``method`` with the settings of the command: kept in the workspace where SOURCE is one of its
     datasets.
 
     Raises ParameterError, WorkspaceError, RecordingError, ValueError or OSError in plain words.
     """
-    values = {p.name: getattr(asked, p.name) for p in analyses.parameters(method)}
+    values = {p.name: getattr(arguments, p.name) for p in analyses.parameters(method)}
     analyses.normalise(analyses.Request("", method, values))  # refuses before anything is read
-    if asked.out.is_dir():
-        raise WorkspaceError(f"{asked.out} is a folder; --out names the file to write.")
-    named = named_dataset(asked.source)
-    with progress_bar(asked.quiet) as report:
-        if named and not asked.clips:
-            refuse_reading_options(asked)
+    if arguments.out.is_dir():
+        raise WorkspaceError(f"{arguments.out} is a folder; --out names the file to write.")
+    named = named_dataset(arguments.source)
+    with progress_bar(arguments.quiet) as report:
+        if named and not arguments.clips:
+            refuse_reading_options(arguments)
             workspace, name = named
             return analyses.run(workspace, analyses.Request(name, method, values), report)
-        return analyses.compute(open_source(asked, report), method, values, report)
+        return analyses.compute(open_source(arguments, report), method, values, report)

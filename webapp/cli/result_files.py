@@ -1,4 +1,4 @@
-"""Files that commands read and write: results of other commands, and what is said of motion that was made."""
+"""Files that commands read and write: results of other commands, and the summary of motion that was made."""
 
 from __future__ import annotations
 

@@ -20,30 +20,35 @@ def named_dataset(source: str) -> tuple[Workspace, str] | None:
     return (Workspace(path.parent), path.name) if is_workspace(path.parent) else None
 
 
-def open_source(asked: Namespace, report: Report) -> Dataset:
-    """The data set that ``asked.source`` and the common options name.
+def open_source(arguments: Namespace, report: Report) -> Dataset:
+    """The data set that ``arguments.source`` and the common options name.
 
     Raises WorkspaceError, RecordingError, ValueError or OSError in plain words.
     """
-    named = named_dataset(asked.source)
+    named = named_dataset(arguments.source)
     if named is None:
-        path = Path(asked.source).expanduser()
+        path = Path(arguments.source).expanduser()
         if not path.exists():
-            raise WorkspaceError(f"{asked.source}: no such file or folder, and no dataset of a workspace.")
+            raise WorkspaceError(f"{arguments.source}: no such file or folder, and no dataset of a workspace.")
         return open_dataset(
-            path, skeleton=asked.skeleton, fps=asked.fps, clips=asked.clips, labels=asked.labels, report=report
+            path,
+            skeleton=arguments.skeleton,
+            fps=arguments.fps,
+            clips=arguments.clips,
+            labels=arguments.labels,
+            report=report,
         )
-    refuse_reading_options(asked)
+    refuse_reading_options(arguments)
     workspace, name = named
     dataset = workspace.open(name)
     try:
-        return dataset.select(asked.clips) if asked.clips else dataset
+        return dataset.select(arguments.clips) if arguments.clips else dataset
     except KeyError as error:
         raise WorkspaceError(str(error.args[0])) from error
 
 
-def refuse_reading_options(asked: Namespace) -> None:
+def refuse_reading_options(arguments: Namespace) -> None:
     """Raises WorkspaceError for options that only make sense while recordings are read."""
-    given = [f"--{name}" for name in ("skeleton", "fps", "labels") if getattr(asked, name) is not None]
+    given = [f"--{name}" for name in ("skeleton", "fps", "labels") if getattr(arguments, name) is not None]
     if given:
         raise WorkspaceError(f"{' and '.join(given)}: only for files; this dataset has been imported already.")

@@ -18,66 +18,66 @@ from webapp.cli.sources import open_source
 SHOWN_RULES = 12
 
 
-def grammar(asked: Namespace) -> int:
+def grammar(arguments: Namespace) -> int:
     """Learns the grammar and writes grammar.json; prints the time of each stage, the bits and the commonest rules.
 
     Raises ParameterError, WorkspaceError, RecordingError, ValueError or OSError in plain words.
     """
-    found = result_of(asked, "grammar")
-    write_json(asked.out, found.to_json())
-    if not asked.quiet:
-        print("\n".join(_grammar_summary(found, asked)))
+    learned = result_of(arguments, "grammar")
+    write_json(arguments.out, learned.to_json())
+    if not arguments.quiet:
+        print("\n".join(_grammar_summary(learned, arguments)))
     return 0
 
 
-def derive_(asked: Namespace) -> int:
+def derive_(arguments: Namespace) -> int:
     """Writes a new sentence of a grammar as motion. Raises WorkspaceError, ValueError or OSError in plain words."""
-    check_made(asked.out, asked.parts)
-    if not 1 <= asked.max_terminals <= MOST_TERMINALS:
-        raise WorkspaceError(f"--max-terminals: 1 to {MOST_TERMINALS}, not {asked.max_terminals}.")
-    learned = read_result(asked.grammar, "grammar", from_json)
+    check_made(arguments.out, arguments.parts)
+    if not 1 <= arguments.max_terminals <= MOST_TERMINALS:
+        raise WorkspaceError(f"--max-terminals: 1 to {MOST_TERMINALS}, not {arguments.max_terminals}.")
+    learned = read_result(arguments.grammar, "grammar", from_json)
     clips = learned.terminals.clips
-    sentence = asked.sentence or f"random:{asked.seed}:{asked.max_terminals}"
-    with progress_bar(asked.quiet) as report:
-        dataset = open_source(asked, report)
-        check_clips(asked.grammar, clips, [name for name, _, _ in clips], dataset, asked.source)
-        made = derive(
+    sentence = arguments.sentence or f"random:{arguments.seed}:{arguments.max_terminals}"
+    with progress_bar(arguments.quiet) as report:
+        dataset = open_source(arguments, report)
+        check_clips(arguments.grammar, clips, [name for name, _, _ in clips], dataset, arguments.source)
+        derivation = derive(
             dataset,
             learned,
             sentence,
-            keep_feet=not asked.plain,
-            seed=asked.seed,
-            name=asked.out.stem,
+            keep_feet=not arguments.plain,
+            seed=arguments.seed,
+            name=arguments.out.stem,
             report=report,
         )
-    write_bvh(asked.out, made.clip)
-    if asked.parts:
-        write_json(asked.parts, derivation_json(made))
-    if not asked.quiet:
-        print("\n".join(_derivation_summary(made, learned, asked)))
+    write_bvh(arguments.out, derivation.clip)
+    if arguments.parts:
+        write_json(arguments.parts, derivation_json(derivation))
+    if not arguments.quiet:
+        print("\n".join(_derivation_summary(derivation, learned, arguments)))
     return 0
 
 
-def _grammar_summary(found: LearnedGrammar, asked: Namespace) -> Iterator[str]:
-    for stage, taken in found.seconds.items():
+def _grammar_summary(learned: LearnedGrammar, arguments: Namespace) -> Iterator[str]:
+    for stage, taken in learned.seconds.items():
         yield f"  {stage:<14}{taken:8.2f} s"
-    rules, bits = found.grammar.rules, found.bits
-    pieces = sum(len(sentence.pieces) for sentence in found.sentences)
-    yield f"{found.terminals.n_terminals} terminals, {pieces} segments, {len(found.sentences)} sentences"
-    yield f"{len(rules)} rules, {len(found.grammar.nonterminals)} non-terminals"
+    rules, bits = learned.grammar.rules, learned.bits
+    pieces = sum(len(sentence.pieces) for sentence in learned.sentences)
+    yield f"{learned.terminals.n_terminals} terminals, {pieces} segments, {len(learned.sentences)} sentences"
+    yield f"{len(rules)} rules, {len(learned.grammar.nonterminals)} non-terminals"
     yield f"bits: grammar {bits.grammar:.0f}, sentences {bits.sentences:.0f}, total {bits.total:.0f}"
-    for name, figures in found.baselines.items():
+    for name, figures in learned.baselines.items():
         yield f"  {name.replace('_', ' ')}: {figures['rules']:.0f} rules, {figures['bits_total']:.0f} bits"
-    yield ", ".join(f"{name} {value:.3g}" for name, value in found.terminals.objective.items())
+    yield ", ".join(f"{name} {value:.3g}" for name, value in learned.terminals.objective.items())
     for rule in sorted(rules, key=lambda rule: -rule.count)[:SHOWN_RULES]:
         yield f"  {rule.count:5d} x {rule.left} -> {' '.join(map(str, rule.right)) or '(nothing)'}"
-    yield f"written to {asked.out}"
+    yield f"written to {arguments.out}"
 
 
-def _derivation_summary(made: Derivation, learned: LearnedGrammar, asked: Namespace) -> Iterator[str]:
-    yield from (f"note: {warning}" for warning in made.warnings)
-    shown = " ".join(map(str, made.terminals[:60])) + (" ..." if len(made.terminals) > 60 else "")
-    yield f"{len(made.terminals)} terminals: {shown}"
-    if made.tree is not None:
-        yield f"sentence: {'.'.join(map(str, learned.grammar.rule_indices(made.tree)))}"
-    yield from made_lines(made, asked.out, asked.parts)
+def _derivation_summary(derivation: Derivation, learned: LearnedGrammar, arguments: Namespace) -> Iterator[str]:
+    yield from (f"note: {warning}" for warning in derivation.warnings)
+    shown = " ".join(map(str, derivation.terminals[:60])) + (" ..." if len(derivation.terminals) > 60 else "")
+    yield f"{len(derivation.terminals)} terminals: {shown}"
+    if derivation.tree is not None:
+        yield f"sentence: {'.'.join(map(str, learned.grammar.rule_indices(derivation.tree)))}"
+    yield from made_lines(derivation, arguments.out, arguments.parts)

@@ -18,22 +18,22 @@ from webapp.shell.advice import on_the_command_line
 SHOWN = 20  # bad files that an import names
 
 
-def import_(asked: Namespace) -> int:
+def import_(arguments: Namespace) -> int:
     """Reads recordings into a workspace; bad files are named on stderr. Raises WorkspaceError where all are bad."""
-    missing = [str(path) for path in asked.paths if not path.expanduser().exists()]
+    missing = [str(path) for path in arguments.paths if not path.expanduser().exists()]
     if missing:
         raise WorkspaceError(f"{missing[0]}: no such file or folder")
-    workspace = Workspace(asked.workspace)
-    first = asked.paths[0].expanduser().resolve()
-    name = asked.name if asked.name is not None else clean_name(_stem(first), "recordings")
-    with progress_bar(asked.quiet) as report:
-        imported = (workspace.add_files if asked.add else workspace.import_dataset)(
+    workspace = Workspace(arguments.workspace)
+    first = arguments.paths[0].expanduser().resolve()
+    name = arguments.name if arguments.name is not None else clean_name(_stem(first), "recordings")
+    with progress_bar(arguments.quiet) as report:
+        imported = (workspace.add_files if arguments.add else workspace.import_dataset)(
             name,
-            [path.expanduser() for path in asked.paths],
-            skeleton=asked.skeleton,
-            fps=asked.fps,
-            clips=asked.clips,
-            labels=asked.labels,
+            [path.expanduser() for path in arguments.paths],
+            skeleton=arguments.skeleton,
+            fps=arguments.fps,
+            clips=arguments.clips,
+            labels=arguments.labels,
             report=report,
         )
     came = [file for file in imported.files if file.addition == imported.last_addition]
@@ -42,7 +42,7 @@ def import_(asked: Namespace) -> int:
         print(line_of(file), file=sys.stderr)
     if len(bad) > SHOWN:
         print(f"... and {len(bad) - SHOWN} more files that cannot be read", file=sys.stderr)
-    if not asked.quiet:
+    if not arguments.quiet:
         info = workspace.info(name.strip())
         print(
             f"{info.name}: {info.clips} clips, {info.frames} frames, {info.seconds:.1f} s, {info.labels} labels; "
@@ -51,17 +51,17 @@ def import_(asked: Namespace) -> int:
     return 0
 
 
-def inspect(asked: Namespace) -> int:
+def inspect(arguments: Namespace) -> int:
     """One line a file: its verdict and why; 2 if any is unreadable. With ``--json`` one object with the same."""
-    with progress_bar(asked.quiet or not asked.json) as report:
+    with progress_bar(arguments.quiet or not arguments.json) as report:
         verdicts = []
-        for file in _verdicts(asked, report):
+        for file in _verdicts(arguments, report):
             verdicts.append(file)
-            if not asked.json and not (asked.quiet and file.verdict == "ok"):
+            if not arguments.json and not (arguments.quiet and file.verdict == "ok"):
                 print(line_of(file), flush=True)
     if not verdicts:
-        raise WorkspaceError(f"no recordings (.bvh, .amc, .asf) in {', '.join(map(str, asked.paths))}")
-    if asked.json:
+        raise WorkspaceError(f"no recordings (.bvh, .amc, .asf) in {', '.join(map(str, arguments.paths))}")
+    if arguments.json:
         entries = [
             {"path": str(f.path), "clip": f.clip, "verdict": f.verdict, "messages": list(f.messages)} for f in verdicts
         ]
@@ -69,29 +69,29 @@ def inspect(asked: Namespace) -> int:
     return 2 if any(file.verdict == "error" for file in verdicts) else 0
 
 
-def demo(asked: Namespace) -> int:
+def demo(arguments: Namespace) -> int:
     """Writes the demo data set as BVH and labels."""
     from core.demo import write_demo
 
-    if asked.folder.exists() and not asked.folder.is_dir():
-        raise WorkspaceError(f"{asked.folder} is a file; the demo needs a folder.")
-    with progress_bar(asked.quiet) as report:
-        write_demo(asked.folder, asked.minutes, asked.seed, report)
-    if not asked.quiet:
-        print(f"{asked.minutes:g} minutes of labelled motion are in {asked.folder}")
+    if arguments.folder.exists() and not arguments.folder.is_dir():
+        raise WorkspaceError(f"{arguments.folder} is a file; the demo needs a folder.")
+    with progress_bar(arguments.quiet) as report:
+        write_demo(arguments.folder, arguments.minutes, arguments.seed, report)
+    if not arguments.quiet:
+        print(f"{arguments.minutes:g} minutes of labelled motion are in {arguments.folder}")
     return 0
 
 
-def _verdicts(asked: Namespace, report: Report) -> Iterator[Any]:
+def _verdicts(arguments: Namespace, report: Report) -> Iterator[Any]:
     """A FileReport for every file that was named or found, and for the labels."""
     from core.inspection import inspect_file
 
-    paths = [path for path in _files(asked.paths) if not asked.clips or _stem(path) in asked.clips]
+    paths = [path for path in _files(arguments.paths) if not arguments.clips or _stem(path) in arguments.clips]
     for k, path in enumerate(paths):
         report("inspecting", k / len(paths))
-        yield inspect_file(path, skeleton=asked.skeleton, fps=asked.fps)
-    if asked.labels is not None:
-        yield _inspect_labels(asked.labels)
+        yield inspect_file(path, skeleton=arguments.skeleton, fps=arguments.fps)
+    if arguments.labels is not None:
+        yield _inspect_labels(arguments.labels)
 
 
 def _inspect_labels(path: Path) -> Any:
@@ -113,10 +113,10 @@ def _files(paths: Iterable[Path]) -> Iterator[Path]:
         if not path.is_dir():
             yield path
             continue
-        found = {p for p in path.rglob("*") if p.suffix.lower() == ".asf" and p.is_file()}
+        skeletons_and_recordings = {p for p in path.rglob("*") if p.suffix.lower() == ".asf" and p.is_file()}
         with suppress(RecordingError):  # no recordings in it; perhaps skeletons
-            found.update(find_recordings(path))
-        yield from sorted(found)
+            skeletons_and_recordings.update(find_recordings(path))
+        yield from sorted(skeletons_and_recordings)
 
 
 def line_of(file: Any) -> str:

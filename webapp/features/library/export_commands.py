@@ -16,42 +16,42 @@ from webapp.cli.progress_bar import progress_bar
 from webapp.cli.sources import open_source
 
 
-def export(asked: Namespace) -> int:
+def export(arguments: Namespace) -> int:
     """Writes what ``--out`` names: .npz or .parquet (features), .bvh (one clip or a part of it), a folder (all clips).
 
     Raises WorkspaceError, ValueError or OSError in plain words.
     """
-    suffix = asked.out.suffix.lower()
-    if suffix not in (*SUFFIXES, ".bvh", "") or (asked.out.is_dir() and suffix):
-        raise WorkspaceError(f"{asked.out}: --out names a file .npz, .parquet or .bvh, or a folder for BVH files.")
-    if asked.frames is not None and suffix != ".bvh":
+    suffix = arguments.out.suffix.lower()
+    if suffix not in (*SUFFIXES, ".bvh", "") or (arguments.out.is_dir() and suffix):
+        raise WorkspaceError(f"{arguments.out}: --out names a file .npz, .parquet or .bvh, or a folder for BVH files.")
+    if arguments.frames is not None and suffix != ".bvh":
         raise WorkspaceError("--frames: only for one clip, with --out clip.bvh.")
-    with progress_bar(asked.quiet) as report:
-        dataset = open_source(asked, report)
+    with progress_bar(arguments.quiet) as report:
+        dataset = open_source(arguments, report)
         if suffix in SUFFIXES:
-            table = feature_table(dataset, FeatureParameters(asked.analysis_fps, asked.test_share), report)
-            write_features(asked.out, table)
+            table = feature_table(dataset, FeatureParameters(arguments.analysis_fps, arguments.test_share), report)
+            write_features(arguments.out, table)
             tested = sum(split == "test" for split in table.splits)
             written = (
                 f"{len(table.frames)} frames of {len(table.clips)} clips at {table.fps:g} frames a second; "
                 f"{len(set(table.subjects))} groups, {tested} clips kept for testing"
             )
         elif suffix == ".bvh":
-            write_bvh(asked.out, clip := _one_clip(dataset, asked))
+            write_bvh(arguments.out, clip := _one_clip(dataset, arguments))
             written = f"{clip.name}: {clip.n_frames} frames"
         else:
-            written = f"{_write_all(asked.out, dataset, report)} clips as BVH"
-    if not asked.quiet:
-        print(f"{written}; written to {asked.out}")
+            written = f"{_write_all(arguments.out, dataset, report)} clips as BVH"
+    if not arguments.quiet:
+        print(f"{written}; written to {arguments.out}")
     return 0
 
 
-def _one_clip(dataset: Dataset, asked: Namespace) -> Clip:
+def _one_clip(dataset: Dataset, arguments: Namespace) -> Clip:
     if len(dataset.clips) != 1:
         names = ", ".join(clip.name for clip in dataset.clips[:5]) + (" ..." if len(dataset.clips) > 5 else "")
-        raise WorkspaceError(f"--out {asked.out.name} takes one clip; choose it with --clips, of: {names}.")
+        raise WorkspaceError(f"--out {arguments.out.name} takes one clip; choose it with --clips, of: {names}.")
     clip = dataset.clips[0]
-    start, end = asked.frames or (0, clip.n_frames)
+    start, end = arguments.frames or (0, clip.n_frames)
     return clip.cut(start, end, clip.name)
 
 

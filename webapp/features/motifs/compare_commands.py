@@ -15,48 +15,52 @@ from webapp.cli.result_files import read_result, write_json
 from webapp.features.motifs.figures.compare import WORDS, sentence
 
 
-def compare_files(asked: Namespace) -> int:
+def compare_files(arguments: Namespace) -> int:
     """Compares two motifs.json files: prints what changed, a line a motif, and writes ``--out`` where it is given."""
-    if asked.out is not None and asked.out.is_dir():
-        raise WorkspaceError(f"{asked.out} is a folder; --out names the file to write.")
-    found = compare(*(read_result(path, "motifs", from_json) for path in (asked.first, asked.second)))
-    if asked.out is not None:
-        write_json(asked.out, found.to_json())
-    if not asked.quiet:
-        print("\n".join([*_changes(found), sentence(found), f"adjusted Rand index {found.adjusted_rand:.2f}"]))
+    if arguments.out is not None and arguments.out.is_dir():
+        raise WorkspaceError(f"{arguments.out} is a folder; --out names the file to write.")
+    comparison = compare(*(read_result(path, "motifs", from_json) for path in (arguments.first, arguments.second)))
+    if arguments.out is not None:
+        write_json(arguments.out, comparison.to_json())
+    if not arguments.quiet:
+        print(
+            "\n".join(
+                [*_changes(comparison), sentence(comparison), f"adjusted Rand index {comparison.adjusted_rand:.2f}"]
+            )
+        )
     return 0
 
 
-def measure_stability(asked: Namespace) -> int:
+def measure_stability(arguments: Namespace) -> int:
     """Measures how stable the motifs of SOURCE are and writes stability.json; prints a table."""
     started = time.perf_counter()
-    found = result_of(asked, "stability")
-    write_json(asked.out, found.to_json())
-    if not asked.quiet:
-        print("\n".join(_stability_summary(found)))
-        print(f"{time.perf_counter() - started:.1f} s, written to {asked.out}")
+    measured = result_of(arguments, "stability")
+    write_json(arguments.out, measured.to_json())
+    if not arguments.quiet:
+        print("\n".join(_stability_summary(measured)))
+        print(f"{time.perf_counter() - started:.1f} s, written to {arguments.out}")
     return 0
 
 
-def _changes(found: Comparison) -> Iterator[str]:
-    for fate in found.a:
+def _changes(comparison: Comparison) -> Iterator[str]:
+    for fate in comparison.a:
         others = f" {', '.join(map(str, fate.partners))}" if fate.partners else ""
         yield f"{WORDS[fate.change].lower():<8}{fate.motif:>5} ->{others:<12} overlap {fate.best:.2f}"
-    for fate in found.b:
+    for fate in comparison.b:
         if fate.change == "gained":
             yield f"{WORDS[fate.change].lower():<8}{'':>5} -> {fate.motif:<11} overlap {fate.best:.2f}"
 
 
-def _stability_summary(found: Stability) -> Iterator[str]:
+def _stability_summary(measured: Stability) -> Iterator[str]:
     yield f"{'repeat':<14}{'stability':>10}{'kept':>8}{'same frames':>13}{'adj. Rand':>11}"
-    n = len(found.motifs)
-    for repeat in found.repeats:
+    n = len(measured.motifs)
+    for repeat in measured.repeats:
         mean = f"{repeat.overlaps.mean():.2f}" if n else "-"
         kept = f"{repeat.kept.sum()}/{n}"
         yield f"{repeat.name:<14}{mean:>10}{kept:>8}{repeat.agreement:>13.2f}{repeat.adjusted_rand:>11.2f}"
     if not n:
         yield "no motifs, so there is nothing whose stability could be measured"
     else:
-        for kind, values in found.by_kind().items():
+        for kind, values in measured.by_kind().items():
             yield f"mean over {kind}: {values.mean():.2f}"
-        yield f"{n} motifs, mean stability {found.overall.mean():.2f}"
+        yield f"{n} motifs, mean stability {measured.overall.mean():.2f}"

@@ -11,17 +11,17 @@ from webapp.cli.result_files import write_json
 arguments = on_source("map", "map.json")
 
 
-def map_(asked: Namespace) -> int:
+def map_(arguments: Namespace) -> int:
     """Makes the map and writes map.json; prints the time of each stage and both errors.
 
     Raises ParameterError, WorkspaceError, RecordingError, ValueError or OSError in plain words.
     """
-    found = result_of(asked, "map")
-    write_json(asked.out, found.to_json())
-    if not asked.quiet:
-        for stage, taken in found.seconds.items():
+    motion_map = result_of(arguments, "map")
+    write_json(arguments.out, motion_map.to_json())
+    if not arguments.quiet:
+        for stage, taken in motion_map.seconds.items():
             print(f"  {stage:<14}{taken:8.2f} s")
-        figures = (f"{name.replace('_', ' ')} {value:.3g}" for name, value in found.metrics.items())
-        print(f"{found.grid[0]} x {found.grid[1]} nodes: {', '.join(figures)}")
-        print(f"written to {asked.out}")
+        figures = (f"{name.replace('_', ' ')} {value:.3g}" for name, value in motion_map.metrics.items())
+        print(f"{motion_map.grid[0]} x {motion_map.grid[1]} nodes: {', '.join(figures)}")
+        print(f"written to {arguments.out}")
     return 0

@@ -27,69 +27,69 @@ _SHOWN = 5  # hits that are printed
 
 
 @dataclass(frozen=True)
-class _Asked:
+class _Query:
     """A query, whether it is of whole clips, and the clips of the data set that it is made of."""
 
     query: Query
-    whole: bool
-    own: tuple[str, ...]
+    of_whole_clips: bool
+    clips: tuple[str, ...]
 
 
-def search(asked: Namespace) -> int:
+def search(arguments: Namespace) -> int:
     """Searches and writes hits.json; prints the best hits of a single query, and how long the searches took.
 
     Raises ParameterError, WorkspaceError, RecordingError, ValueError or OSError in plain words.
     """
-    values = {p.name: getattr(asked, p.name) for p in analyses.parameters("search")}
+    values = {p.name: getattr(arguments, p.name) for p in analyses.parameters("search")}
     analyses.normalise(analyses.Request("", "search", values))  # refuses before anything is read
-    texts = _texts(asked)
-    if asked.out.is_dir():
-        raise WorkspaceError(f"{asked.out} is a folder; --out names the file to write.")
-    with progress_bar(asked.quiet) as report:
-        dataset, index, reading = _open(asked, values, texts, report)
-        queries = {text: _query(text, lower, dataset, asked) for text, lower in texts}
+    texts = _texts(arguments)
+    if arguments.out.is_dir():
+        raise WorkspaceError(f"{arguments.out} is a folder; --out names the file to write.")
+    with progress_bar(arguments.quiet) as report:
+        dataset, index, reading = _open(arguments, values, texts, report)
+        queries = {text: _query(text, lower, dataset, arguments) for text, lower in texts}
         answers, started = {}, time.perf_counter()
         for k, (text, one) in enumerate(queries.items()):
-            answers[text] = _answer(index, one, asked)
+            answers[text] = _answer(index, one, arguments)
             report("searching", (k + 1) / len(queries))
     seconds = {"reading": reading} | dict(index.seconds) | {"searching": time.perf_counter() - started}
-    write_json(asked.out, _document(index, answers, values, asked, seconds))
-    if not asked.quiet:
-        print("\n".join(_summary(answers, seconds, asked)))
+    write_json(arguments.out, _document(index, answers, values, arguments, seconds))
+    if not arguments.quiet:
+        print("\n".join(_summary(answers, seconds, arguments)))
     return 0
 
 
-def _texts(asked: Namespace) -> list[tuple[str, str | None]]:
+def _texts(arguments: Namespace) -> list[tuple[str, str | None]]:
     """The queries as they were given, each with what its lower body comes from."""
-    if (asked.query is None) == (asked.queries is None):
+    if (arguments.query is None) == (arguments.queries is None):
         raise WorkspaceError("Say what to search for: --query CLIP[:START-END], or --queries FILE with many.")
-    if asked.query is not None:
-        return [(asked.query, asked.lower)]
-    if asked.lower is not None:
+    if arguments.query is not None:
+        return [(arguments.query, arguments.lower)]
+    if arguments.lower is not None:
         raise WorkspaceError("--lower goes with --query, not with --queries.")
     try:
-        listed = json.loads(asked.queries.read_text(encoding="utf-8"))
+        listed = json.loads(arguments.queries.read_text(encoding="utf-8"))
     except (UnicodeDecodeError, json.JSONDecodeError) as error:
-        raise WorkspaceError(f"{asked.queries} is no JSON: {error}") from None
+        raise WorkspaceError(f"{arguments.queries} is no JSON: {error}") from None
     if not isinstance(listed, list) or not listed or not all(isinstance(text, str) for text in listed):
-        raise WorkspaceError(f'{asked.queries}: expected a list of queries, such as ["walk_01", "walk_02:10-90"].')
+        raise WorkspaceError(f'{arguments.queries}: expected a list of queries, such as ["walk_01", "walk_02:10-90"].')
     return [(text, None) for text in dict.fromkeys(listed)]
 
 
-def _open(asked: Namespace, values: Mapping[str, Any], texts, report: Report) -> tuple[Dataset, SearchIndex, float]:
-    named, started = named_dataset(asked.source), time.perf_counter()
+def _open(arguments: Namespace, values: Mapping[str, Any], texts, report: Report) -> tuple[Dataset, SearchIndex, float]:
+    named, started = named_dataset(arguments.source), time.perf_counter()
     if named:
-        refuse_reading_options(asked)
+        refuse_reading_options(arguments)
         workspace, name = named
         dataset = workspace.open(name)
-        if asked.clips:
-            open_source(asked, report)  # refuses names that are not there
+        if arguments.clips:
+            open_source(arguments, report)  # refuses names that are not there
         reading = time.perf_counter() - started
         return dataset, analyses.run(workspace, analyses.Request(name, "search", values), report), reading
-    if asked.clips:  # what is searched, and the clips that are searched for
-        own = [_clip_of(text) for pair in texts for text in pair if text is not None and _file(text) is None]
-        asked = Namespace(**vars(asked) | {"clips": list(dict.fromkeys([*asked.clips, *own]))})
-    dataset = open_source(asked, report)
+    if arguments.clips:  # what is searched, and the clips that are searched for
+        clips = [_clip_of(text) for pair in texts for text in pair if text is not None and _file(text) is None]
+        arguments = Namespace(**vars(arguments) | {"clips": list(dict.fromkeys([*arguments.clips, *clips]))})
+    dataset = open_source(arguments, report)
     reading = time.perf_counter() - started
     return dataset, analyses.compute(dataset, "search", values, report), reading
 
@@ -108,35 +108,35 @@ def _file(text: str) -> tuple[Path, str] | None:
     return None
 
 
-def _query(text: str, lower: str | None, dataset: Dataset, asked: Namespace) -> _Asked:
-    stretches, own = [], []
+def _query(text: str, lower: str | None, dataset: Dataset, arguments: Namespace) -> _Query:
+    stretches, clips = [], []
     for one in filter(None, (text, lower)):
         file = None if _clip_of(one) in dataset.names or one in dataset.names else _file(one)
         if file is None:
             stretches.append(parse_stretch(one, dataset))
-            own.append(stretches[-1][0].name)
+            clips.append(stretches[-1][0].name)
         else:  # a recording that is not in the data set
             path, rest = file
-            other = open_dataset(path, skeleton=asked.skeleton, fps=asked.fps)
+            other = open_dataset(path, skeleton=arguments.skeleton, fps=arguments.fps)
             stretches.append(parse_stretch(f"{other.names[0]}{rest}", other))
-    whole = all(start is None for _, start, _ in stretches)
+    of_whole_clips = all(start is None for _, start, _ in stretches)
     if lower is None:
-        return _Asked(whole_query(*stretches[0], name=text), whole, tuple(own))
+        return _Query(whole_query(*stretches[0], name=text), of_whole_clips, tuple(clips))
     halves = {"upper_body": stretches[0], "lower_body": stretches[1]}
-    return _Asked(hybrid_query(halves, name=f"{text} + {lower}"), whole, tuple(own))
+    return _Query(hybrid_query(halves, name=f"{text} + {lower}"), of_whole_clips, tuple(clips))
 
 
-def _answer(index: SearchIndex, one: _Asked, asked: Namespace) -> dict[str, Any]:
-    level = asked.level or ("clip" if one.whole else "interval")
+def _answer(index: SearchIndex, one: _Query, arguments: Namespace) -> dict[str, Any]:
+    level = arguments.level or ("clip" if one.of_whole_clips else "interval")
     started = time.perf_counter()
     hits = index.search(
         one.query,
-        weights=asked.weights,
+        weights=arguments.weights,
         level=level,
-        top=asked.top,
-        root_path=asked.root_path,
-        only=asked.clips,
-        exclude=one.own if level == "clip" else (),
+        top=arguments.top,
+        root_path=arguments.root_path,
+        only=arguments.clips,
+        exclude=one.clips if level == "clip" else (),
     )
     taken = 1000 * (time.perf_counter() - started)
     rows = [{"clip": h.segment.clip, "start": h.segment.start, "end": h.segment.end, "score": h.score} for h in hits]
@@ -146,8 +146,13 @@ def _answer(index: SearchIndex, one: _Asked, asked: Namespace) -> dict[str, Any]
     return {"milliseconds": round(taken, 3), "hits": rows}
 
 
-def _document(index: SearchIndex, answers, values, asked: Namespace, seconds) -> dict[str, Any]:
-    searched = {"weights": asked.weights, "level": asked.level, "top": asked.top, "root_path": asked.root_path}
+def _document(index: SearchIndex, answers, values, arguments: Namespace, seconds) -> dict[str, Any]:
+    searched = {
+        "weights": arguments.weights,
+        "level": arguments.level,
+        "top": arguments.top,
+        "root_path": arguments.root_path,
+    }
     return {
         "format": FORMAT,
         "dataset": dict(index.dataset),
@@ -158,7 +163,7 @@ def _document(index: SearchIndex, answers, values, asked: Namespace, seconds) ->
     }
 
 
-def _summary(answers: Mapping[str, Any], seconds: Mapping[str, float], asked: Namespace) -> Iterator[str]:
+def _summary(answers: Mapping[str, Any], seconds: Mapping[str, float], arguments: Namespace) -> Iterator[str]:
     for stage, taken in seconds.items():
         yield f"  {stage:<14}{taken:8.2f} s"
     if len(answers) == 1:
@@ -170,4 +175,4 @@ def _summary(answers: Mapping[str, Any], seconds: Mapping[str, float], asked: Na
     else:
         times = sorted(answer["milliseconds"] for answer in answers.values())
         yield f"{len(times)} queries, {times[len(times) // 2]:.0f} ms each (median)"
-    yield f"written to {asked.out}"
+    yield f"written to {arguments.out}"

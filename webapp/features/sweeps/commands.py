@@ -27,41 +27,41 @@ from webapp.cli.sources import named_dataset, open_source, refuse_reading_option
 _FIRST = ("kappa", "rho", "seed")
 
 
-def sweep(asked: Namespace) -> int:
+def sweep(arguments: Namespace) -> int:
     """Sweeps and writes sweep.csv, with ``--plot`` charts as well; prints what it suggests."""
-    values = asked_sweep(asked)
-    if asked.out.is_dir():
-        raise WorkspaceError(f"{asked.out} is a folder; --out names the file to write.")
-    if asked.plot is not None and asked.plot.exists() and not asked.plot.is_dir():
-        raise WorkspaceError(f"{asked.plot} is a file; --plot names a folder.")
+    values = sweep_parameters(arguments)
+    if arguments.out.is_dir():
+        raise WorkspaceError(f"{arguments.out} is a folder; --out names the file to write.")
+    if arguments.plot is not None and arguments.plot.exists() and not arguments.plot.is_dir():
+        raise WorkspaceError(f"{arguments.plot} is a file; --plot names a folder.")
     started = time.perf_counter()
-    with progress_bar(asked.quiet) as report:
-        figures = _figures(asked, values, report)
+    with progress_bar(arguments.quiet) as report:
+        figures = _figures(arguments, values, report)
     points = values.points()
     table = SweepTable(values.values_of_axes(), values.seeds, figures)
-    with atomic_file(asked.out) as file:
+    with atomic_file(arguments.out) as file:
         file.write(rows_as_csv(points, figures, list(table.axes)).encode())
-    charts = _write_charts(asked.plot, table) if asked.plot is not None else []
-    if not asked.quiet:
-        print(f"{len(points)} points in {time.perf_counter() - started:.1f} s, written to {asked.out}")
+    charts = _write_charts(arguments.plot, table) if arguments.plot is not None else []
+    if not arguments.quiet:
+        print(f"{len(points)} points in {time.perf_counter() - started:.1f} s, written to {arguments.out}")
         for path in charts:
             print(f"chart written to {path}")
         print(suggest(table).why)
     return 0
 
 
-def asked_sweep(asked: Namespace) -> SweepParameters:
+def sweep_parameters(arguments: Namespace) -> SweepParameters:
     """The sweep that the options describe: an axis for every option with several values; raises ParameterError."""
-    lists = {p.name: getattr(asked, p.name) for p in analyses.parameters("motifs") if p.name != "seed"}
+    lists = {p.name: getattr(arguments, p.name) for p in analyses.parameters("motifs") if p.name != "seed"}
     if all(len(values) == 1 for values in lists.values()):
-        if asked.kappa == ("auto",) and asked.rho == (1.0,):
+        if arguments.kappa == ("auto",) and arguments.rho == (1.0,):
             lists |= PAPER
-        elif asked.seeds == 1:
+        elif arguments.seeds == 1:
             raise ParameterError("give one option several values (--kappa 50,100,200), or --seeds more than 1")
     axes = {name: values for name, values in lists.items() if len(values) > 1}
-    base = {name: values[0] for name, values in lists.items() if name not in axes} | {"seed": asked.seed}
+    base = {name: values[0] for name, values in lists.items() if name not in axes} | {"seed": arguments.seed}
     text = ";".join(write_axis(name, values) for name, values in axes.items())
-    return SweepParameters(text, asked.seeds, json.dumps(base))
+    return SweepParameters(text, arguments.seeds, json.dumps(base))
 
 
 def rows_as_csv(points: tuple[MotifParameters, ...], figures: list[Figures], axes: list[str]) -> str:
@@ -78,28 +78,28 @@ def rows_as_csv(points: tuple[MotifParameters, ...], figures: list[Figures], axe
     return text.getvalue()
 
 
-def _figures(asked: Namespace, values: SweepParameters, report: Report) -> list[Figures]:
+def _figures(arguments: Namespace, values: SweepParameters, report: Report) -> list[Figures]:
     """Of every point, in order; those of a data set in a workspace are kept there."""
-    named = named_dataset(asked.source)
-    if named and not asked.clips:
-        refuse_reading_options(asked)
+    named = named_dataset(arguments.source)
+    if named and not arguments.clips:
+        refuse_reading_options(arguments)
         workspace, name = named
         parameters = {"axes": values.axes, "seeds": values.seeds, "base": values.base}
         analyses.run(workspace, analyses.Request(name, "sweep", parameters), report)
         dataset = workspace.open(name)
         keys = [analyses.point_key(dataset.fingerprint, point) for point in values.points()]
-        found = read_figures(workspace, dataset, keys)
-        if None in found:
+        stored = read_figures(workspace, dataset, keys)
+        if None in stored:
             raise WorkspaceError("Some results of the sweep are gone again; run it once more.")
-        return found
-    return _in_memory(open_source(asked, report), values.points(), report)
+        return stored
+    return _in_memory(open_source(arguments, report), values.points(), report)
 
 
 def _in_memory(dataset: Dataset, points: tuple[MotifParameters, ...], report: Report) -> list[Figures]:
-    found: dict[int, Figures] = {}
+    by_point: dict[int, Figures] = {}
     for k, graph in graphs_of(dataset, points, report):
-        found[k] = figures_of(graph, dataset.labels)
-    return [found[k] for k in range(len(points))]
+        by_point[k] = figures_of(graph, dataset.labels)
+    return [by_point[k] for k in range(len(points))]
 
 
 def _write_charts(folder: Path, table: SweepTable) -> list[Path]:

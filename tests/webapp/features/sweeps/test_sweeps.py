@@ -19,7 +19,7 @@ from tests.core.motifs.recordings import recurring
 from webapp.cli import main
 from webapp.features.sweeps import layout, reading
 from webapp.features.sweeps.callbacks import Shown, shown_sweep
-from webapp.features.sweeps.commands import asked_sweep
+from webapp.features.sweeps.commands import sweep_parameters
 from webapp.features.sweeps.figures import charts
 from webapp.features.sweeps.figures import rows as sweep_rows
 from webapp.features.sweeps.figures.measures import MEASURES, PAIRS, pairs_of
@@ -115,7 +115,7 @@ def test_the_copied_command_and_script_are_the_same_sweep(tmp_path):
     words = shlex.split(recipes["Copy as command"])
     assert words[:3] == ["motionscape", "sweep", f"{tmp_path}/my space/walks & runs"]
     asked = main._parser(words[1:]).parse_args(words[1:])
-    assert asked_sweep(asked) == sweep
+    assert sweep_parameters(asked) == sweep
     names = {}
     script = (
         recipes["Copy as Python"].replace("dataset = ", "dataset = 0 and ").replace("points = sweep(", "points = tell(")
