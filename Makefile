@@ -12,7 +12,7 @@ WORKSPACE ?= workspace
 # tests in as many processes as there are cores (four at most); a file's tests stay together, the browser's go first
 TOGETHER ?= -n logical --maxprocesses 4 --dist loadfile --no-loadscope-reorder
 
-.PHONY: run test test-fast test-browser test-js test-lowest lock lint lint-js bench clean slow browser bundle
+.PHONY: run test test-fast test-browser test-js test-lowest lock lint lint-js docs bench clean slow browser bundle
 
 run: $(VENV)/.installed
 	$(BIN)/motionscape serve $(WORKSPACE) --demo --port $(PORT)
@@ -38,6 +38,11 @@ lint: $(VENV)/.installed-dev lint-js
 	$(BIN)/lint-imports
 	$(BIN)/mypy core
 	$(BIN)/python scripts/check_docstrings.py core
+	$(BIN)/python -m scripts.build_docs
+
+# the documentation as a site in build/docs; fails on broken links, missing pages and objects that no longer exist
+docs: $(VENV)/.installed-dev
+	$(BIN)/python -m scripts.build_docs
 
 # the front end: modules in assets/ROOM/*.mjs, and the bundle of them in assets/bundle that the app serves
 bundle: $(NODE_MODULES)

@@ -1,6 +1,6 @@
 """Take the pictures of the documentation: the app on the demo, in a headless browser.
 
-usage: python -m scripts.make_screenshots [FOLDER]      (default: docs)
+usage: python -m scripts.make_screenshots [FOLDER]      (default: docs/images)
 
 Serves a fresh workspace with the demo and the results that the pages show, and writes motifs.png, map.png, search.png
 and grammar.png.
@@ -100,4 +100,4 @@ def main(folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1] if len(sys.argv) > 1 else "docs"))
+    main(Path(sys.argv[1] if len(sys.argv) > 1 else "docs/images"))

@@ -4,7 +4,7 @@ The paper (section 5.2) chooses by eye: kappa as low as possible for coverage, w
 both are one figure, the motion explained (:func:`core.motifs.sweep_table.explained`), which has its highest value
 between many loose motifs and few tight ones. Differences that are no larger than what the seed alone changes decide
 nothing: among settings as good as the best, by one standard error (Breiman et al. 1984), the usual one is taken.
-How often it agrees with labels: docs/sweeps.md.
+How often it agrees with labels: docs/methods/sweeps.md.
 """
 
 from __future__ import annotations

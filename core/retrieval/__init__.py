@@ -1,1 +1,1 @@
-"""Search by example: motions like this one, over the whole body or the parts that matter (PCR; docs/search.md)."""
+"""Search by example: motions like this one, by the whole body or the parts that matter (docs/methods/search.md)."""

@@ -26,7 +26,7 @@ of the rough one."""
 
 
 class BoundedEdit:
-    """The default engine (docs/search.md)."""
+    """The default engine (docs/methods/search.md)."""
 
     def __init__(self, store: FrameStore):
         self.store = store

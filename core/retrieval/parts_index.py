@@ -65,7 +65,7 @@ class QueryLists:
 
 
 class Parts:
-    """The paper's engine with its repairs (docs/search_parts.md)."""
+    """The paper's engine with its repairs (docs/methods/search_parts.md)."""
 
     CENTRING, TRAVEL, SMOOTH = 0.7, True, True
     MATCHING = Matching()

@@ -1,4 +1,4 @@
-"""Motions read at equal steps of the way that the posture goes, instead of equal steps of time (docs/search.md).
+"""Motions read at equal steps of the way that the posture goes, not at equal times (docs/methods/search.md).
 
 A slow and a fast performance of one action then have the same samples, and standing still takes no room.
 """

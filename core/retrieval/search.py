@@ -1,4 +1,4 @@
-"""The search index: one interface over the engines (docs/search.md says how each reads the paper)."""
+"""The search index: one interface over the engines (docs/methods/search.md says how each reads the paper)."""
 
 from __future__ import annotations
 
