@@ -93,7 +93,7 @@ def _parser(line: Sequence[str]) -> Parser:
     chosen = next((word for word in line if not word.startswith("-")), None)
     for name, command in commands().items():
         part = parts.add_parser(name, help=command.help, description=command.help, allow_abbrev=False)
-        if name == chosen:  # the parameters of a method are only read when they are arguments for
+        if name == chosen:  # the parameters of a method are read only for the command that was typed
             command.arguments(part)
     return parser
 
