@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import subprocess
-import sys
+import itertools
+import time
 
 import numpy as np
 import pytest
@@ -17,7 +17,6 @@ from core.motifs.graph import Motif, MotifGraph, succession_edges
 from tests.webapp.generated import walk
 from webapp.features.motifs import playing
 from webapp.features.motifs.figures import graph as graph_figure
-from webapp.features.motifs.figures import placement
 from webapp.features.motifs.figures.drawing import graph_svg
 from webapp.features.motifs.figures.placement import place_boxes, spread
 from webapp.features.motifs.layout import metric_tiles, motion_list, selection_panel
@@ -62,7 +61,7 @@ def overlaps(centres: np.ndarray, sizes: np.ndarray) -> int:
 def test_placed_boxes_never_overlap(n: int, seed: int):
     rng = np.random.default_rng(seed)
     sizes = rng.uniform(20, 160, (n, 2))
-    edges = [(int(a), int(b), 1.0) for a, b in rng.integers(0, n, (n, 2))] if n else []
+    edges = [(int(a), int(b)) for a, b in rng.integers(0, n, (n, 2))] if n else []
     centres = place_boxes(sizes, edges)
     assert centres.shape == (n, 2) and np.isfinite(centres).all()
     assert overlaps(centres, sizes) == 0
@@ -74,19 +73,39 @@ def test_boxes_at_one_place_part():
     assert overlaps(spread(np.zeros((40, 2)), sizes), sizes) == 0
 
 
-def test_graphviz_says_nothing_of_its_own():
-    lines = (
-        "from webapp.features.motifs.figures.placement import place_boxes; "
-        "place_boxes([[50, 50]] * 3, [(0, 1, 1), (1, 2, 1)])"
-    )
-    done = subprocess.run([sys.executable, "-c", lines], capture_output=True, text=True, check=True)  # it says it once
-    assert done.stderr == "" and done.stdout == ""
+def test_neighbours_are_near_and_far_boxes_far():
+    sizes, n = np.full((12, 2), 50.0), 12
+    ring = place_boxes(sizes, [(k, (k + 1) % n) for k in range(n)])
+    radii = np.hypot(*(ring - ring.mean(0)).T)
+    assert radii.std() / radii.mean() < 0.1  # a ring is drawn as one
+    chain = place_boxes(sizes, [(k, k + 1) for k in range(n - 1)])
+    between = np.hypot(*(chain[1:] - chain[:-1]).T)
+    assert between.std() / between.mean() < 0.1
+    assert np.hypot(*(chain[-1] - chain[0])) > 0.9 * between.sum()  # and a chain is straight
 
 
-def test_what_graphviz_complains_of_is_logged(caplog):
-    for piece in (b"Warning", b": ", b"out of ink\n", b"Error", b": ", b"not built with triangulation library\n"):
-        placement._HEARD(piece)
-    assert [record.getMessage() for record in caplog.records] == ["Graphviz: Warning: out of ink"]
+@pytest.mark.parametrize("leaves", [2, 5, 30])
+def test_leaves_of_a_star_stand_around_it(leaves):
+    sizes = np.full((leaves + 1, 2), 50.0)
+    places = place_boxes(sizes, [(0, k) for k in range(1, leaves + 1)])
+    turns = np.sort(np.arctan2(*(places[1:] - places[0]).T))
+    assert np.diff(turns, append=turns[0] + 2 * np.pi).max() < 2 * np.pi / min(leaves, 5) + 0.7
+    assert overlaps(places, sizes) == 0
+
+
+def test_boxes_that_all_follow_one_another_are_placed():
+    sizes = np.full((9, 2), 60.0)
+    places = place_boxes(sizes, list(itertools.permutations(range(9), 2)))
+    assert overlaps(places, sizes) == 0 and len(np.unique(places, axis=0)) == 9
+
+
+def test_three_hundred_boxes_take_less_than_a_second():
+    rng = np.random.default_rng(0)
+    sizes = rng.uniform(46, 150, (300, 2))
+    edges = [(k, (k + 1) % 300) for k in range(300)] + [tuple(pair) for pair in rng.integers(0, 300, (200, 2)).tolist()]
+    started = time.thread_time()
+    assert overlaps(place_boxes(sizes, edges), sizes) == 0
+    assert time.thread_time() - started < 1
 
 
 def test_many_parts_fill_a_frame_of_the_wanted_shape():

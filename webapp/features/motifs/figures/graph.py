@@ -30,7 +30,7 @@ def graph_elements(graph: MotifGraph, icons: Mapping[int, Mapping[str, str]]) ->
     """Nodes and edges with stable ids (``m3``, ``e3-5``). ``icons``: motif id -> theme -> image address."""
     at = {motif.id: i for i, motif in enumerate(graph.motifs)}
     sizes = box_sizes(graph.motifs)
-    places = place_boxes(sizes, [(at[e.source], at[e.target], e.count) for e in graph.edges])
+    places = place_boxes(sizes, [(at[e.source], at[e.target]) for e in graph.edges])
     colours, loops = component_colours(graph), _in_loops(graph)
     nodes = [
         {

@@ -1,35 +1,22 @@
-"""Where the boxes of a graph go: Graphviz's sfdp for the shape, then our own removal of overlaps.
-
-sfdp is the layout that stays readable on cyclic graphs; the Graphviz that comes with pygraphviz has no triangulation,
-so it cannot remove overlaps itself.
-"""
+"""Where the boxes of a graph go: neighbours about one length apart, all else as far as the graph says, no overlaps."""
 
 from __future__ import annotations
 
-import ctypes
-import logging
-import threading
 from collections.abc import Sequence
-from contextlib import suppress
 
 import numpy as np
-import pygraphviz
-from pygraphviz import _graphviz as graphviz
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import connected_components
+from scipy.linalg import cho_factor, cho_solve
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import connected_components, shortest_path
+from scipy.spatial.distance import cdist
 
-log = logging.getLogger(__name__)
-
-_GRAPHVIZ = threading.Lock()  # cgraph keeps global state; threads of the server must take turns
-_POINTS_PER_INCH = 72.0
+Edges = Sequence[tuple[int, int]]
 
 
-def place_boxes(
-    sizes: np.ndarray, edges: Sequence[tuple[int, int, float]], gap: float = 28.0, aspect: float = 1.5
-) -> np.ndarray:
+def place_boxes(sizes: np.ndarray, edges: Edges, gap: float = 28.0, aspect: float = 1.5) -> np.ndarray:
     """Centres ``(n, 2)`` in pixels, y down, of boxes of ``sizes (n, 2)`` so that no two come closer than ``gap``.
 
-    edges: (source, target, weight). Each connected part is laid out by itself; the parts then stand in rows, largest
+    edges: (source, target). Each connected part is laid out by itself; the parts then stand in rows, largest
     first, together about ``aspect`` times as wide as high. Deterministic: the same graph is always drawn the same way.
     """
     sizes = np.asarray(sizes, float).reshape(-1, 2)
@@ -38,8 +25,9 @@ def place_boxes(
     frames = np.zeros((len(parts), 2))
     for k, part in enumerate(parts):
         at = {node: i for i, node in enumerate(part)}
-        inner = [(at[s], at[t], w) for s, t, w in edges if s in at and s != t]
-        local = spread(_sfdp(sizes[part], inner), sizes[part] + gap) if len(part) > 1 else np.zeros((1, 2))
+        inner = [(at[s], at[t]) for s, t in edges if s in at and s != t]
+        wide = sizes[part] + gap
+        local = spread(_turned(_layout(wide, inner), wide, aspect), wide) if len(part) > 1 else np.zeros((1, 2))
         low, high = (local - sizes[part] / 2).min(0), (local + sizes[part] / 2).max(0)
         centres[part], frames[k] = local - low, high - low
     corners = _rows(frames + gap, aspect) if len(parts) else frames
@@ -48,62 +36,65 @@ def place_boxes(
     return np.round(centres - (centres.min(0) + centres.max(0)) / 2, 1) if len(centres) else centres
 
 
-def _parts(n: int, edges: Sequence[tuple[int, int, float]]) -> list[np.ndarray]:
+def _parts(n: int, edges: Edges) -> list[np.ndarray]:
     """Nodes of each connected part, the largest part first."""
-    ends = np.array([(source, target) for source, target, _ in edges], int).reshape(-1, 2)
-    links = coo_matrix((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(n, n))
+    ends = np.array(edges, int).reshape(-1, 2)
+    links = csr_array((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(n, n))
     count, part_of = connected_components(links, directed=False)
     parts = [np.nonzero(part_of == k)[0] for k in range(count)]
     return sorted(parts, key=lambda part: (-len(part), part[0]))
 
 
-def _sfdp(sizes: np.ndarray, edges: Sequence[tuple[int, int, float]]) -> np.ndarray:
-    with _GRAPHVIZ:
-        _seed_c_library()
-        _hear_graphviz()
-        graph = pygraphviz.AGraph(directed=False, strict=True, overlap="true", K=str(_ideal_length(sizes)), start="1")
-        for i, (width, height) in enumerate(sizes / _POINTS_PER_INCH):
-            graph.add_node(i, label="", shape="box", fixedsize="true", width=f"{width:.3f}", height=f"{height:.3f}")
-        for source, target, weight in edges:
-            if source != target:
-                graph.add_edge(source, target, weight=f"{1 + np.log1p(weight):.3f}")
-        graph.layout(prog="sfdp")
-        places = [graph.get_node(i).attr["pos"].split(",") for i in range(len(sizes))]
-    x, y = np.array(places, float).T
-    return np.stack([x, -y], axis=1)
+def _layout(sizes: np.ndarray, edges: Edges, rounds: int = 200) -> np.ndarray:
+    """Centres ``(n, 2)`` of the boxes of a connected graph whose distances are like those along the edges.
+
+    Weighted stress majorisation (E. Gansner, Y. Koren, S. North, *Graph Drawing by Stress Majorization*, 2004), from
+    classical scaling as its start.
+    """
+    apart = _graph_distances(sizes, edges)
+    weights = (apart + np.eye(len(apart))) ** -2 - np.eye(len(apart))
+    pull, factor = weights * apart, cho_factor((np.diag(weights.sum(1)) - weights)[1:, 1:])
+    centres = _classical_scaling(apart)
+    for _ in range(rounds):
+        ratio = pull / np.maximum(cdist(centres, centres), 1e-6)
+        target = ratio.sum(1)[:, None] * centres - ratio @ centres
+        moved = np.concatenate([np.zeros((1, 2)), cho_solve(factor, target[1:])])  # the first box stays where it is
+        change, centres = np.abs(moved - centres).max(), moved
+        if change < 0.05:
+            break
+    return centres
 
 
-def _seed_c_library() -> None:
-    """sfdp's coarsening draws from the C library's rand() before it takes its own seed; Windows keeps its own way."""
-    with suppress(OSError, AttributeError, TypeError):
-        ctypes.CDLL(None).srand(1)
+def _graph_distances(sizes: np.ndarray, edges: Edges) -> np.ndarray:
+    """Lengths ``(n, n)`` of the shortest ways along the edges; those between busy boxes are longer, to make room."""
+    ends = np.array(sorted({(min(edge), max(edge)) for edge in edges}))
+    degrees = np.bincount(ends.ravel())
+    lengths = 1.1 * sizes.mean() * np.sqrt(np.maximum(degrees[ends].min(1) / 2, 1))
+    links = csr_array((lengths, ends.T), shape=(len(sizes), len(sizes)))
+    return shortest_path(links, directed=False)
 
 
-_said: list[bytes] = []
+def _classical_scaling(apart: np.ndarray) -> np.ndarray:
+    """Points ``(n, 2)``, the first at 0, whose distances come near those of ``apart (n, n)``, in one step."""
+    squares = apart**2
+    centred = squares.mean(0) + squares.mean(1)[:, None] - squares.mean() - squares
+    values, vectors = np.linalg.eigh(centred / 2)
+    points = vectors[:, :-3:-1] * np.sqrt(np.maximum(values[:-3:-1], 0))
+    # boxes that are alike to the graph, such as the leaves of a star, need places of their own to part from
+    turns = np.arange(len(apart)) * np.pi * (3 - np.sqrt(5))
+    points += 0.05 * apart.mean() * np.stack([np.cos(turns), np.sin(turns)], axis=1)
+    return points - points[0]
 
 
-def _heard(piece: bytes) -> int:
-    """Takes a message in the pieces it comes in."""
-    _said.append(piece)
-    if piece.endswith(b"\n"):
-        words = b"".join(_said).decode(errors="replace").strip()
-        _said.clear()
-        if "triangulation" not in words:  # it cannot remove overlaps; we do that
-            log.warning("Graphviz: %s", words)
-    return 0
+def _turned(centres: np.ndarray, sizes: np.ndarray, aspect: float) -> np.ndarray:
+    """Centres ``(n, 2)`` turned so that they fit the smallest frame ``aspect`` times as wide as high."""
 
+    def height(places: np.ndarray) -> float:
+        sides = (places + sizes / 2).max(0) - (places - sizes / 2).min(0)
+        return float((sides / (aspect, 1)).max())
 
-_HEARD = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_char_p)(_heard)  # lives as long as Graphviz may call it
-
-
-def _hear_graphviz() -> None:
-    """What Graphviz would write to stderr comes to us; where its library cannot be reached it goes on as it was."""
-    with suppress(OSError, AttributeError, TypeError):
-        ctypes.CDLL(graphviz.__file__).agseterrf(_HEARD)
-
-
-def _ideal_length(sizes: np.ndarray) -> float:
-    return round(float(sizes.mean()) * 1.6 / _POINTS_PER_INCH, 3)
+    turns = np.linspace(0, np.pi, 48, endpoint=False)
+    return min((centres @ [[np.cos(a), np.sin(a)], [-np.sin(a), np.cos(a)]] for a in turns), key=height)
 
 
 def spread(centres: np.ndarray, sizes: np.ndarray, rounds: int = 400) -> np.ndarray:
