@@ -19,11 +19,13 @@ REPOSITORY = Path(__file__).resolve().parents[1]
 
 @dataclass(frozen=True)
 class ToyParameters:
-    """ "deaf" does not report; ``log``: a file that gets a line for every computation."""
+    """ "deaf" does not report; ``log``: a file that gets a line for every computation; ``gate``: a file, and no
+    computation ends before it is there."""
 
     seconds: float = field(default=0.2, metadata={"min": 0, "max": 600})
     mode: str = field(default="count", metadata={"choices": ("count", "refuse", "break", "deaf", "die")})
     log: str = ""
+    gate: str = ""
 
 
 def compute(dataset: Dataset, asked: ToyParameters, report) -> dict:
@@ -36,8 +38,8 @@ def compute(dataset: Dataset, asked: ToyParameters, report) -> dict:
     if asked.mode == "deaf":
         time.sleep(asked.seconds)
     until = time.monotonic() + asked.seconds
-    while time.monotonic() < until:
-        report("counting", 1 - (until - time.monotonic()) / max(asked.seconds, 1e-9))
+    while (left := until - time.monotonic()) > 0 or (asked.gate and not Path(asked.gate).exists()):
+        report("counting", 1 - max(left, 0) / max(asked.seconds, 1e-9))
         time.sleep(0.02)
     if asked.mode == "refuse":
         raise fault_of_data()

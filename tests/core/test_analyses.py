@@ -89,7 +89,7 @@ def test_every_parameter_of_every_method_says_what_it_is_for():
         if name != "toy":
             assert all(len(parameter.help) > 10 for parameter in analyses.parameters(name))
     assert parameters_of(ToyParameters)[0].expected == "a number from 0 to 600"
-    assert fill(ToyParameters, {"seconds": "2"}) == {"seconds": 2.0, "mode": "count", "log": ""}
+    assert fill(ToyParameters, {"seconds": "2"}) == {"seconds": 2.0, "mode": "count", "log": "", "gate": ""}
 
 
 def test_a_result_is_computed_once_and_then_opened(workspace, tmp_path):
@@ -159,46 +159,52 @@ def _run(path, request, outcome, under_way=None):
 
 
 def test_two_processes_that_ask_for_the_same_compute_it_once(workspace, tmp_path):
-    request, outcome = toy(seconds=1.5, log=str(tmp_path / "log")), spawn.Queue()
-    askers = [spawn.Process(target=_run, args=(workspace.path, request, outcome)) for _ in range(3)]
+    gate = tmp_path / "gate"
+    request, outcome = toy(gate=str(gate), log=str(tmp_path / "log")), spawn.Queue()
+    waiting = [spawn.Event() for _ in range(3)]
+    askers = [spawn.Process(target=_run, args=(workspace.path, request, outcome, event)) for event in waiting]
     for asker in askers:
         asker.start()
-    results = [outcome.get(timeout=60) for _ in askers]
+    assert all(event.wait(120) for event in waiting)
+    gate.touch()
+    results = [outcome.get(timeout=120) for _ in askers]
     for asker in askers:
-        asker.join(60)
+        asker.join(120)
     assert results[0] == results[1] == results[2] == {"frames": 81, "names": ["walk_0", "walk_1"]}
     assert (tmp_path / "log").read_text().count("\n") == 1
 
 
 def test_a_killed_worker_is_replaced_by_who_waits(workspace, tmp_path):
-    request, nothing, outcome = toy(seconds=6, log=str(tmp_path / "log")), spawn.Queue(), spawn.Queue()
+    gate = tmp_path / "gate"
+    request, nothing, outcome = toy(gate=str(gate), log=str(tmp_path / "log")), spawn.Queue(), spawn.Queue()
     under_way, waiting = spawn.Event(), spawn.Event()
     first = spawn.Process(target=_run, args=(workspace.path, request, nothing, under_way))
     first.start()
-    assert under_way.wait(60)
+    assert under_way.wait(120)
     second = spawn.Process(target=_run, args=(workspace.path, request, outcome, waiting))
     second.start()
-    assert waiting.wait(60)
+    assert waiting.wait(120)
     os.kill(first.pid, signal.SIGKILL)
-    assert outcome.get(timeout=60)["frames"] == 81
+    gate.touch()
+    assert outcome.get(timeout=120)["frames"] == 81
     first.join()
-    second.join(60)
+    second.join(120)
     assert (tmp_path / "log").read_text().count("\n") == 2
     assert [job.state for job in workspace.jobs.list()] == ["done", "failed"]
 
 
 def test_anyone_can_cancel_and_everyone_who_waits_hears_of_it(workspace):
-    request, outcome = toy(seconds=60), spawn.Queue()
+    request, outcome = toy(seconds=600), spawn.Queue()
     waiting = [spawn.Event(), spawn.Event()]
     askers = [spawn.Process(target=_run, args=(workspace.path, request, outcome, event)) for event in waiting]
     for asker in askers:
         asker.start()
-    assert all(event.wait(60) for event in waiting)
+    assert all(event.wait(120) for event in waiting)
     (job,) = workspace.jobs.list()
     workspace.jobs.cancel(job.id)
-    assert [outcome.get(timeout=30) for _ in askers] == ["Cancelled()"] * 2
+    assert [outcome.get(timeout=120) for _ in askers] == ["Cancelled()"] * 2
     for asker in askers:
-        asker.join(60)
+        asker.join(120)
     assert workspace.jobs.get(job.id).state == "cancelled"
 
 

@@ -49,7 +49,7 @@ def address(process):
 
 
 def get(url):
-    with urllib.request.build_opener(urllib.request.HTTPCookieProcessor()).open(url, timeout=60) as answer:
+    with urllib.request.build_opener(urllib.request.HTTPCookieProcessor()).open(url, timeout=120) as answer:
         return answer.status, answer.read().decode()
 
 
@@ -60,14 +60,14 @@ def test_serve_shows_the_app_and_ends_cleanly(start):
     status, page = get(url)
     assert status == 200 and "Motionscape" in page
     process.send_signal(signal.SIGINT)
-    _, said = process.communicate(timeout=60)
+    _, said = process.communicate(timeout=120)
     assert process.returncode == 130 and "Traceback" not in said
 
 
 def test_serve_says_when_the_port_is_in_use(start):
     with socket.create_server(("127.0.0.1", 0)) as holder:
         process = start("--port", str(holder.getsockname()[1]))
-        _, said = process.communicate(timeout=60)
+        _, said = process.communicate(timeout=120)
     assert process.returncode == 2 and "is in use" in said and said.count("\n") == 1
 
 

@@ -235,5 +235,5 @@ def test_processes_may_import_at_once_and_one_gets_a_name(workspace):
     start.set()
     for adder in adders:
         adder.join(100)
-    assert failures.get(timeout=5) == "NameRefused" and failures.empty()
+    assert failures.get(timeout=60) == "NameRefused" and failures.empty()
     assert [info.name for info in workspace.datasets()] == ["other", "same"]

@@ -127,7 +127,7 @@ def test_a_process_ends_with_the_exit_code_and_no_traceback(tmp_path):
     for arguments, code in (["inspect", "bad.bvh"], 2), (["fly"], 2), (["--version"], 0):
         command = [sys.executable, "-m", "webapp.cli", *arguments]
         environment = os.environ | {"PYTHONPATH": str(REPOSITORY)}
-        done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, env=environment, timeout=100)
+        done = subprocess.run(command, capture_output=True, text=True, cwd=tmp_path, env=environment, timeout=120)
         assert done.returncode == code and "Traceback" not in done.stderr + done.stdout
 
 
@@ -280,7 +280,7 @@ def test_an_interrupt_ends_cleanly(demo, tmp_path):
         assert process.poll() is None
         time.sleep(0.05)
     process.send_signal(signal.SIGINT)
-    _, said = process.communicate(timeout=60)
+    _, said = process.communicate(timeout=120)
     assert (process.returncode, said) == (130, "motionscape demo: stopped\n")
 
 
@@ -298,7 +298,7 @@ def test_a_reader_that_leaves_early_is_no_fault(recordings):
     for k in range(300):
         (recordings / f"{k}.bvh").write_text("")
     command = f"{sys.executable} -m webapp.cli inspect {recordings} | head -1; echo ${{PIPESTATUS[0]}}"
-    done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, cwd=REPOSITORY, timeout=100)
+    done = subprocess.run(["bash", "-c", command], capture_output=True, text=True, cwd=REPOSITORY, timeout=120)
     assert "Traceback" not in done.stderr and done.stdout.splitlines()[-1] in ("0", "2")
 
 
@@ -315,4 +315,4 @@ def test_progress_shows_on_a_terminal(demo, tmp_path):
         while piece := os.read(ours, 65536):
             shown += piece
     os.close(ours)
-    assert process.wait(60) == 0 and b"%" in shown and b"Reading recordings" in shown
+    assert process.wait(120) == 0 and b"%" in shown and b"Reading recordings" in shown

@@ -11,7 +11,7 @@ from diskcache import Cache
 from webapp.jobs.background import WaitingManager
 
 
-def until(condition, patience: float = 10.0) -> None:
+def until(condition, patience: float = 60.0) -> None:
     deadline = time.monotonic() + patience
     while not condition():
         assert time.monotonic() < deadline, "waited in vain"
@@ -23,7 +23,7 @@ def test_a_callback_runs_in_a_thread_of_this_process(tmp_path):
 
     def wait(job):
         seen.append(os.getpid())
-        go.wait(10)
+        go.wait(60)
         return f"done {job}"
 
     number = manager.call_job_fn("key", manager.make_job_fn(wait, False), [7], {})
@@ -37,7 +37,7 @@ def test_a_callback_runs_in_a_thread_of_this_process(tmp_path):
 
 def test_a_new_call_lets_go_of_the_old_one(tmp_path):
     manager, go = WaitingManager(Cache(str(tmp_path))), threading.Event()
-    first = manager.call_job_fn("a", manager.make_job_fn(lambda: go.wait(10), False), [], {})
+    first = manager.call_job_fn("a", manager.make_job_fn(lambda: go.wait(60), False), [], {})
     manager.terminate_job(first)
     assert not manager.job_running(first)
     second = manager.call_job_fn("b", manager.make_job_fn(lambda: "b", False), [], {})

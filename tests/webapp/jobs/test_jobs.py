@@ -32,11 +32,11 @@ def workspace(tmp_path, monkeypatch):
 
 
 def ended(workspace, job):
-    return wait_for(lambda: (now := workspace.jobs.get(job.id)) and not now.alive and now, 60)
+    return wait_for(lambda: (now := workspace.jobs.get(job.id)) and not now.alive and now)
 
 
 def counting(workspace, job):
-    return wait_for(lambda: (now := workspace.jobs.get(job.id)).stage == "counting" and now, 60)
+    return wait_for(lambda: (now := workspace.jobs.get(job.id)).stage == "counting" and now)
 
 
 def test_a_job_is_worked_on_in_another_process(workspace):
@@ -66,7 +66,7 @@ def test_faults_are_told_in_plain_words(workspace):
 def test_cancel_stops_work_that_listens_and_work_that_does_not(workspace):
     for mode in ("count", "deaf"):
         job = jobs.start(workspace, toy_method.request(seconds=300, mode=mode))
-        running = wait_for(lambda job=job: (now := workspace.jobs.get(job.id)).state == "running" and now, 60)
+        running = wait_for(lambda job=job: (now := workspace.jobs.get(job.id)).state == "running" and now)
         if mode == "count":
             counting(workspace, job)
         worker = psutil.Process(running.pid)
@@ -99,7 +99,7 @@ def test_a_child_that_the_system_ends_is_put_down_to_memory(workspace):
 
 
 def test_more_jobs_than_cores_wait_their_turn_in_order(workspace, monkeypatch):
-    job_ids = [jobs.start(workspace, toy_method.request(seconds=1 + k / 1000)).id for k in range(5)]
+    job_ids = [jobs.start(workspace, toy_method.request(seconds=0.2 + k / 1000)).id for k in range(5)]
     most = 0
     while any(workspace.jobs.get(job_id).alive for job_id in job_ids):
         most = max(most, workspace.jobs.running())
@@ -110,22 +110,25 @@ def test_more_jobs_than_cores_wait_their_turn_in_order(workspace, monkeypatch):
     assert [job.id for job in sorted(done, key=lambda job: job.started)] == job_ids
 
 
-def test_a_worker_outlives_the_server_that_started_it(workspace):
+def test_a_worker_outlives_the_server_that_started_it(workspace, tmp_path):
+    gate = tmp_path / "gate"
     server = subprocess.Popen(
         [
             sys.executable,
             "-c",
             "import sys, time, tests.toy_method as toy\nfrom core.workspace import Workspace\nfrom webapp import jobs\n"
-            "jobs.start(Workspace(sys.argv[1]), toy.request(seconds=4))\ntime.sleep(600)",
+            "jobs.start(Workspace(sys.argv[1]), toy.request(gate=sys.argv[2]))\ntime.sleep(600)",
             str(workspace.path),
+            str(gate),
         ],
         cwd=REPOSITORY,
         start_new_session=True,
     )
-    job = wait_for(lambda: next(iter(workspace.jobs.list()), None), 60)
+    job = wait_for(lambda: next(iter(workspace.jobs.list()), None))
     counting(workspace, job)
     os.killpg(server.pid, signal.SIGKILL)  # with all that hangs on it
     server.wait()
+    gate.touch()
     assert ended(workspace, job).state == "done"
 
 
@@ -137,13 +140,15 @@ def test_jobs_left_waiting_are_taken_up_later(workspace):
 
 
 def test_two_who_ask_at_once_share_one_job(workspace, tmp_path):
-    request, found = toy_method.request(seconds=1, log=str(tmp_path / "log")), []
+    gate = tmp_path / "gate"
+    request, found = toy_method.request(gate=str(gate), log=str(tmp_path / "log")), []
     threads = [threading.Thread(target=lambda: found.append(jobs.start(workspace, request).id)) for _ in range(4)]
     for thread in threads:
         thread.start()
     for thread in threads:
         thread.join()
     assert len(set(found)) == 1
+    gate.touch()
     assert ended(workspace, workspace.jobs.get(found[0])).state == "done"
     assert (tmp_path / "log").read_text().count("\n") == 1
 

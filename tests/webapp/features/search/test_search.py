@@ -107,7 +107,7 @@ def test_without_an_index_there_are_no_hits_but_a_query(workspace, dataset):
 def test_an_index_is_opened_before_anybody_waits_for_it(workspace, dataset):
     thread = searching.warm(workspace, dataset, {})
     assert thread is not None
-    thread.join(30)
+    thread.join(120)
     assert not thread.is_alive() and searching.warm(workspace, dataset, {}) is None
     assert searching.warm(workspace, dataset, {"search-analysis_fps": "15"}) is None  # there is none
 
