@@ -7,18 +7,16 @@ whole content: the same name, the same motion.
 
 from __future__ import annotations
 
-import threading
-from collections import OrderedDict
 from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
+from core.caching import RecentCache
 from core.mocap.dataset import Dataset
 from core.workspace import Workspace, WorkspaceError
 from webapp.shell.feature import features
 
 MARK = "~"  # no data set of a person begins with it
-_KEPT = 24
 
 
 def virtual_name(kind: str, *parts: object) -> str:
@@ -30,21 +28,15 @@ def open_any(workspace: Workspace, name: str) -> Dataset:
     """The data set of this name, from the workspace or made up. Raises WorkspaceError where there is none."""
     if not name.startswith(MARK):
         return workspace.open(name)
-    place = workspace.path, name
-    with _lock:
-        if place in _opened:
-            _opened.move_to_end(place)
-            return _opened[place]
+    return _opened.get_or_compute((workspace.path, name), lambda: _make(workspace, name))
+
+
+def _make(workspace: Workspace, name: str) -> Dataset:
     kind, _, rest = name[1:].partition(MARK)
     opener = next((f.motion_kinds[kind] for f in features() if kind in f.motion_kinds), None)
     if opener is None:
         raise WorkspaceError("This motion cannot be made here: its link is damaged or from another version.")
-    dataset = opener(workspace, rest)
-    with _lock:
-        _opened[place] = dataset
-        while len(_opened) > _KEPT:
-            _opened.popitem(last=False)
-    return dataset
+    return opener(workspace, rest)
 
 
 def opener(workspace: Workspace) -> Callable[[str], Dataset]:
@@ -52,5 +44,4 @@ def opener(workspace: Workspace) -> Callable[[str], Dataset]:
     return partial(open_any, workspace)
 
 
-_opened: OrderedDict[tuple[Path, str], Dataset] = OrderedDict()
-_lock = threading.Lock()
+_opened: RecentCache[tuple[Path, str], Dataset] = RecentCache(24)

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import threading
-from collections import OrderedDict
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from core.caching import RecentCache
 from core.editing.curves import TRAVEL, ClipCurves, Curve
 from core.mocap.dataset import Dataset
 from core.mocap.skeleton import Skeleton
@@ -15,7 +14,6 @@ from core.poses.body_frames import BodyFrames, body_frames
 
 CHARTS = {"angles": "Angles", "speeds": "Speeds", "contacts": "Feet", "path": "Path"}
 KINDS = {"body": "Anatomical", "file": "File channels"}
-_KEPT_CLIPS, _KEPT_BODIES = 4, 16
 _DEFAULT = {
     "angles": ("left_hip", "right_hip", "left_knee", "right_knee"),
     "speeds": (TRAVEL, "left_wrist", "right_wrist"),
@@ -38,32 +36,20 @@ class Choice(NamedTuple):
 
 def clip_curves(dataset: Dataset, name: str) -> ClipCurves:
     """The curves of a clip; the last few looked at stay in memory. Raises KeyError where there is no such clip."""
-    key = (dataset.fingerprint, name)
-    with _lock:
-        if key in _clips:
-            _clips.move_to_end(key)
-            return _clips[key]
-    clip = dataset.clip(name)
-    curves = ClipCurves(clip, frames_of(dataset, clip.skeleton))
-    with _lock:
-        curves = _clips.setdefault(key, curves)
-        while len(_clips) > _KEPT_CLIPS:
-            _clips.popitem(last=False)
-    return curves
+
+    def compute() -> ClipCurves:
+        clip = dataset.clip(name)
+        return ClipCurves(clip, frames_of(dataset, clip.skeleton))
+
+    return _clips.get_or_compute((dataset.fingerprint, name), compute)
 
 
 def frames_of(dataset: Dataset, skeleton: Skeleton) -> BodyFrames:
     """Anatomical frames of a skeleton from all clips of the data set that have it, so that all share one zero."""
-    key = (dataset.fingerprint, skeleton.fingerprint)
-    with _lock:
-        if key in _bodies:
-            return _bodies[key]
-    found = body_frames([clip for clip in dataset.clips if clip.skeleton == skeleton])
-    with _lock:
-        _bodies[key] = found
-        while len(_bodies) > _KEPT_BODIES:
-            _bodies.popitem(last=False)
-    return found
+    return _bodies.get_or_compute(
+        (dataset.fingerprint, skeleton.fingerprint),
+        lambda: body_frames([clip for clip in dataset.clips if clip.skeleton == skeleton]),
+    )
 
 
 def choice(view: Mapping[str, str] | None, curves: ClipCurves) -> Choice:
@@ -132,6 +118,5 @@ def _span(text: str | None, seconds: float) -> tuple[float, float] | None:
     return (low, high) if low < high and (low > 0 or high < seconds) else None
 
 
-_clips: OrderedDict[tuple[str, str], ClipCurves] = OrderedDict()
-_bodies: OrderedDict[tuple[str, str], BodyFrames] = OrderedDict()
-_lock = threading.Lock()
+_clips: RecentCache[tuple[str, str], ClipCurves] = RecentCache(4)  # by data set and clip
+_bodies: RecentCache[tuple[str, str], BodyFrames] = RecentCache(16)  # by data set and skeleton

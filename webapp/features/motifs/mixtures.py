@@ -8,13 +8,12 @@ KEY names the motif graph.
 from __future__ import annotations
 
 import re
-import threading
-from collections import OrderedDict
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Hashable, Mapping
 from dataclasses import replace
 from typing import Any
 
 from core import analyses
+from core.caching import RecentCache
 from core.errors import ParameterError
 from core.mocap.dataset import Dataset
 from core.motifs.blend_space import BlendSpace, blend_space, blendable
@@ -28,7 +27,6 @@ from webapp.shell.virtual import virtual_name
 BLEND, REBUILT = "blend", "rebuilt"
 CLIP = "blend"
 _MOST_WEIGHTS = 64
-_KEPT = 24
 _DAMAGED = "This motion cannot be made: its link is damaged."
 
 
@@ -71,13 +69,13 @@ def space_of(workspace: Workspace, key: str, number: str | int, motion: int | No
     group = next((g for g in blendable(dataset, motif) if motion is None or motion in g), None)
     if group is None:
         raise WorkspaceError(f"Motif {motif.id} has no motion {motion + 1}." if motion is not None else _DAMAGED)
-    return _kept((workspace.path, key, motif.id, group), lambda: blend_space(dataset, motif, group[0]))
+    return _recent.get_or_compute((workspace.path, key, motif.id, group), lambda: blend_space(dataset, motif, group[0]))
 
 
 def matrices_of(workspace: Workspace, key: str, number: str | int) -> Motions:
     """The motions of a motif's largest body as numbers, kept ready. Raises WorkspaceError."""
     space = space_of(workspace, key, number)
-    return _kept((workspace.path, key, space.motif.id, "matrices"), lambda: motions_of(space))
+    return _recent.get_or_compute((workspace.path, key, space.motif.id, "matrices"), lambda: motions_of(space))
 
 
 def curves_of(workspace: Workspace, key: str, number: str | int) -> Curves | None:
@@ -87,7 +85,9 @@ def curves_of(workspace: Workspace, key: str, number: str | int) -> Curves | Non
     dataset, motif = motif_of(workspace, key, number)
     if len(blendable(dataset, motif)[0]) < 2:
         return None
-    return _kept((workspace.path, key, motif.id, "curves"), lambda: curves(matrices_of(workspace, key, number)))
+    return _recent.get_or_compute(
+        (workspace.path, key, motif.id, "curves"), lambda: curves(matrices_of(workspace, key, number))
+    )
 
 
 def open_blend(workspace: Workspace, rest: str) -> Dataset:
@@ -125,18 +125,4 @@ def _split(rest: str, n: int) -> list[str]:
     return parts
 
 
-def _kept(name: Hashable, make: Callable[[], Any]) -> Any:
-    with _lock:
-        if name in _made:
-            _made.move_to_end(name)
-            return _made[name]
-    made = make()
-    with _lock:
-        _made[name] = made
-        while len(_made) > _KEPT:
-            _made.popitem(last=False)
-    return made
-
-
-_made: OrderedDict[Hashable, Any] = OrderedDict()
-_lock = threading.Lock()
+_recent: RecentCache[Hashable, Any] = RecentCache(24)

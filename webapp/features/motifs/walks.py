@@ -6,13 +6,12 @@
 from __future__ import annotations
 
 import re
-import threading
-from collections import OrderedDict
 from collections.abc import Mapping
 from itertools import groupby
 from typing import Any
 
 from core import analyses
+from core.caching import RecentCache
 from core.errors import MotionscapeError, ParameterError
 from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
@@ -26,7 +25,6 @@ from webapp.ui.timeline import motif_colour
 WALK = "walk"
 CLIP = "walk"
 KEYS = ("walk", "extra", "gaps", "ends", "feet")  # of the link that say which walk it is
-_KEPT = 8
 
 
 def walk_request(dataset: str, parameters: Mapping[str, Any] | None, view: Mapping[str, str]) -> analyses.Request:
@@ -152,17 +150,7 @@ def _motifs(graph: MotifGraph, names: Mapping[int, str]) -> list[dict[str, Any]]
 
 def _ways(dataset: Dataset, graph: MotifGraph, graph_key: str, further: bool) -> Ways:
     """Kept, because further links take a moment to find."""
-    place = graph_key, further
-    with _lock:
-        if place in _found:
-            _found.move_to_end(place)
-            return _found[place]
-    ways = open_ways(dataset, graph, further)
-    with _lock:
-        _found[place] = ways
-        while len(_found) > _KEPT:
-            _found.popitem(last=False)
-    return ways
+    return _recent_ways.get_or_compute((graph_key, further), lambda: open_ways(dataset, graph, further))
 
 
 def _listed(text: str) -> list[int]:
@@ -174,5 +162,4 @@ def _sentence(text: str) -> str:
     return text if text.endswith((".", "?", "!")) else f"{text}."
 
 
-_found: OrderedDict[tuple[str, bool], Ways] = OrderedDict()
-_lock = threading.Lock()
+_recent_ways: RecentCache[tuple[str, bool], Ways] = RecentCache(8)

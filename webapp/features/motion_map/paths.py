@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-import threading
-from collections import OrderedDict
 from typing import Any
 
 import numpy as np
 
+from core.caching import RecentCache
 from core.mocap.clip import Clip
 from core.mocap.dataset import Dataset
 from core.motion_map.motion_map import MotionMap
 
-_KEPT = 400  # clips
 _FINE_NODES = 40_000  # virtual and real: finer grids cost more than they show
 
 
@@ -37,20 +35,13 @@ def path_of(motion_map: MotionMap, key: str, dataset: Dataset, clip: Clip, start
 
 
 def _whole(motion_map: MotionMap, key: str, dataset: Dataset, clip: Clip, step: int) -> np.ndarray:
-    name = (key, dataset.name, dataset.fingerprint, clip.name)
-    with _lock:
-        if name in _paths:
-            _paths.move_to_end(name)
-            return _paths[name]
-    nx, ny = motion_map.grid
-    factor = next((f for f in (4, 3, 2) if nx * ny * f * f <= _FINE_NODES), 1)
-    points = motion_map.trajectory(clip, factor, step).astype(np.float32)
-    with _lock:
-        _paths[name] = points
-        while len(_paths) > _KEPT:
-            _paths.popitem(last=False)
-    return points
+
+    def compute() -> np.ndarray:
+        nx, ny = motion_map.grid
+        factor = next((f for f in (4, 3, 2) if nx * ny * f * f <= _FINE_NODES), 1)
+        return motion_map.trajectory(clip, factor, step).astype(np.float32)
+
+    return _paths.get_or_compute((key, dataset.name, dataset.fingerprint, clip.name), compute)
 
 
-_paths: OrderedDict[tuple[str, str, str, str], np.ndarray] = OrderedDict()
-_lock = threading.Lock()
+_paths: RecentCache[tuple[str, str, str, str], np.ndarray] = RecentCache(400)

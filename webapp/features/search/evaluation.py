@@ -2,16 +2,17 @@
 
 from __future__ import annotations
 
-import threading
-from collections import OrderedDict
 from collections.abc import Mapping
+from pathlib import Path
 from urllib.parse import urlencode
 
 import dash_mantine_components as dmc
 from dash import ClientsideFunction, Dash, Input, Output, State, dcc, html, no_update, set_props
 from dash.development.base_component import Component
 
+from core.caching import RecentCache
 from core.errors import AnalysisError
+from core.mocap.clip import Label
 from core.mocap.dataset import Dataset
 from core.rankings import CHANCE, KNOWN, Evaluation, evaluate
 from core.workspace import Workspace, WorkspaceError
@@ -49,7 +50,6 @@ HINT = (
     "Every clip is searched for with every engine; a hit counts where it has the query's label. The baselines compare "
     "all pairs of clips, which takes long on large datasets."
 )
-_KEPT = 8
 
 
 def layout() -> Component:
@@ -149,18 +149,12 @@ def evaluation_of(
 ) -> Evaluation | None:
     """The scores of the rankings under this key, kept ready. Raises ValueError where there is no label."""
     place = workspace.path, key, dataset.labels
-    with _lock:
-        if place in _evaluated:
-            return _evaluated[place]
+    if (evaluation := _evaluations.get(place)) is not None:
+        return evaluation
     rankings = settings.result_of(workspace, PAGE, dataset.name, view)
     if rankings is None:
         return None
-    found = evaluate(rankings, dataset)
-    with _lock:
-        _evaluated[place] = found
-        while len(_evaluated) > _KEPT:
-            _evaluated.popitem(last=False)
-    return found
+    return _evaluations.get_or_compute(place, lambda: evaluate(rankings, dataset))
 
 
 def result(dataset: Dataset, found: Evaluation, view: Mapping[str, str] | None, scheme: str | None) -> list[Component]:
@@ -222,5 +216,4 @@ def _chart(name: str, title: str, figure, controls: list[Component]) -> Componen
     return html.Div([html.Div(bar, className="section-head"), graph], className="card study-figures section")
 
 
-_evaluated: OrderedDict[tuple, Evaluation] = OrderedDict()
-_lock = threading.Lock()
+_evaluations: RecentCache[tuple[Path, str, tuple[Label, ...]], Evaluation] = RecentCache(8)

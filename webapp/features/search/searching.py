@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 import threading
 import time
-from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 
 from core import analyses
+from core.caching import RecentCache
 from core.errors import MotionscapeError
 from core.mocap.clip import Label, Segment
 from core.mocap.dataset import Dataset
@@ -29,7 +29,6 @@ KEYS = ("query", "parts", "level", "route", "label", "named", "lasting", "top")
 
 FIRST, MOST = 30, 300  # hits that are shown at first, and at most
 SAME = 0.5  # share of frames in common from which on a hit is the query itself
-_KEPT = 64
 
 
 @dataclass(frozen=True)
@@ -118,16 +117,9 @@ def find(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None)
     if asked is None or index is None:
         return None
     place = analyses.key(workspace, request), repr((asked, dataset.name, _marks(dataset, asked)))
-    with _lock:
-        if place in _found:
-            _found.move_to_end(place)
-            return _found[place]
-    found = _search(index, dataset, asked, query_of(workspace, dataset, asked.pieces))
-    with _lock:
-        _found[place] = found
-        while len(_found) > _KEPT:
-            _found.popitem(last=False)
-    return found
+    return _recent.get_or_compute(
+        place, lambda: _search(index, dataset, asked, query_of(workspace, dataset, asked.pieces))
+    )
 
 
 def warm(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None) -> threading.Thread | None:
@@ -136,7 +128,7 @@ def warm(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None)
     then as quick as any. None where there is none, or it is warm.
     """
     key = settings.key_of(workspace, PAGE, dataset.name, view)
-    with _lock:
+    with _warm_lock:
         if key is None or (workspace.path, key) in _warm or not dataset.clips:
             return None
         _warm.add((workspace.path, key))
@@ -267,5 +259,5 @@ def _lasting(text: str | None) -> tuple[float, float]:
 
 
 _warm: set[tuple] = set()  # workspace and key of indexes that have been searched
-_found: OrderedDict[tuple[str, str], Found] = OrderedDict()
-_lock = threading.Lock()
+_warm_lock = threading.Lock()
+_recent: RecentCache[tuple[str, str], Found] = RecentCache(64)
