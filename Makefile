@@ -45,10 +45,13 @@ docs: $(VENV)/.installed-dev
 	$(BIN)/python -m scripts.build_docs
 
 # the front end: modules in assets/ROOM/*.mjs, and the bundle of them in assets/bundle that the app serves
+# its ids.mjs hold the ids that Python declares
 bundle: $(NODE_MODULES)
+	$(BIN)/python -m scripts.generate_ids
 	$(NODE) assets/build.mjs
 
 lint-js: $(NODE_MODULES)
+	$(BIN)/python -m scripts.generate_ids --check
 	$(NODE) assets/build.mjs --check
 	$(NODE) assets/node_modules/eslint/bin/eslint.js --config assets/eslint.config.mjs assets
 

@@ -4,26 +4,25 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import dash
-
 import webapp.features  # noqa: F401  registers the features
 from core.workspace import WorkspaceError, shared_workspace
 from webapp import jobs
 from webapp.jobs import changes, following, job_bar
 from webapp.shell import access, frame, messages, playback, state
 from webapp.shell.feature import features
+from webapp.shell.stores import CheckedDash
 from webapp.shell.uploads import Limits, upload_blueprint
 from webapp.stage import player
 from webapp.stage import routes as stage_routes
 
 
-def create_app(workspace_path: str | Path, *, token: str | None = None) -> dash.Dash:
+def create_app(workspace_path: str | Path, *, token: str | None = None) -> CheckedDash:
     """The app for the workspace at ``workspace_path`` (made where missing); with ``token`` only for those who have it.
 
     Raises WorkspaceError where the folder cannot be used.
     """
     workspace = shared_workspace(workspace_path)
-    app = dash.Dash(
+    app = CheckedDash(
         __name__,
         title="Motionscape",
         update_title=None,

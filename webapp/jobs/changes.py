@@ -18,8 +18,10 @@ from core import analyses
 from core.mocap.reports import ImportReport
 from core.workspace import Job, Workspace, WorkspaceError
 from webapp import jobs
+from webapp.jobs import names
 from webapp.shell.buttons import sends
 from webapp.shell.messages import notice
+from webapp.shell.names import AWAITED, JOB_STARTED, NOTICES
 
 UNDO_SHOWN = 15000  # milliseconds
 
@@ -27,18 +29,18 @@ UNDO_SHOWN = 15000  # milliseconds
 def stores() -> list[Component]:
     """For the frame of the app."""
     return [
-        dcc.Store(id="change-asked"),  # {"job": id} of a change that was asked for here
-        dcc.Store(id="changes", data=[], storage_type="session"),  # ids of those whose end has not been told
-        dcc.Store(id="undo"),  # {"revert": version}, {"restore": token of what is in the trash} or {"trash": name}
+        dcc.Store(id=names.CHANGE_ASKED),  # {"job": id} of a change that was asked for here
+        dcc.Store(id=names.CHANGES, data=[], storage_type="session"),  # ids of those whose end has not been told
+        dcc.Store(id=names.UNDO),  # {"revert": version}, {"restore": token of what is in the trash} or {"trash": name}
     ]
 
 
 def ask(workspace: Workspace, request: analyses.Request) -> Job:
     """In a callback: starts the job of a change; its end will be told. Raises WorkspaceError, ParameterError."""
     job = jobs.start(workspace, request)
-    set_props("job-started", {"data": job.id})
-    set_props("change-asked", {"data": {"job": job.id}})
-    set_props("job-poke", {"data": time.time()})
+    set_props(JOB_STARTED, {"data": job.id})
+    set_props(names.CHANGE_ASKED, {"data": {"job": job.id}})
+    set_props(names.JOB_POKE, {"data": time.time()})
     return job
 
 
@@ -46,32 +48,32 @@ def register(app: Dash, workspace: Workspace) -> None:
     """The notices at the end, and their Undo."""
 
     @app.callback(
-        Output("changes", "data"),
-        Input("change-asked", "data"),
-        Input("jobs-finished", "data"),
-        State("changes", "data"),
+        Output(names.CHANGES, "data"),
+        Input(names.CHANGE_ASKED, "data"),
+        Input(names.JOBS_FINISHED, "data"),
+        State(names.CHANGES, "data"),
     )
     def tell(asked, _finished, waiting):
         waiting = waiting if isinstance(waiting, list) else []
         before = [*waiting]
         if asked and asked.get("job") not in waiting:
             waiting = [*waiting, asked["job"]]
-            set_props("change-asked", {"data": None})
+            set_props(names.CHANGE_ASKED, {"data": None})
         found = {number: workspace.jobs.get(number) for number in waiting if isinstance(number, int)}
         done = [job for job in found.values() if job is not None and job.state == "done"]
         if done:
-            set_props("notices", {"sendNotifications": [told(workspace, job) for job in done]})
+            set_props(NOTICES, {"sendNotifications": [told(workspace, job) for job in done]})
         left = [number for number, job in found.items() if job is not None and job.alive]
         return left if left != before else no_update
 
-    @app.callback(Input("undo", "data"), prevent_initial_call=True)
+    @app.callback(Input(names.UNDO, "data"), prevent_initial_call=True)
     def undo(request):
         try:
             message = undone(workspace, request or {})
         except WorkspaceError as error:
             message = notice("That did not work", str(error), "red")
-        set_props("notices", {"sendNotifications": [message]})
-        set_props("job-poke", {"data": time.time()})
+        set_props(NOTICES, {"sendNotifications": [message]})
+        set_props(names.JOB_POKE, {"data": time.time()})
 
 
 def undone(workspace: Workspace, request: Mapping[str, object]) -> dict:
@@ -81,7 +83,7 @@ def undone(workspace: Workspace, request: Mapping[str, object]) -> dict:
         return notice("Undone", f"{request['trash']} is in the trash.")
     if request.get("restore"):
         info = workspace.restore(str(request["restore"]))
-        set_props("awaited", {"data": info.name})
+        set_props(AWAITED, {"data": info.name})
         return notice("Restored", f"{info.name} is back in the library.")
     info = workspace.revert(str(request.get("revert")))
     return notice("Undone", f"{info.name} is what it was before, and so are its results.")
@@ -124,7 +126,7 @@ def what_came(name: str, report: ImportReport) -> str:
 
 def undo_notice(title: str, words: str, undo: Mapping[str, str], *buttons: Component) -> dict:
     """A notice with a button that sends ``undo`` to the store of that name."""
-    button = dmc.Button("Undo", size="compact-sm", variant="light", **sends("undo", undo, every_time=True))
+    button = dmc.Button("Undo", size="compact-sm", variant="light", **sends(names.UNDO, undo, every_time=True))
     text = html.Span(words, className="ellipsis", title=words)
     return notice(title, dmc.Group([text, *buttons, button], gap=10, wrap="nowrap"), autoClose=UNDO_SHOWN)
 

@@ -6,6 +6,7 @@ from dash import Dash, Input, Output
 
 from core.workspace import Workspace
 from webapp import jobs
+from webapp.shell.names import JOB_ENDED, JOB_STARTED
 
 
 def register(app: Dash, workspace: Workspace) -> None:
@@ -13,8 +14,8 @@ def register(app: Dash, workspace: Workspace) -> None:
     path = str(workspace.path)
 
     @app.callback(
-        Output("job-ended", "data"),
-        Input("job-started", "data"),
+        Output(JOB_ENDED, "data"),
+        Input(JOB_STARTED, "data"),
         background=True,
         prevent_initial_call=True,
     )

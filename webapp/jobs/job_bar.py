@@ -18,8 +18,10 @@ from dash.development.base_component import Component
 
 from core.workspace import DatasetInfo, Job, Workspace, WorkspaceError
 from webapp import jobs as webapp_jobs
+from webapp.jobs import names
 from webapp.shell.advice import in_the_browser
 from webapp.shell.messages import notice
+from webapp.shell.names import NOTICES, REVISION
 
 FAST, SLOW = 600, 4000  # milliseconds between two looks
 FAILED_SHOWN = 600.0  # seconds a failed job stays in the bar
@@ -68,14 +70,14 @@ def layout() -> Component:
     return html.Footer(
         className="job-bar",
         children=[
-            html.Div(id="job-list", role="status", **{"aria-live": "polite", "aria-label": "Jobs"}),
-            dcc.Store(id="jobs-shown"),  # the rows; assets/job_bar.js draws them
-            dcc.Interval(id="job-tick", interval=FAST),
-            dcc.Store(id="job-poke"),  # written when a job was just asked for: look now
-            dcc.Store(id="job-action"),  # {"action": "cancel" | "retry" | "dismiss", "job": id}
-            dcc.Store(id="jobs-seen", data={}),
-            dcc.Store(id="jobs-dismissed", data=[], storage_type="session"),
-            dcc.Store(id="jobs-finished"),  # changes when a job ends: results may have appeared
+            html.Div(id=names.JOB_LIST, role="status", **{"aria-live": "polite", "aria-label": "Jobs"}),
+            dcc.Store(id=names.JOBS_SHOWN),  # the rows; assets/job_bar.js draws them
+            dcc.Interval(id=names.JOB_TICK, interval=FAST),
+            dcc.Store(id=names.JOB_POKE),  # written when a job was just asked for: look now
+            dcc.Store(id=names.JOB_ACTION),  # {"action": "cancel" | "retry" | "dismiss", "job": id}
+            dcc.Store(id=names.JOBS_SEEN, data={}),
+            dcc.Store(id=names.JOBS_DISMISSED, data=[], storage_type="session"),
+            dcc.Store(id=names.JOBS_FINISHED),  # changes when a job ends: results may have appeared
         ],
     )
 
@@ -129,18 +131,18 @@ def _failed(job: Job) -> dict:
 
 def register(app: Dash, workspace: Workspace) -> None:
     """The poll, the rows it brings, and their buttons."""
-    app.clientside_callback(ClientsideFunction("jobs", "show"), Input("jobs-shown", "data"))
+    app.clientside_callback(ClientsideFunction("jobs", "show"), Input(names.JOBS_SHOWN, "data"))
 
     @app.callback(
-        Output("jobs-shown", "data"),
-        Output("job-tick", "interval"),
-        Output("revision", "data"),
-        Output("jobs-finished", "data"),
-        Output("jobs-seen", "data"),
-        Input("job-tick", "n_intervals"),
-        Input("job-poke", "data"),
-        Input("jobs-dismissed", "data"),
-        State("jobs-seen", "data"),
+        Output(names.JOBS_SHOWN, "data"),
+        Output(names.JOB_TICK, "interval"),
+        Output(REVISION, "data"),
+        Output(names.JOBS_FINISHED, "data"),
+        Output(names.JOBS_SEEN, "data"),
+        Input(names.JOB_TICK, "n_intervals"),
+        Input(names.JOB_POKE, "data"),
+        Input(names.JOBS_DISMISSED, "data"),
+        State(names.JOBS_SEEN, "data"),
     )
     def poll(_ticks, _poke, dismissed, seen):
         pulse = look(workspace, dismissed or ())
@@ -167,11 +169,11 @@ def register(app: Dash, workspace: Workspace) -> None:
         )
 
     @app.callback(
-        Output("jobs-dismissed", "data"),
-        Output("job-poke", "data"),
-        Output("notices", "sendNotifications", allow_duplicate=True),
-        Input("job-action", "data"),
-        State("jobs-dismissed", "data"),
+        Output(names.JOBS_DISMISSED, "data"),
+        Output(names.JOB_POKE, "data"),
+        Output(NOTICES, "sendNotifications", allow_duplicate=True),
+        Input(names.JOB_ACTION, "data"),
+        State(names.JOBS_DISMISSED, "data"),
         prevent_initial_call=True,
     )
     def act(request, dismissed):

@@ -7,6 +7,7 @@ from dash import html
 from dash.development.base_component import Component
 
 from core.workspace import Job
+from webapp.jobs import names
 from webapp.jobs.job_bar import stage_words
 from webapp.shell.buttons import sends
 from webapp.shell.icons import icon
@@ -34,7 +35,7 @@ def running(job: Job, title: str, symbol: str) -> Component:
                 mt="xs",
                 className="job-cancel",
                 disabled=job.cancelling,
-                **sends("job-action", {"action": "cancel", "job": job.id}, every_time=True),
+                **sends(names.JOB_ACTION, {"action": "cancel", "job": job.id}, every_time=True),
             ),
         ],
         **{"data-job": str(job.id)},

@@ -8,7 +8,7 @@ import dash_mantine_components as dmc
 from dash import dcc, html
 from dash.development.base_component import Component
 
-from webapp.shell import links, theme
+from webapp.shell import links, names, theme
 from webapp.shell.feature import features
 from webapp.shell.icons import icon
 
@@ -19,7 +19,7 @@ def layout(stage: Component, job_bar: Component, stores: Sequence[Component]) ->
     stage: the one persistent player. stores: those of the jobs and the features.
     """
     return dmc.MantineProvider(
-        id="mantine",
+        id=names.MANTINE,
         theme=theme.MANTINE,
         defaultColorScheme="auto",
         children=[
@@ -28,13 +28,13 @@ def layout(stage: Component, job_bar: Component, stores: Sequence[Component]) ->
             html.A("Skip to the page", href="#page", className="skip-link"),
             html.Div(
                 className="shell",
-                id="shell",
+                id=names.SHELL,
                 children=[
                     _header(),
                     _navigation(),
-                    html.Main(id="page", className="page", tabIndex="-1"),
+                    html.Main(id=names.PAGE, className="page", tabIndex="-1"),
                     html.Div(
-                        id="splitter",
+                        id=names.SPLITTER,
                         className="splitter",
                         role="separator",
                         tabIndex="0",
@@ -52,22 +52,22 @@ def layout(stage: Component, job_bar: Component, stores: Sequence[Component]) ->
 def _stores() -> list[Component]:
     """State that names what one sees: ids only, and all of it is in the URL."""
     return [
-        dcc.Location(id="url", refresh=False),
-        dcc.Store(id="dataset"),  # its name
-        dcc.Store(id="parameters", data={}),  # the method's, as text, defaults left out
-        dcc.Store(id="selection", data={}),  # see links.View.selection
-        dcc.Store(id="view", data={}),  # what a page shows beside that, see links.view_keys
-        dcc.Store(id="view-change"),  # merged into "view"; null or "" takes a key out
-        dcc.Store(id="view-keys", data=links.view_keys()),
-        dcc.Store(id="view-of-dataset", data=links.keys_of_dataset()),
-        dcc.Store(id="stage-restore", data={}),  # moment and camera a link asked for
-        dcc.Store(id="dataset-choice"),  # {"dataset": name}: someone chose another one
-        dcc.Store(id="awaited"),  # name of the dataset an import of ours will bring
-        dcc.Store(id="job-started"),
-        dcc.Store(id="job-ended"),
-        dcc.Store(id="theme", data="light"),
-        dcc.Store(id="revision"),  # changes with the list of datasets
-        dcc.Store(id="address"),
+        dcc.Location(id=names.URL, refresh=False),
+        dcc.Store(id=names.DATASET),  # its name
+        dcc.Store(id=names.PARAMETERS, data={}),  # the method's, as text, defaults left out
+        dcc.Store(id=names.SELECTION, data={}),  # see links.View.selection
+        dcc.Store(id=names.VIEW, data={}),  # what a page shows beside that, see links.view_keys
+        dcc.Store(id=names.VIEW_CHANGE),  # merged into "view"; null or "" takes a key out
+        dcc.Store(id=names.VIEW_KEYS, data=links.view_keys()),
+        dcc.Store(id=names.VIEW_OF_DATASET, data=links.keys_of_dataset()),
+        dcc.Store(id=names.STAGE_RESTORE, data={}),  # moment and camera a link asked for
+        dcc.Store(id=names.DATASET_CHOICE),  # {"dataset": name}: someone chose another one
+        dcc.Store(id=names.AWAITED),  # name of the dataset an import of ours will bring
+        dcc.Store(id=names.JOB_STARTED),
+        dcc.Store(id=names.JOB_ENDED),
+        dcc.Store(id=names.THEME, data="light"),
+        dcc.Store(id=names.REVISION),  # changes with the list of datasets
+        dcc.Store(id=names.ADDRESS),
     ]
 
 
@@ -79,7 +79,7 @@ def _header() -> Component:
                 [icon("logo", 22), html.Span("Motionscape", className="brand-name")], href="/library", className="brand"
             ),
             dmc.Select(
-                id="dataset-picker",
+                id=names.DATASET_PICKER,
                 className="dataset-picker",
                 placeholder="No dataset yet",
                 searchable=True,
@@ -90,16 +90,18 @@ def _header() -> Component:
                 **{"aria-label": "Dataset"},
             ),
             # in the header's free space (assets/notices.css), where they cover no control
-            dmc.NotificationContainer(id="notices", position="top-center", limit=4, autoClose=6000, withinPortal=False),
+            dmc.NotificationContainer(
+                id=names.NOTICES, position="top-center", limit=4, autoClose=6000, withinPortal=False
+            ),
             dmc.Button(
                 "Share",
-                id="share",
+                id=names.SHARE,
                 variant="default",
                 leftSection=icon("link", 16),
                 **{"aria-label": "Copy a link to this view"},
             ),
             dmc.ColorSchemeToggle(
-                id="scheme-toggle",
+                id=names.SCHEME_TOGGLE,
                 lightIcon=icon("sun"),
                 darkIcon=icon("moon"),
                 variant="default",
@@ -117,7 +119,7 @@ def _navigation() -> Component:
             dcc.Link(
                 [icon(feature.symbol, 22), html.Span(feature.label)],
                 href=f"/{feature.path}",
-                id=f"nav-{feature.path}",
+                id=names.NAV(feature.path),
                 className="nav-link",
             )
             for feature in features()

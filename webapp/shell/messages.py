@@ -13,6 +13,7 @@ from werkzeug.exceptions import HTTPException
 from core.errors import MotionscapeError
 from webapp.shell.errors import log_bug, sentence
 from webapp.shell.icons import icon
+from webapp.shell.names import NOTICES
 
 _PAGE = """<!doctype html><html lang="en"><head><meta charset="utf-8"><title>Motionscape</title>
 <meta name="viewport" content="width=device-width"><style>
@@ -51,7 +52,7 @@ def on_callback_error(error: Exception) -> None:
     else:
         details = f"Details are in the server's log, as error {log_bug('a callback', error)}."
         message = notice("Something went wrong", f"The view stays as it was. {details}", "red", id="fault")
-    set_props("notices", {"sendNotifications": [message]})
+    set_props(NOTICES, {"sendNotifications": [message]})
 
 
 def notice(title: str, message: str | Component, colour: str = "accent", **more: object) -> dict:

@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from dash import ClientsideFunction, Dash, Input, Output, dcc, html
 
-REQUEST, SHOWN = "stage-request", "stage-shown"
+from webapp.shell.names import STAGE_REQUEST
+from webapp.stage import names
 
 KEYS = (
     ("Space", "play, pause"),
@@ -31,8 +32,8 @@ def stage(api: str = "/api") -> html.Div:
     """The Stage; one a page, its id is ``stage``. ``api``: address of the motion routes, with the app's prefix."""
     return html.Div(
         [
-            dcc.Store(id=REQUEST),
-            dcc.Store(id=SHOWN),
+            dcc.Store(id=STAGE_REQUEST),
+            dcc.Store(id=names.STAGE_SHOWN),
             html.Div(
                 [html.Div(className="ms-stage-title"), html.Div(className="ms-figures", **{"aria-label": "Figures"})],
                 className="ms-stage-head",
@@ -58,7 +59,7 @@ def stage(api: str = "/api") -> html.Div:
                 className="ms-controls",
             ),
         ],
-        id="stage",
+        id=names.STAGE,
         className="ms-stage",
         role="region",
         **{"aria-label": "Stage", "data-api": api, "data-status": "empty"},
@@ -69,15 +70,15 @@ def register(app: Dash) -> None:
     """Let the Stage play what is written into its request store."""
     app.clientside_callback(
         ClientsideFunction("stage", "show"),
-        Output(SHOWN, "data"),
-        Input(REQUEST, "data"),
+        Output(names.STAGE_SHOWN, "data"),
+        Input(STAGE_REQUEST, "data"),
     )
 
 
 def _view() -> html.Div:
     return html.Div(
         [
-            html.Canvas(id="stage-canvas", role="img", tabIndex="0", **{"aria-label": "Stage for moving figures"}),
+            html.Canvas(id=names.STAGE_CANVAS, role="img", tabIndex="0", **{"aria-label": "Stage for moving figures"}),
             html.Div(
                 [
                     html.Div(className="ms-message-figure", **{"aria-hidden": "true"}),

@@ -1,27 +1,22 @@
-"""Names of clips in little room, as assets/stage_names.js has them."""
+"""Ids of the parts that every page with a method has."""
 
-from __future__ import annotations
+from typing import Any
 
-import re
-from collections.abc import Sequence
-
-_WORTH_LEAVING_OUT = 8  # letters
+from webapp.shell.identifiers import Group, Id, Pattern, Store
+from webapp.shell.names import Name, View
 
 
-def brief_names(names: Sequence[str], most: int = 20) -> list[str]:
-    """Each name in ``most`` letters: without a long beginning that all share, and then without its middle."""
-    shared = _shared_beginning(names) if len(set(names)) > 1 else ""
-    start = len(shared) if len(shared) >= _WORTH_LEAVING_OUT else 0
-    return [_shorten(name[start:] or name, most) for name in names]
+class MethodNames(Group):
+    """Ids of the settings, the button and the status of the page ``page`` in the link."""
 
-
-def _shared_beginning(names: Sequence[str]) -> str:
-    """What all names begin with, up to the last separator in it."""
-    first, last = min(names), max(names)
-    n = next((n for n, (a, b) in enumerate(zip(first, last, strict=False)) if a != b), min(len(first), len(last)))
-    return re.sub(r"[^\s_\-/.:]*$", "", first[:n])
-
-
-def _shorten(text: str, most: int) -> str:
-    kept = (most - 1) // 2
-    return text if len(text) <= most else f"{text[: most - 1 - kept].rstrip()}…{text[-kept:].lstrip()}"
+    def __init__(self, page: str):
+        self.run = Id(f"{page}-run")
+        self.fold = Id(f"{page}-fold")
+        self.summary = Id(f"{page}-summary")
+        self.form = Id(f"{page}-form")
+        self.control = Pattern(f"{page}-setting", "name")
+        self.status = Id(f"{page}-status")
+        self.settings = Store(f"{page}-settings", View)  # those keys of the view that are settings of the page
+        self.result_key = Store(f"{page}-result-key", Name)  # empty where the result has not been computed
+        self.status_of = Store(f"{page}-status-of", list[Any])  # what the status was last drawn for
+        self.again = Store(f"{page}-again", dict[str, bool | float])

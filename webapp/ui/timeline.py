@@ -9,7 +9,7 @@ from typing import Any
 from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
 from core.workspace import MotifNote
-from webapp.ui.names import brief_names
+from webapp.ui.brief_names import brief_names
 
 ACTIONS = ("#4e79a7", "#f28e2b", "#59a14f", "#e15759", "#b07aa1", "#9c755f", "#76b7b2", "#d4a720", "#ff9da7", "#79706e")
 GOLDEN = 0.6180339887498949  # turns of the colour circle from one motif to the next: neighbours never look alike

@@ -18,7 +18,7 @@ from webapp.features.motifs.playing import mixing, moment, shown_motions, stage_
 from webapp.shell import results
 from webapp.shell.icons import icon
 from webapp.shell.results import find_motif
-from webapp.ui.names import brief_names
+from webapp.ui.brief_names import brief_names
 
 MOST_MIXED = 8  # motions that are mixed at once
 KNOTS = 25  # moments at which the browser knows the times of each motion

@@ -23,7 +23,7 @@ from webapp.shell.buttons import copies, sends, similar
 from webapp.shell.icons import icon
 from webapp.shell.messages import empty_state
 from webapp.shell.results import find_edge, find_motif, find_motifs
-from webapp.ui.names import brief_names
+from webapp.ui.brief_names import brief_names
 from webapp.ui.page_head import page_head
 from webapp.ui.parameter_form import summary
 from webapp.ui.tables import strip_address

@@ -16,8 +16,8 @@ from core.mocap.clip import Label
 from core.mocap.dataset import Dataset
 from core.rankings import CHANCE, KNOWN, Evaluation, evaluate
 from core.workspace import Workspace, WorkspaceError
+from webapp.features.search.engines import ENGINES
 from webapp.features.search.figures import ranking as figures
-from webapp.features.search.names import ENGINES
 from webapp.shell import settings
 from webapp.shell.errors import sentence
 from webapp.shell.icons import icon

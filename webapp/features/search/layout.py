@@ -7,8 +7,8 @@ from dash import dcc, html
 from dash.development.base_component import Component
 
 from core.poses.body_parts import PRESETS
+from webapp.features.search.engines import ENGINES
 from webapp.features.search.figures.hits import body
-from webapp.features.search.names import ENGINES
 from webapp.features.search.searching import PAGE
 from webapp.shell.icons import icon
 from webapp.shell.uploads import SUFFIXES

@@ -18,8 +18,8 @@ from core.mocap.dataset import Dataset
 from core.workspace import Workspace, WorkspaceError
 from webapp import jobs
 from webapp.features.search import searching, study_rounds
+from webapp.features.search.engines import ENGINES
 from webapp.features.search.figures import agreement as figures
-from webapp.features.search.names import ENGINES
 from webapp.features.search.queries import write_hit
 from webapp.shell import settings
 from webapp.shell.errors import sentence

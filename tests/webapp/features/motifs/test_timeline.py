@@ -13,7 +13,7 @@ from core.motifs.graph import Motif, MotifGraph
 from core.workspace import MotifNote
 from tests.webapp.generated import walkers
 from webapp.features.motifs.figures.timeline_drawing import timeline_svg
-from webapp.ui.names import brief_names
+from webapp.ui.brief_names import brief_names
 from webapp.ui.timeline import motif_colour, timeline
 
 

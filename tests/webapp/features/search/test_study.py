@@ -15,8 +15,8 @@ from core.workspace import Workspace, WorkspaceError
 from tests.webapp.generated import walk
 from webapp.app import create_app
 from webapp.features.search import study_rounds
+from webapp.features.search.engines import ENGINES as CALLED
 from webapp.features.search.figures import agreement as figures
-from webapp.features.search.names import ENGINES as CALLED
 from webapp.features.search.queries import write_hit
 from webapp.features.search.study import person_of, results, study_data
 

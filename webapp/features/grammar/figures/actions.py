@@ -11,7 +11,7 @@ from urllib.parse import quote, urlencode
 from core.mocap.clip import Label, Segment
 from core.mocap.dataset import Dataset
 from core.workspace import MotifNote
-from webapp.ui.names import brief_names
+from webapp.ui.brief_names import brief_names
 from webapp.ui.tables import majority_label, strip_address
 from webapp.ui.timeline import motif_colour
 

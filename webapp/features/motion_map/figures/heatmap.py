@@ -15,9 +15,9 @@ from core.motion_map import layers
 from core.motion_map.motion_map import MotionMap
 from webapp.features.motion_map.figures.posture_icons import body_of, figure_svg, turned
 from webapp.shell import theme
+from webapp.ui.brief_names import brief_names
 from webapp.ui.charts import themed
 from webapp.ui.filmstrip import ICON_COLOURS, data_uri
-from webapp.ui.names import brief_names
 from webapp.ui.timeline import motif_colour
 
 COLOURINGS = {  # value -> name, what it shows

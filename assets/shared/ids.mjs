@@ -1,0 +1,92 @@
+// Ids of components, and what stores hold. Written by scripts/generate_ids.py from webapp.shell.names:
+// change that module and run `make bundle`.
+
+/** The id of a store that holds a T. @template T @typedef {string & { content?: T }} StoreId */
+
+/**
+ * @typedef {object} Selection
+ * @property {number} [motif]
+ * @property {number} [motion]
+ * @property {string} [motifs]
+ * @property {string} [edge]
+ * @property {number} [transition]
+ * @property {number} [action]
+ * @property {number} [segment]
+ * @property {string} [clip]
+ * @property {number} [start]
+ * @property {number} [end]
+ * @property {string} [as]
+ * @property {number} [at]
+ */
+
+/**
+ * Someone chose another data set.
+ * @typedef {object} DatasetChoice
+ * @property {string | null} dataset
+ * @property {number} [at]
+ */
+
+/**
+ * Frames of a motion that have a colour of their own.
+ * @typedef {object} Colour
+ * @property {number} start
+ * @property {number} end
+ * @property {string} colour
+ * @property {string} label
+ */
+
+/**
+ * One figure on the Stage: frames ``[start, end)`` of a clip.
+ * @typedef {object} Figure
+ * @property {string} clip
+ * @property {number} start
+ * @property {number} end
+ * @property {string} label
+ * @property {string} [dataset]
+ * @property {string} [version]
+ * @property {string} [colour]
+ * @property {Array<number> | null} [warp]
+ * @property {number} [frame]
+ * @property {Array<Colour>} [colours]
+ */
+
+/**
+ * What the Stage plays: see "The Stage's data" in docs/architecture.md.
+ * @typedef {object} StageRequest
+ * @property {string | null} dataset
+ * @property {Array<Figure>} items
+ * @property {string} [version]
+ * @property {string} [title]
+ * @property {"overlay" | "side" | "pose"} [layout]
+ * @property {"warp" | "start"} [sync]
+ * @property {boolean} [replace]
+ * @property {any} [at]
+ */
+
+export const MANTINE = "mantine";
+export const SHELL = "shell";
+export const PAGE = "page";
+export const SPLITTER = "splitter";
+export const NAV = "nav-";
+export const DATASET_PICKER = "dataset-picker";
+export const NOTICES = "notices";
+export const SHARE = "share";
+export const SCHEME_TOGGLE = "scheme-toggle";
+export const URL = "url";
+export const DATASET = /** @type {StoreId<string>} */ ("dataset");
+export const PARAMETERS = /** @type {StoreId<Record<string, string>>} */ ("parameters");
+export const SELECTION = /** @type {StoreId<Selection>} */ ("selection");
+export const VIEW = /** @type {StoreId<Record<string, string>>} */ ("view");
+export const VIEW_CHANGE = /** @type {StoreId<Record<string, string | number | boolean | null>>} */ ("view-change");
+export const VIEW_KEYS = /** @type {StoreId<Record<string, Array<string>>>} */ ("view-keys");
+export const VIEW_OF_DATASET = /** @type {StoreId<Array<string>>} */ ("view-of-dataset");
+export const ADDRESS = /** @type {StoreId<string>} */ ("address");
+export const DATASET_CHOICE = /** @type {StoreId<DatasetChoice>} */ ("dataset-choice");
+export const AWAITED = /** @type {StoreId<string>} */ ("awaited");
+export const STAGE_RESTORE = /** @type {StoreId<Record<string, string>>} */ ("stage-restore");
+export const STAGE_REQUEST = /** @type {StoreId<StageRequest>} */ ("stage-request");
+export const THEME = /** @type {StoreId<"light" | "dark">} */ ("theme");
+export const REVISION = /** @type {StoreId<string>} */ ("revision");
+export const GRAPH_KEY = /** @type {StoreId<string>} */ ("graph-key");
+export const JOB_STARTED = /** @type {StoreId<number>} */ ("job-started");
+export const JOB_ENDED = /** @type {StoreId<string>} */ ("job-ended");

@@ -1,0 +1,4 @@
+// Ids of components, and what stores hold. Written by scripts/generate_ids.py from webapp.features.sweeps.names:
+// change that module and run `make bundle`.
+/** @import { StoreId } from "../shared/ids.mjs" */
+

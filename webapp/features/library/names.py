@@ -1,0 +1,1 @@
+"""Ids of the page, and what its stores hold."""

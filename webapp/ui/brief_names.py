@@ -1,0 +1,27 @@
+"""Names of clips in little room, as assets/stage_names.js has them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+_WORTH_LEAVING_OUT = 8  # letters
+
+
+def brief_names(names: Sequence[str], most: int = 20) -> list[str]:
+    """Each name in ``most`` letters: without a long beginning that all share, and then without its middle."""
+    shared = _shared_beginning(names) if len(set(names)) > 1 else ""
+    start = len(shared) if len(shared) >= _WORTH_LEAVING_OUT else 0
+    return [_shorten(name[start:] or name, most) for name in names]
+
+
+def _shared_beginning(names: Sequence[str]) -> str:
+    """What all names begin with, up to the last separator in it."""
+    first, last = min(names), max(names)
+    n = next((n for n, (a, b) in enumerate(zip(first, last, strict=False)) if a != b), min(len(first), len(last)))
+    return re.sub(r"[^\s_\-/.:]*$", "", first[:n])
+
+
+def _shorten(text: str, most: int) -> str:
+    kept = (most - 1) // 2
+    return text if len(text) <= most else f"{text[: most - 1 - kept].rstrip()}…{text[-kept:].lstrip()}"
