@@ -59,8 +59,11 @@ def keys(shape: Any) -> tuple[dict[str, Any], frozenset[str]]:
 @cache
 def _keys(shape: Any) -> tuple[dict[str, Any], frozenset[str]]:
     hints = get_type_hints(shape, include_extras=True)
-    marks = {key: get_origin(part) for key, part in hints.items()}  # __required_keys__ is wrong where hints are text
-    return hints, frozenset(key for key, mark in marks.items() if mark is Required or (shape.__total__ and mark is not NotRequired))
+    # from the hints: __required_keys__ is wrong where annotations are text
+    marks = {key: get_origin(part) for key, part in hints.items()}
+    total = shape.__total__
+    required = (key for key, mark in marks.items() if mark is Required or (total and mark is not NotRequired))
+    return hints, frozenset(required)
 
 
 def _plain(value: object, shape: type, place: str) -> str | None:

@@ -19,7 +19,7 @@ class Piece(TypedDict):
     clip: Annotated[str, Most(5)]
     start: int
     weight: NotRequired[float | None]
-    children: NotRequired[list["Piece"]]
+    children: NotRequired[list[Piece]]
 
 
 RUBBISH = st.recursive(
