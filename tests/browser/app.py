@@ -7,6 +7,7 @@ import os
 import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from urllib.parse import parse_qs
 
 import pytest
 from playwright.sync_api import Locator, Page, expect
@@ -63,7 +64,7 @@ def show(address: str, open_page: Callable[..., Page]) -> Callable[..., Page]:
 
     def open_one(path: str, **options) -> Page:
         page = open_page(address + path, **({"viewport": {"width": 1280, "height": 800}} | options))
-        expect(page.locator("#page h1, #page h2").first).to_be_visible(timeout=30_000)
+        expect(page.locator("#page h1, #page h2").first).to_be_visible()
         return page
 
     return open_one
@@ -81,18 +82,50 @@ def wait_for_graph(page: Page) -> None:
     )
 
 
+def place_in_graph(page: Page, element: str) -> tuple[float, float]:
+    """Where a node or an edge of the graph is drawn, in pixels of the page, once the graph stands still."""
+    place = page.wait_for_function(
+        """(id) => {
+            const cy = document.getElementById('motif-graph')?._cyreg?.cy, one = cy?.getElementById(id);
+            if (!one?.nonempty() || cy.animated()) return false;
+            const at = one.isNode() ? one.renderedPosition() : one.renderedMidpoint();
+            const box = cy.container().getBoundingClientRect(), place = [box.x + at.x, box.y + at.y];
+            const known = window.graphPlace, key = id + place;
+            if (known?.key !== key) window.graphPlace = { key, since: performance.now() };
+            return known?.key === key && performance.now() - known.since > 100 && place;
+        }""",
+        arg=element,
+    )
+    return tuple(place.json_value())
+
+
 def click_in_graph(page: Page, element: str) -> None:
     """Clicks a node or an edge of the graph with the mouse, where it is drawn."""
-    place = page.evaluate(
-        """(id) => {
-            const cy = document.getElementById('motif-graph')._cyreg.cy, one = cy.getElementById(id);
-            const at = one.isNode() ? one.renderedPosition() : one.renderedMidpoint();
-            const box = cy.container().getBoundingClientRect();
-            return [box.x + at.x, box.y + at.y];
+    page.mouse.click(*place_in_graph(page, element))
+
+
+def click_in_chart(page: Page, chart: str, x: float, y: float) -> None:
+    """A click where the chart (a CSS selector) has noticed the pointer, as a hand does it."""
+    page.mouse.move(x - 2, y)
+    page.mouse.move(x, y)
+    expect(page.locator(f"{chart} .hoverlayer .hovertext").first).to_be_visible()
+    page.mouse.click(x, y)
+
+
+def link_of(page: Page) -> dict[str, str]:
+    """What the address says, by key."""
+    return {key: values[0] for key, values in parse_qs(page.evaluate("location.search.slice(1)")).items()}
+
+
+def wait_for_link(page: Page, **wanted: str | None) -> None:
+    """Until the address says so, key by key; None: the key is not in it. It is written a moment after the page."""
+    page.wait_for_function(
+        """(wanted) => {
+            const link = new URLSearchParams(location.search);
+            return Object.entries(wanted).every(([key, value]) => link.get(key) === value);
         }""",
-        element,
+        arg=wanted,
     )
-    page.mouse.click(*place)
 
 
 def wait_for_stage(page: Page, title: str) -> None:
@@ -101,27 +134,24 @@ def wait_for_stage(page: Page, title: str) -> None:
         "title => motionscape.stage.status === 'ready'"
         " && document.querySelector('.ms-stage-title').textContent.includes(title)",
         arg=title,
-        timeout=30_000,
+        timeout=PATIENCE,
     )
+
+
+CANVAS_SUM = """() => {
+    const c = document.getElementById('stage-canvas');
+    const data = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
+    let sum = 0;
+    for (let k = 0; k < data.length; k += 4) sum = (sum * 31 + data[k] + 7 * data[k + 1]) >>> 0;
+    return sum;
+}"""
 
 
 def canvas_sum(page: Page) -> int:
     """A number that changes with the picture on the Stage."""
-    return page.evaluate(
-        """() => {
-            const c = document.getElementById('stage-canvas');
-            const data = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;
-            let sum = 0;
-            for (let k = 0; k < data.length; k += 4) sum = (sum * 31 + data[k] + 7 * data[k + 1]) >>> 0;
-            return sum;
-        }"""
-    )
+    return page.evaluate(CANVAS_SUM)
 
 
 def wait_until_moved(page: Page, before: int) -> None:
     """Until the picture differs from one with the sum ``before``."""
-    for _ in range(100):
-        if canvas_sum(page) != before:
-            return
-        page.wait_for_timeout(50)
-    raise AssertionError("the figures do not move")
+    page.wait_for_function(f"before => ({CANVAS_SUM})() !== before", arg=before)

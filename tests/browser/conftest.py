@@ -12,7 +12,7 @@ from playwright.sync_api import Browser, Error, Page, expect, sync_playwright
 from tests.browser.start import running, start_chromium
 
 VIEWPORT = {"width": 1000, "height": 700}
-WAIT = 30_000  # milliseconds that a page may take for anything: a busy machine is slow, and what is there does not wait
+WAIT = 60_000  # milliseconds that a page may take for anything: a busy machine is slow, and what is there does not wait
 expect.set_options(timeout=WAIT)
 PASSED = pytest.StashKey[bool]()
 
@@ -135,6 +135,7 @@ def open_page(tabs: Tabs, request: pytest.FixtureRequest) -> Iterator[Callable[.
     def open_one(address: str, **options) -> Page:
         page = tabs.borrow(**({"viewport": VIEWPORT} | options))
         pages.append(page)
+        page.set_default_timeout(WAIT)
         page.watch = Watch(urlsplit(address).netloc)
         page.watch.attach(page)
         page.goto(address)

@@ -7,7 +7,7 @@ import re
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.browser.app import PATIENCE, address, demo_workspace, show, workspace
+from tests.browser.app import PATIENCE, address, demo_workspace, show, wait_for_link, workspace
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
 
@@ -51,18 +51,13 @@ def drag(page: Page, start: float, end: float) -> None:
 def test_chart_and_stage_move_together(show):
     page = show("/clip")
     drawn(page, "ana_01")
-    assert "clip=ana_01" in page.url
-    places = page.evaluate(
-        """async () => {
-            const seen = new Set(), end = performance.now() + 1500;
-            while (performance.now() < end) {
-                seen.add(document.querySelector('.clip-cursor').style.transform);
-                await new Promise(requestAnimationFrame);
-            }
-            return seen.size;
+    wait_for_link(page, clip="ana_01")
+    page.wait_for_function(  # the cursor is carried along
+        """() => {
+            window.places ||= new Set();
+            return places.add(document.querySelector('.clip-cursor').style.transform).size >= 15;
         }"""
     )
-    assert places >= 15  # a busy machine; an idle one has 90
     page.evaluate("motionscape.stage.pause()")
     page.mouse.click(*place(page, 5.0))
     page.wait_for_function("Math.abs(motionscape.stage.frame - 300) <= 4")
@@ -71,12 +66,15 @@ def test_chart_and_stage_move_together(show):
     assert at == pytest.approx(page.evaluate("motionscape.clip.plot().x(motionscape.stage.frame / 60)"), abs=1)
     # the value under the pointer is the curve's
     page.mouse.move(*place(page, 3.0))
-    page.wait_for_function("motionscape.clip.at.hover !== null")
-    page.wait_for_timeout(120)
-    said = page.locator(".clip-value").first.inner_text()
-    line = page.evaluate("(() => { const t = motionscape.clip.plot().graph.data[0]; return [t.x, t.y]; })()")
-    nearest = min(range(len(line[0])), key=lambda k: abs(line[0][k] - 3.0))
-    assert float(said.replace("\u2212", "-").rstrip("°")) == pytest.approx(line[1][nearest], abs=4)
+    times, values = page.evaluate("(() => { const t = motionscape.clip.plot().graph.data[0]; return [t.x, t.y]; })()")
+    nearest = min(range(len(times)), key=lambda k: abs(times[k] - 3.0))
+    page.wait_for_function(
+        """value => {
+            const text = document.querySelector('.clip-value').textContent.replace('\u2212', '-');
+            return motionscape.clip.at.hover !== null && Math.abs(parseFloat(text) - value) <= 4;
+        }""",
+        arg=values[nearest],
+    )
     # keys
     page.locator("#clip-box").focus()
     before = frame(page)
@@ -99,8 +97,9 @@ def test_a_range_plays_can_be_zoomed_linked_and_downloaded(show, tmp_path):
     expect(page.locator("#clip-range")).to_contain_text("Selected")
     page.get_by_role("button", name="Zoom in on it").click()
     page.wait_for_url(re.compile("span=3.*_6"))
-    low, high = page.evaluate("motionscape.clip.plot().range")
-    assert 3.5 < low < 4 and 6 < high < 6.5
+    page.wait_for_function(
+        "(([low, high]) => 3.5 < low && low < 4 && 6 < high && high < 6.5)(motionscape.clip.plot().range)"
+    )
     page.get_by_role("button", name="Table").click()
     expect(page.locator("#clip-table-what")).to_contain_text("frames 2")
     with page.expect_download() as download:
@@ -123,7 +122,7 @@ def test_a_range_plays_can_be_zoomed_linked_and_downloaded(show, tmp_path):
     page.locator("#clip-chart").get_by_text("Angles", exact=True).click()
     page.locator("#clip-kind").get_by_text("File channels").click()
     expect(page.locator("#clip-legend")).to_contain_text("Hips Zrotation")
-    assert "angles=file" in page.url
+    wait_for_link(page, angles="file")
 
 
 def test_bands_gait_and_the_next_clip(show):

@@ -12,8 +12,8 @@ from playwright.sync_api import Page, expect
 
 from core import analyses
 from core.workspace import Workspace
+from tests.browser.app import PATIENCE
 
-PATIENCE = 60_000
 QUICK = {"n_terminals": 14, "analysis_fps": 15.0}  # enough for the tests, and soon there
 LINK = "/grammar?dataset=demo&grammar-n_terminals=14&grammar-analysis_fps=15.0"
 

@@ -7,19 +7,15 @@ import io
 import json
 import re
 from dataclasses import replace
-from urllib.parse import parse_qs, urlsplit
+from urllib.parse import urlsplit
 
 from playwright.sync_api import Page, expect
 
 from core.mocap.dataset import Dataset
-from tests.browser.app import address, demo_workspace, setting, show, wait_for_stage
+from tests.browser.app import address, demo_workspace, setting, show, wait_for_link, wait_for_stage
 from tests.browser.grammar.app import LINK, PATIENCE, grammar_workspace, learned, wait_for_string, workspace
 
 __all__ = ["address", "demo_workspace", "grammar_workspace", "show", "workspace"]
-
-
-def view_of(page: Page) -> dict[str, str]:
-    return {key: values[0] for key, values in parse_qs(urlsplit(page.url).query).items()}
 
 
 def choose_view(page: Page, name: str) -> None:
@@ -37,7 +33,7 @@ def test_from_nothing_to_actions_and_back_to_a_link(show, workspace):
     setting(page, "min_seconds").fill("0.5")
     page.click("#grammar-run")
     wait_for_string(page)
-    assert view_of(page)["grammar-n_terminals"] == "9"
+    wait_for_link(page, **{"grammar-n_terminals": "9"})
     expect(page.locator(".action-card")).to_have_count(9)
     expect(page.locator("#grammar-status")).to_be_empty()
     page.reload()
@@ -46,7 +42,7 @@ def test_from_nothing_to_actions_and_back_to_a_link(show, workspace):
     page.get_by_role("button", name="Earlier results").click()
     page.locator(".menu-title", has_text="n terminals 14").click()
     expect(page.locator(".action-card")).to_have_count(14, timeout=PATIENCE)
-    assert view_of(page)["grammar-n_terminals"] == "14"
+    wait_for_link(page, **{"grammar-n_terminals": "14"})
 
 
 def test_every_piece_plays_and_the_cursor_moves_along(show, workspace):
@@ -54,7 +50,7 @@ def test_every_piece_plays_and_the_cursor_moves_along(show, workspace):
     page = show(LINK)
     wait_for_string(page)
     blocks = page.locator(".string-block")
-    assert blocks.count() == sum(map(len, found.terminals.segments))
+    expect(blocks).to_have_count(sum(map(len, found.terminals.segments)))
     cards = page.locator(".action-card")
     expect(cards).to_have_count(found.terminals.n_terminals)
     expect(page.locator(".action-strip").first).to_have_js_property("complete", True)
@@ -65,7 +61,7 @@ def test_every_piece_plays_and_the_cursor_moves_along(show, workspace):
     wait_for_stage(page, f"Action {action}: ")
     expect(page.locator("#action-count")).to_contain_text(f"{count} times")
     expect(page.locator(".occurrence")).to_have_count(min(count, 60))
-    assert page.locator(".string-block.same").count() == count
+    expect(page.locator(".string-block.same")).to_have_count(count)
     assert page.evaluate("motionscape.stage.figures") == min(count, 24)
 
     page.locator(".occurrence").nth(1).click()
@@ -74,20 +70,16 @@ def test_every_piece_plays_and_the_cursor_moves_along(show, workspace):
     shown = page.evaluate("motionscape.stage.frameOf(0)")
     assert (shown["clip"], shown["start"], shown["end"]) == tuple(segment)
     expect(page.locator('.string-block[aria-pressed="true"]')).to_have_count(1)
-    assert view_of(page)["action"] == str(action) and view_of(page)["segment"] == "1"
-    page.wait_for_function("() => [...document.querySelectorAll('.string-now')].some((n) => n.style.display)")
-    before = page.evaluate("[...document.querySelectorAll('.string-now')].find((n) => n.style.display).style.left")
-    page.wait_for_function(
-        "left => [...document.querySelectorAll('.string-now')].find((n) => n.style.display)?.style.left !== left",
-        arg=before,
-    )
+    wait_for_link(page, action=str(action), segment="1")
+    cursor = "[...document.querySelectorAll('.string-now')].find((n) => n.style.display)?.style.left"
+    before = page.wait_for_function(cursor).json_value()
+    page.wait_for_function(f"left => ({cursor} ?? left) !== left", arg=before)
 
     clip = page.locator(".string-clip").first
     clip.click()
     name = clip.get_attribute("data-clip")
     wait_for_stage(page, name)
-    bands = page.locator(".ms-band span").count()
-    assert bands == len(found.terminals.occurrences[name])
+    expect(page.locator(".ms-band span")).to_have_count(len(found.terminals.occurrences[name]))
     width = "document.getElementById('grammar-string').scrollWidth"
     before = page.evaluate(width)
     page.get_by_role("button", name="Show less time, larger").click()
@@ -159,7 +151,7 @@ def test_rules_and_how_a_routine_is_built(show, workspace):
     phrase = page.locator("#routine-tree .tree-phrase").first
     phrase.click()
     page.wait_for_function("() => document.querySelectorAll('.ms-band span').length > 0")
-    assert view_of(page)["as"] == "actions" and view_of(page).get("routine", "0") == str(last)
+    wait_for_link(page, **{"as": "actions", "routine": str(last) if last else None})
     page.wait_for_function("() => document.querySelector('#routine-tree .tree-leaf.lit')", timeout=PATIENCE)
     phrase.focus()
     page.keyboard.press("ArrowDown")
@@ -182,6 +174,7 @@ def test_what_is_saved_is_what_is_shown(show, workspace):
     page = show(LINK)
     wait_for_string(page)
     page.get_by_role("button", name="Download").click()
+    expect(page.locator("a[role=menuitem]")).to_have_count(3)
     links = [item.get_attribute("href") for item in page.locator("a[role=menuitem]").all()]
     everything, pieces, rules = (page.request.get(base(page) + link) for link in links)
     document = json.loads(everything.text())

@@ -35,6 +35,9 @@ def test_four_ways_are_compared_and_play_side_by_side(show, workspace):
     view = settings.view_of("grammar", {"n_terminals": 14, "analysis_fps": 15.0})
     found, key = bakeoffs.found(workspace, "demo", view)
     accepted = {c.name: 100 * c.accepted for c in found.contenders}
+    page.wait_for_function(  # the chart is drawn
+        "document.querySelector('#bakeoff-chart .js-plotly-plot')?._fullData?.some((trace) => trace.type === 'bar')"
+    )
     assert bars(page, "y") == {
         "These rules": pytest.approx(accepted["grammar"]),
         "Only what follows next": pytest.approx(accepted["state machine"]),

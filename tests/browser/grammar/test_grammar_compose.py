@@ -6,7 +6,7 @@ import re
 
 from playwright.sync_api import Page, expect
 
-from tests.browser.app import address, demo_workspace, show, wait_for_stage
+from tests.browser.app import address, demo_workspace, link_of, show, wait_for_stage
 from tests.browser.grammar.app import (
     LINK,
     PATIENCE,
@@ -16,7 +16,7 @@ from tests.browser.grammar.app import (
     wait_for_routine,
     workspace,
 )
-from tests.browser.grammar.test_grammar import base, view_of
+from tests.browser.grammar.test_grammar import base
 
 __all__ = ["address", "demo_workspace", "grammar_workspace", "show", "workspace"]
 
@@ -33,7 +33,7 @@ def settled(page: Page) -> dict[str, str]:
         " === ['sentence', 'pick', 'up'].map((key) => view.get(key) || '').join(' '); }",
         timeout=PATIENCE,
     )
-    return view_of(page)
+    return link_of(page)
 
 
 def wait_for_sentence(page: Page, actions: list[int]) -> None:
@@ -90,7 +90,7 @@ def _a_part_grows_and_shrinks(page: Page, actions: list[int]) -> None:
     settled(page)
     sizes = [within.count()]
     while page.locator('[data-compose="larger"]').is_enabled():
-        up = int(view_of(page).get("up", "0"))
+        up = int(link_of(page).get("up", "0"))
         press(page, "larger")
         expect(page).to_have_url(re.compile(f"up={up + 1}"))
         settled(page)
@@ -118,7 +118,7 @@ def _one_of_four_others_is_chosen(page: Page, found, before: list[int]) -> list[
     wait_for_routine(page)
     changed = actions_of(page)
     assert changed != before and found.grammar.accepts(changed)
-    assert re.fullmatch(r"[\d.]+", view_of(page)["sentence"])
+    assert re.fullmatch(r"[\d.]+", link_of(page)["sentence"])
     return changed
 
 
@@ -146,7 +146,7 @@ def test_a_link_to_a_routine_of_other_rules_says_so(show):
     page.locator("#compose-most").fill("10")
     press(page, "new")
     wait_for_routine(page)
-    assert re.fullmatch(r"random:\d+:10", view_of(page)["sentence"])
+    assert re.fullmatch(r"random:\d+:10", link_of(page)["sentence"])
     expect(page.locator("#compose-error")).to_be_hidden()
 
 

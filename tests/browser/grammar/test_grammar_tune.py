@@ -4,34 +4,28 @@ from __future__ import annotations
 
 from playwright.sync_api import Page, expect
 
-from tests.browser.app import address, demo_workspace, show
+from tests.browser.app import address, demo_workspace, show, wait_for_link
 from tests.browser.grammar.app import LINK, PATIENCE, grammar_workspace, wait_for_string, workspace
-from tests.browser.grammar.test_grammar import view_of
 
 __all__ = ["address", "demo_workspace", "grammar_workspace", "show", "workspace"]
 
 
-def points(page: Page) -> list[int]:
-    """The numbers of actions that the chart of the score shows."""
-    return page.evaluate(
-        "() => { const plot = document.querySelector('#tune-quality .js-plotly-plot');"
-        " const line = plot?._fullData?.find((trace) => trace.name === 'Score F');"
-        " return line ? [...(line.x._inputArray || line.x)] : []; }"
-    )
+POINTS = """() => {  // the numbers of actions that the chart of the score shows
+    const plot = document.querySelector('#tune-quality .js-plotly-plot');
+    const line = plot?._fullData?.find((trace) => trace.name === 'Score F');
+    return line ? [...(line.x._inputArray || line.x)] : [];
+}"""
 
 
 def wait_for_points(page: Page, numbers: list[int]) -> None:
-    for _ in range(PATIENCE // 100):
-        if points(page) == numbers:
-            return
-        page.wait_for_timeout(100)
-    raise AssertionError(f"the chart shows {points(page)}, not {numbers}")
+    page.wait_for_function(
+        f"numbers => ({POINTS})().join() === numbers.join()".replace("\n", " "), arg=numbers, timeout=PATIENCE
+    )
 
 
 def test_numbers_are_compared_and_one_is_chosen(show):
     page = show(LINK + "&show=tune")
     wait_for_string(page)
-    wait_for_points(page, [14]) if points(page) else None
     field = page.locator("#tune-counts")
     expect(field).to_have_value("8, 12, 20, 30, 40, 60", timeout=PATIENCE)
     field.fill("5, many")
@@ -42,14 +36,14 @@ def test_numbers_are_compared_and_one_is_chosen(show):
     expect(page.locator("#tune-plan")).to_have_text("2 numbers, 1 of them computed")
     page.click("#tune-run")
     wait_for_points(page, [5, 14])
-    assert view_of(page)["counts"] == "14,5"
+    wait_for_link(page, counts="14,5")
     expect(page.locator("#tune-plan")).to_have_text("2 numbers, 2 of them computed")
     expect(page.locator("#tune-status")).to_be_empty(timeout=PATIENCE)
     rows = page.locator("#tune-table .ag-center-cols-container .ag-row")
     expect(rows).to_have_count(2)
     rows.first.click()
     expect(page.locator(".action-card")).to_have_count(5, timeout=PATIENCE)
-    assert view_of(page)["grammar-n_terminals"] == "5"
+    wait_for_link(page, **{"grammar-n_terminals": "5"})
     page.reload()
     wait_for_points(page, [5, 14])
 
@@ -62,11 +56,11 @@ def test_a_comparison_can_be_stopped_and_sliders_learn(show, workspace):
     stop = page.locator("#tune-status .job-cancel")
     stop.click(timeout=PATIENCE)
     expect(page.locator("#tune-status")).to_contain_text("Comparing was cancelled", timeout=PATIENCE)
-    assert len(points(page)) < 10
+    assert len(page.evaluate(POINTS)) < 10
     slider = page.locator("#tune-actions [role=slider]")
     slider.focus()
     for _ in range(5):
         page.keyboard.press("ArrowLeft")
     page.click("#tune-learn")
     expect(page.locator(".action-card")).to_have_count(9, timeout=PATIENCE)
-    assert view_of(page)["grammar-n_terminals"] == "9" and view_of(page)["show"] == "tune"
+    wait_for_link(page, **{"grammar-n_terminals": "9", "show": "tune"})

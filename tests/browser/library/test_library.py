@@ -19,6 +19,7 @@ from tests.browser.app import (
     canvas_sum,
     demo_workspace,
     show,
+    wait_for_link,
     wait_for_stage,
     wait_until_moved,
     workspace,
@@ -64,8 +65,12 @@ def test_a_clip_plays_by_mouse_and_by_keyboard(show):
     second.locator(".ag-cell").first.focus()
     page.keyboard.press("Enter")
     wait_for_stage(page, second.get_attribute("row-id"))
-    strip = page.locator("#clips-table img.filmstrip").first
-    page.wait_for_function("i => i.complete && i.naturalWidth > 50", arg=strip.element_handle())
+    page.wait_for_function(
+        """() => {
+            const strip = document.querySelector('#clips-table img.filmstrip');
+            return strip?.complete && strip.naturalWidth > 50;
+        }"""
+    )
 
 
 def test_good_files_are_kept_and_bad_ones_explained(show, recordings, workspace):
@@ -133,7 +138,7 @@ def test_recordings_and_labels_come_to_a_dataset_and_go_again(show, recordings, 
     expect(rows).to_have_count(6)  # the archive, four recordings, the index; not those that were there
     expect(page.locator("#report-table")).to_contain_text("nobody (line 3)")
     expect(page.locator(".dataset-card.chosen")).to_contain_text("2 not read")
-    assert "files=added" in page.url
+    wait_for_link(page, files="added")
     assert {"rush", "stroll"} < set(workspace.open("demo").names) and workspace.info("demo").labels == before.labels + 1
     page.get_by_role("button", name="Undo").click()
     expect(page.locator(".dataset-card.chosen")).to_contain_text("All files read")
@@ -204,7 +209,7 @@ def test_files_that_are_too_large_are_refused_before_they_are_sent(open_page, wo
     (tmp_path / "big.bvh").write_bytes(b"x" * (2 << 20))
     with running(create_app(workspace.path).server) as address:
         page = open_page(f"{address}/library")
-        expect(page.locator("h1")).to_be_visible(timeout=30_000)
+        expect(page.locator("h1")).to_be_visible()
         choose(page, [tmp_path / "big.bvh"])
         expect(page.locator("#drop-zone")).to_contain_text("1 MB a file")
         expect(page.locator("#upload-list .upload-error")).to_contain_text("too large: 2.0 MB")
@@ -222,19 +227,19 @@ def test_rename_delete_and_undo(show, workspace):
     page.fill("#rename-name", "first steps")
     page.click("#rename-save")
     expect(page.locator(".dataset-card")).to_contain_text("first steps")
-    page.wait_for_function("location.search.includes('dataset=first+steps')")
+    wait_for_link(page, dataset="first steps")
     page.get_by_role("button", name="More for first steps").click()
     page.get_by_role("menuitem", name="Delete").click()
-    expect(page.get_by_text("No recordings yet")).to_be_visible(timeout=15_000)
+    expect(page.get_by_text("No recordings yet")).to_be_visible()
     assert workspace.datasets() == []
     page.get_by_role("button", name="Undo").click()
-    expect(page.locator(".dataset-card.chosen")).to_contain_text("first steps", timeout=15_000)
+    expect(page.locator(".dataset-card.chosen")).to_contain_text("first steps")
     page.get_by_role("button", name="More for first steps").click()
     page.get_by_role("menuitem", name="Delete").click()
-    expect(page.get_by_text("No recordings yet")).to_be_visible(timeout=15_000)
+    expect(page.get_by_text("No recordings yet")).to_be_visible()
     page.click("#trash-open")
     page.get_by_role("button", name="Restore").click()
-    expect(page.locator(".dataset-card.chosen")).to_contain_text("first steps", timeout=15_000)
+    expect(page.locator(".dataset-card.chosen")).to_contain_text("first steps")
     assert [info.name for info in workspace.datasets()] == ["first steps"]
 
 
@@ -242,11 +247,11 @@ def test_an_empty_workspace_offers_the_demo(open_page, tmp_path):
     workspace = Workspace(tmp_path / "empty")
     with running(create_app(workspace.path).server) as address:
         page = open_page(f"{address}/")
-        page.get_by_role("button", name="Open the demo").click(timeout=30_000)
+        page.get_by_role("button", name="Open the demo").click()
         job = page.locator(".job", has_text="Demo: demo")
-        expect(job).to_be_visible(timeout=20_000)
+        expect(job).to_be_visible()
         job.get_by_role("button", name="Cancel").click()
-        expect(job).to_have_count(0, timeout=20_000)
+        expect(job).to_have_count(0)
         assert workspace.jobs.list()[0].state == "cancelled"
         page.context.close()
 

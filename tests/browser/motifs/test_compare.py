@@ -16,6 +16,7 @@ from tests.browser.app import (
     demo_workspace,
     show,
     wait_for_graph,
+    wait_for_link,
     wait_for_stage,
     workspace,
 )
@@ -51,8 +52,8 @@ def test_two_results_side_by_side(comparison, show):
     page.locator("#motif-view").get_by_text("Compare").click()
     expect(page.get_by_text("Nothing to compare with yet")).to_be_visible()
     choose(page, "kappa 300, rho 0.5")
-    expect(page.locator("#compare-sentence")).to_have_text(sentence(comparison), timeout=30_000)
-    assert "other=kappa:300,rho:0.5" in page.url
+    expect(page.locator("#compare-sentence")).to_have_text(sentence(comparison))
+    wait_for_link(page, other="kappa:300,rho:0.5")
     bars = page.locator("#compare-flow .flow-bar")
     expect(bars).to_have_count(len(comparison.a) + len(comparison.b) + 2)
 
@@ -100,7 +101,7 @@ def _new_motifs_play_alone(page, comparison) -> None:
     page.locator("#compare-filter").get_by_text(f"New {len(new)}", exact=True).click()
     page.locator(f"#compare-table .ag-row[row-id='b{new[0]}'] .ag-cell").first.click()
     wait_for_stage(page, f"Motif {new[0]}, only in the other result")
-    assert f"gained={new[0]}" in page.url and "motif=" not in page.url
+    wait_for_link(page, gained=str(new[0]), motif=None)
 
 
 def _bars_and_boxes_select_too(page, comparison) -> None:
@@ -123,7 +124,7 @@ def test_a_step_away_is_computed_and_the_link_shows_it_again(workspace, show):
     said = page.locator("#compare-sentence").inner_text()
     wait_for_stage(page, "Motif 0")
     page.reload()
-    expect(page.locator("#compare-sentence")).to_have_text(said, timeout=30_000)
+    expect(page.locator("#compare-sentence")).to_have_text(said)
     expect(page.locator("#compare-other")).to_have_value("analysis fps 15, seed 1")
     page.wait_for_function("motionscape.stage.layout === 'side'")
 
@@ -139,7 +140,8 @@ def test_stability_is_measured_shown_and_hidden(workspace, show, tmp_path):
     found = analyses.stored(
         workspace, analyses.Request("demo", "stability", {"analysis_fps": 15, "repetitions": 1, "noise_degrees": 2})
     )
-    assert found is not None and "stability=1,2" in page.url
+    assert found is not None
+    wait_for_link(page, stability="1,2")
     page.wait_for_function("document.getElementById('motif-graph')._cyreg.cy.nodes('.rated').length > 0")
     drawn = page.evaluate(
         "document.getElementById('motif-graph')._cyreg.cy.nodes('.rated')"
@@ -165,5 +167,5 @@ def test_stability_is_measured_shown_and_hidden(workspace, show, tmp_path):
     page.click("#stability-hide")
     expect(page.locator("#stability-legend")).to_be_hidden()
     expect(page.locator("#motif-table [col-id='stability']")).to_have_count(0)
-    assert page.evaluate("document.getElementById('motif-graph')._cyreg.cy.nodes('.rated').length") == 0
-    assert "stability" not in page.url
+    page.wait_for_function("document.getElementById('motif-graph')._cyreg.cy.nodes('.rated').length === 0")
+    wait_for_link(page, stability=None)

@@ -27,7 +27,7 @@ def test_a_motif_is_named_found_and_shown_along_the_clips(show, address):
     wait_for_graph(page)
     page.locator("#notes-name").fill("the <b>walk</b>")
     page.locator("#notes-name").press("Enter")
-    expect(page.locator("#notes-status")).to_have_text("Saved.", timeout=30_000)
+    expect(page.locator("#notes-status")).to_have_text("Saved.")
     page.locator("#notes-tags").fill("gait")
     page.locator("#notes-tags").press("Enter")
     page.locator("#notes-text").fill("calm and straight")

@@ -3,17 +3,26 @@
 from __future__ import annotations
 
 import re
-from urllib.parse import parse_qs, urlsplit
+from urllib.parse import urlsplit
 
 from playwright.sync_api import Page, expect
 
 from core import analyses
 from core.synthesis import open_ways
 from core.synthesis.links import FURTHER
-from tests.browser.app import address, click_in_graph, demo_workspace, show, wait_for_graph, wait_for_stage, workspace
+from tests.browser.app import (
+    PATIENCE,
+    address,
+    click_in_graph,
+    demo_workspace,
+    show,
+    wait_for_graph,
+    wait_for_link,
+    wait_for_stage,
+    workspace,
+)
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
-PATIENCE = 60_000
 
 
 def path_of(page: Page) -> list[int]:
@@ -28,10 +37,6 @@ def wait_for_path(page: Page, path: list[int]) -> None:
         arg=path,
         timeout=PATIENCE,
     )
-
-
-def view_of(page: Page) -> dict[str, str]:
-    return {key: values[0] for key, values in parse_qs(urlsplit(page.url).query).items()}
 
 
 def marked(page: Page, kind: str) -> list[str]:
@@ -50,17 +55,24 @@ def test_a_walk_from_the_first_click_to_the_file(show, workspace) -> None:
     page = show("/motifs?dataset=demo&side=walk", viewport={"width": 1700, "height": 950})
     wait_for_graph(page)
     expect(page.locator("#walk-hint")).to_contain_text("Click motifs in the graph", timeout=PATIENCE)
-    assert marked(page, "dead-end") == [f"m{motif}" for motif in ways.dead_ends]
+    page.wait_for_function(
+        "ids => document.getElementById('motif-graph')._cyreg.cy.elements('.dead-end').map((one) => one.id()).join()"
+        " === ids.join()",
+        arg=[f"m{motif}" for motif in ways.dead_ends],
+    )
 
     click_in_graph(page, f"m{first}")
     wait_for_path(page, [first])
     click_in_graph(page, f"m{second}")
     wait_for_path(page, [first, second])
-    assert view_of(page)["walk"] == f"{first}-{second}" and "motif" not in view_of(page)
+    wait_for_link(page, walk=f"{first}-{second}", motif=None)
     wait_for_stage(page, f"Walk: {first} → {second}")
     page.wait_for_function("() => document.querySelector('.walk-chip.lit')", timeout=PATIENCE)
     assert set(marked(page, "lit")) <= {f"m{first}", f"m{second}"}
-    assert f"e{first}-{second}" in marked(page, "walked")
+    page.wait_for_function(
+        "id => document.getElementById('motif-graph')._cyreg.cy.getElementById(id).hasClass('walked')",
+        arg=f"e{first}-{second}",
+    )
     expect(page.locator(".walk-meter")).to_have_count(3)
     expect(page.locator(".walk-speed")).to_contain_text(re.compile("No jump|nothing had to be blended"))
 
@@ -92,7 +104,8 @@ def _a_gap_is_offered_help(page: Page, ways, first: int, second: int, stranger: 
     page.locator("#walk-error").get_by_text("Bridge the gap by a blend").click()
     expect(page.locator(".walk-link")).to_have_count(1, timeout=PATIENCE)
     expect(page.locator("#walk-notes")).to_contain_text("bridged by a blend")
-    assert view_of(page)["gaps"] == "bridge" and page.locator("#walk-error").is_hidden()
+    wait_for_link(page, gaps="bridge")
+    expect(page.locator("#walk-error")).to_be_hidden()
 
 
 def _chips_can_be_moved_and_taken_away(page: Page) -> None:
@@ -114,7 +127,7 @@ def _between_and_by_chance(page: Page, ways, first: int, second: int) -> None:
     page.locator("#walk-to").select_option(str(second))
     page.locator("[data-walk='fewest']").click()
     wait_for_path(page, [first, second])
-    assert view_of(page)["walk"] == f"fewest:{first}:{second}"
+    wait_for_link(page, walk=f"fewest:{first}:{second}")
     page.locator("[data-walk='used']").click()
     page.wait_for_url(re.compile("walk=used"))
     page.locator("#walk-seconds").fill("12")
@@ -141,10 +154,10 @@ def _switches(page: Page, dataset, graph) -> None:
     assert further and set(marked(page, "further")) == further
     page.get_by_label("Keep feet where they stand").click(force=True)
     _wait_for_meters(page, "===")  # this walk is blending alone
-    assert view_of(page)["feet"] == "0"
+    wait_for_link(page, feet="0")
     page.get_by_label("Keep feet where they stand").click(force=True)
     _wait_for_meters(page, "!==")
-    assert "feet" not in view_of(page)
+    wait_for_link(page, feet=None)
 
 
 def _wait_for_meters(page: Page, how: str) -> None:

@@ -9,6 +9,7 @@ from tests.browser.app import (
     address,
     demo_workspace,
     show,
+    wait_for_link,
     wait_for_stage,
     workspace,
 )
@@ -25,7 +26,7 @@ def test_a_map_is_built_and_its_icons_are_one_picture(show):
     page.locator("""input[id*='"name":"samples"']""").fill("500")
     page.locator("#map-run").click()
     wait_for_map(page)
-    assert "map-grid=12x11" in page.url and "map-samples=500" in page.url
+    wait_for_link(page, **{"map-grid": "12x11", "map-samples": "500"})
     expect(page.locator("#map-graph .layer-above image, #map-graph .imagelayer image")).to_have_count(1)
     expect(page.locator("#map-hits")).to_contain_text("Choose one or more postures")
 

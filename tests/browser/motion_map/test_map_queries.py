@@ -11,7 +11,7 @@ from playwright.sync_api import expect
 from core import analyses
 from core.demo import make_demo
 from core.motion_map.key_poses import Pace
-from tests.browser.app import PATIENCE, address, demo_workspace, show, workspace
+from tests.browser.app import PATIENCE, address, demo_workspace, show, wait_for_link, workspace
 from tests.browser.motion_map.page import SMALL, hits_of, mapped, open_map, place_of, two_keys
 from webapp.shell import settings
 
@@ -127,7 +127,7 @@ def test_other_clips_are_laid_on_a_map_without_learning(mapped, show, workspace)
     page.get_by_role("menuitem", name="demo").click()
     page.wait_for_function("() => motionscape.map.state.map?.clips.length > 0", timeout=PATIENCE)
     key = settings.key_of(workspace, "map", "demo", SMALL)
-    assert f"map-model={key}" in page.url
+    wait_for_link(page, **{"map-model": key})
     expect(page.locator("#map-more")).to_contain_text("has not learned them")
     laid = analyses.stored(workspace, settings.request_of("map", "more", {"map-model": key}))
     np.testing.assert_array_equal(laid.weights, mapped.weights)

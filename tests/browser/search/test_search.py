@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from urllib.parse import parse_qs, urlsplit
+from urllib.parse import urlsplit
 
 import pytest
 from playwright.sync_api import Page, expect
@@ -12,7 +12,17 @@ from playwright.sync_api import Page, expect
 from core import analyses
 from core.mocap.bvh import write_bvh
 from core.workspace import Workspace
-from tests.browser.app import PATIENCE, address, demo_workspace, show, wait_for_graph, wait_for_stage, workspace
+from tests.browser.app import (
+    PATIENCE,
+    address,
+    demo_workspace,
+    link_of,
+    show,
+    wait_for_graph,
+    wait_for_link,
+    wait_for_stage,
+    workspace,
+)
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
 WIDE = {"width": 1700, "height": 950}
@@ -23,10 +33,6 @@ def indexed(workspace: Workspace) -> Workspace:
     """The demo with its search index."""
     analyses.run(workspace, analyses.Request("demo", "search"))
     return workspace
-
-
-def link(page: Page) -> dict[str, str]:
-    return {key: values[0] for key, values in parse_qs(urlsplit(page.url).query).items()}
 
 
 def stretch(workspace: Workspace) -> str:
@@ -63,18 +69,19 @@ def test_from_nothing_to_a_hit_and_its_link(show, workspace) -> None:
     page.get_by_label("Clip that is looked for").press("Enter")
     expect(page.locator(".search-span")).to_contain_text("whole clip", timeout=PATIENCE)
     wait_for_stage(page, f"Query: {name}")
-    wait_for_hits(page, link(page)["query"])
+    wait_for_hits(page, link_of(page)["query"])
     expect(page.locator("#search-level")).to_have_value("clip")
 
     _a_range_is_dragged(page, name)
-    query = link(page)["query"]
+    query = link_of(page)["query"]
     expect(page.locator("#search-level")).to_have_value("interval")
     first, second = hits(page)[:2]
     expect(page.locator(".search-hit.explained").first).to_be_visible(timeout=PATIENCE)
     assert "Most alike: " in page.locator(".search-why").first.get_attribute("aria-label")
     page.locator(".search-open").nth(1).click()
     wait_for_stage(page, "Query and")
-    assert link(page)["hit"] == second and page.evaluate("motionscape.stage.figures") == 2
+    wait_for_link(page, hit=second)
+    assert page.evaluate("motionscape.stage.figures") == 2
     expect(page.locator(".search-hit.chosen .search-why-names span")).to_have_count(10)
     expect(page.locator(".ms-warp")).to_be_visible()
     page.evaluate("motionscape.stage.pause(); motionscape.stage.seek(motionscape.stage.duration / 2)")
@@ -104,14 +111,14 @@ def _a_range_is_dragged(page: Page, name: str) -> None:
     page.mouse.move(box["x"] + 0.4 * box["width"], box["y"] + 20, steps=4)
     page.mouse.up()
     page.wait_for_function("() => motionscape.search.now.view.query && !/:0-/.test(motionscape.search.now.view.query)")
-    clip, start, end = re.fullmatch(r"(.+):(\d+)-(\d+)", link(page)["query"]).groups()
+    clip, start, end = re.fullmatch(r"(.+):(\d+)-(\d+)", link_of(page)["query"]).groups()
     frames = page.evaluate("motionscape.search.now.clips.clips[0][1]")
     assert clip == name and abs(int(start) - 0.3 * frames) < 12 and abs(int(end) - 0.4 * frames) < 12
-    wait_for_hits(page, link(page)["query"])
+    wait_for_hits(page, link_of(page)["query"])
     page.get_by_role("slider", name="End of the query").focus()
     page.keyboard.press("Shift+ArrowRight")
     page.wait_for_url(re.compile(f"-{int(end) + 10}(&|$)"))
-    wait_for_hits(page, link(page)["query"])
+    wait_for_hits(page, link_of(page)["query"])
 
 
 def test_parts_are_weighed_by_clicks_keys_and_presets(show, indexed) -> None:
@@ -125,7 +132,7 @@ def test_parts_are_weighed_by_clicks_keys_and_presets(show, indexed) -> None:
     page.wait_for_url(re.compile("parts=head:10,left_arm:10"))
     page.keyboard.press("ArrowDown")
     page.wait_for_url(re.compile("parts=head:9,left_arm:10"))
-    page.wait_for_function("motionscape.search.now.found.asked.parts === 'head:9,left_arm:10'", timeout=PATIENCE)
+    page.wait_for_function("motionscape.search.now.found?.asked.parts === 'head:9,left_arm:10'", timeout=PATIENCE)
     page.locator("#search-preset").select_option("arms and legs (35 / 45 / 20)")
     page.wait_for_url(re.compile("left_arm:17.5,"))
     shares = {
@@ -148,13 +155,13 @@ def test_a_query_is_put_together_from_pieces(show, indexed) -> None:
     page.locator(".search-source").nth(1).get_by_label("Clip that is looked for").fill(other)
     page.locator(".search-source").nth(1).get_by_label("Clip that is looked for").press("Enter")
     page.wait_for_url(re.compile(f"lower_body:{other}:0-"))
-    wait_for_hits(page, link(page)["query"])
+    wait_for_hits(page, link_of(page)["query"])
     expect(page.locator(".search-source").nth(1)).to_contain_text("whole clip")
 
     page = open_search(show, f"upper_body:{stretch(indexed)},lower_body:{other}:30-120")
     page.locator(".search-part[data-part='left_arm']").click(modifiers=["Shift"])
     page.wait_for_url(re.compile(re.escape("query=head_torso%2Bright_arm_hand:") + ".*" + re.escape("lower_body")))
-    wait_for_hits(page, link(page)["query"])
+    wait_for_hits(page, link_of(page)["query"])
     page.wait_for_function("() => motionscape.stage.status === 'ready' && motionscape.stage.figures === 2")
     expect(page.locator(".search-gives").nth(0)).to_have_text("Head and torso, right arm and hand")
     page.locator(".search-open").first.click()
@@ -192,12 +199,12 @@ def test_a_file_of_ones_own_is_looked_for(show, indexed, tmp_path: Path) -> None
     page.wait_for_timeout(300)
     expect(page.locator(".search-sending")).to_have_count(0)
     page.unroute("**/api/uploads")
-    wait_for_hits(page, link(page)["query"])
+    wait_for_hits(page, link_of(page)["query"])
     expect(page.locator(".search-gives")).to_have_text("uploaded")
     expect(page.locator("#search-upload-status")).to_be_empty()
     wait_for_stage(page, "Query: mine")
     page.reload()
-    wait_for_hits(page, link(page)["query"])
+    wait_for_hits(page, link_of(page)["query"])
     expect(page.get_by_label("Clip that is looked for")).to_have_value("mine")
     page.route("**/api/uploads", lambda route: route.abort())
     upload("mine.bvh")
@@ -209,7 +216,7 @@ def test_filters_options_and_exports(show, indexed) -> None:
     page = open_search(show, query)
     action = page.evaluate("motionscape.search.now.found.hits.find((hit) => hit.label).label")
     page.locator("#search-label").select_option(action)
-    shown = "action => motionscape.search.now.found.asked.label === action"
+    shown = "action => motionscape.search.now.found?.asked.label === action"
     page.wait_for_function(shown, arg=action, timeout=PATIENCE)
     facts = page.locator(".search-facts").all_text_contents()
     assert facts and all(action in text for text in facts)
@@ -218,10 +225,10 @@ def test_filters_options_and_exports(show, indexed) -> None:
     expect(page.locator(".search-nothing")).to_contain_text("Nothing passes these filters", timeout=PATIENCE)
     page.locator("#search-named").fill("")
     page.locator("#search-level").select_option("clip")
-    page.wait_for_function("motionscape.search.now.found.level === 'clip' && !motionscape.search.now.view.named")
+    page.wait_for_function("motionscape.search.now.found?.level === 'clip' && !motionscape.search.now.view.named")
     page.locator("#search-route").fill("40")
     page.wait_for_url(re.compile("route=40"))
-    page.wait_for_function("motionscape.search.now.found.asked.route === '40'", timeout=PATIENCE)
+    page.wait_for_function("motionscape.search.now.found?.asked.route === '40'", timeout=PATIENCE)
     page.get_by_role("button", name="Download").click()
     place = page.get_by_role("menuitem", name="Hits (CSV)").get_attribute("href")
     parts = urlsplit(page.url)
@@ -243,11 +250,11 @@ def test_more_like_this_from_other_pages_and_the_stage(show, indexed) -> None:
     wait_for_graph(page)
     page.get_by_role("button", name="More like this").click(timeout=PATIENCE)
     page.wait_for_url(re.compile("/search\\?.*query="))
-    wait_for_hits(page, link(page)["query"])
-    before = link(page)["query"]
+    wait_for_hits(page, link_of(page)["query"])
+    before = link_of(page)["query"]
     page.locator("#search-motif").select_option(index=2)
     page.wait_for_function("before => motionscape.search.now.view.query !== before", arg=before)
-    wait_for_hits(page, link(page)["query"])
+    wait_for_hits(page, link_of(page)["query"])
 
     page.locator("#nav-library").click()
     page.evaluate("name => dash_clientside.set_props('selection', {data: {clip: name, start: 30, end: 130}})", name)

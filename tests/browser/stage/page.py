@@ -74,9 +74,15 @@ def warped(n: int = 3) -> dict:
 
 def play(page: Page, asked: dict, *, pause: bool = False) -> None:
     """Show as the app does: through the store."""
-    page.evaluate("asked => dash_clientside.set_props('stage-request', { data: asked })", asked)
+    requests = page.evaluate(
+        "data => { const { asked } = motionscape.stage; dash_clientside.set_props('stage-request', { data });"
+        " return asked; }",
+        asked,
+    )
     page.wait_for_function(
-        "n => motionscape.stage.status === 'ready' && motionscape.stage.figures === n", arg=len(asked["items"])
+        "([n, requests]) => motionscape.stage.asked > requests && motionscape.stage.status === 'ready'"
+        " && motionscape.stage.figures === n",
+        arg=[len(asked["items"]), requests],
     )
     if pause:
         page.evaluate("motionscape.stage.pause(); motionscape.stage.seek(0)")

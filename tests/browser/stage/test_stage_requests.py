@@ -19,6 +19,7 @@ def test_a_missing_clip_says_so_and_can_be_tried_again(page):
     assert page.get_by_text("There is no clip called “swim” in “walkers”.").is_visible()
     with page.expect_response("**/api/motions?**clip=swim**"):
         page.get_by_role("button", name="Try again").click()
+    page.wait_for_function("motionscape.stage.status === 'error'")
     play(page, request())
     assert not page.get_by_role("button", name="Try again").is_visible()
 
@@ -33,10 +34,10 @@ def test_some_missing_clips_leave_the_others_playing(page):
 
 
 def test_last_request_wins(page):
-    page.evaluate("([a, b]) => { motionscape.stage.show(a); motionscape.stage.show(b); }", [request(12), request(2)])
-    page.wait_for_function("motionscape.stage.status === 'ready'")
-    page.wait_for_timeout(300)
-    assert get(page, "figures") == 2
+    page.evaluate(
+        "([a, b]) => Promise.all([motionscape.stage.show(a), motionscape.stage.show(b)])", [request(12), request(2)]
+    )
+    assert get(page, "status") == "ready" and get(page, "figures") == 2
 
 
 def test_known_motions_are_not_fetched_again(page):

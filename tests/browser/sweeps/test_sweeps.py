@@ -3,12 +3,21 @@
 from __future__ import annotations
 
 import re
-from urllib.parse import parse_qs, urlsplit
+from urllib.parse import urlsplit
 
 from playwright.sync_api import Page, expect
 
 from core import analyses
-from tests.browser.app import PATIENCE, address, demo_workspace, show, wait_for_graph, workspace
+from tests.browser.app import (
+    PATIENCE,
+    address,
+    click_in_chart,
+    demo_workspace,
+    show,
+    wait_for_graph,
+    wait_for_link,
+    workspace,
+)
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
 
@@ -50,19 +59,6 @@ def wait_for_points(page: Page, graph: str, n: int) -> None:
     )
 
 
-def click_in_chart(page: Page, graph: str, x: float, y: float) -> None:
-    """A click where the chart has noticed the pointer, as a hand does it."""
-    page.mouse.move(x - 2, y)
-    page.mouse.move(x, y)
-    expect(page.locator(f"#{graph} .hoverlayer .hovertext").first).to_be_visible()
-    page.mouse.click(x, y)
-
-
-def shown(page: Page) -> dict[str, list[str]]:
-    """What the address says."""
-    return parse_qs(urlsplit(page.url).query)
-
-
 def idle(page: Page) -> None:
     """Until no job runs."""
     expect(page.locator("#job-list .job")).to_have_count(0, timeout=PATIENCE)
@@ -94,15 +90,16 @@ def test_from_the_form_to_the_result(show, workspace):
     page.click("#sweep-run")
     wait_for_points(page, "sweep-lines-x", 12)
     idle(page)
-    assert shown(page)["y"] == ["none"] and shown(page)["x"] == ["kappa:20,30,40"]
+    wait_for_link(page, x="kappa:20,30,40", y="none")
     expect(page.locator("#sweep-heat")).to_be_hidden()
     expect(page.locator("#sweep-plan")).to_contain_text("all of them there already")
 
     # a point opens its result, and Back the sweep
     point = points(page, "sweep-lines-x")[-1]
-    click_in_chart(page, "sweep-lines-x", point["x"], point["y"])
+    click_in_chart(page, "#sweep-lines-x", point["x"], point["y"])
     wait_for_graph(page)
-    assert page.url.endswith(point["address"]) and shown(page)["kappa"] == ["40"]
+    wait_for_link(page, kappa="40")
+    assert page.url.endswith(point["address"])
     expect(page.locator("#motif-status")).to_be_empty()
     page.go_back()
     wait_for_points(page, "sweep-lines-x", 12)
@@ -115,7 +112,7 @@ def test_from_the_form_to_the_result(show, workspace):
     page.locator("#sweep-table .ag-row[row-id='1'] .ag-cell[col-id='coverage']").click()
     page.keyboard.press("Enter")
     wait_for_graph(page)
-    assert (shown(page)["kappa"], shown(page)["seed"]) == (["20"], ["1"])
+    wait_for_link(page, kappa="20", seed="1")
 
 
 def test_cancel_keeps_points_and_a_link_shows_them(show, workspace):
@@ -160,9 +157,9 @@ def test_cancel_keeps_points_and_a_link_shows_them(show, workspace):
     # from the map, and from the suggestion, to the result
     page.locator("#sweep-heat").scroll_into_view_if_needed()
     box = page.locator("#sweep-heat .nsewdrag").first.bounding_box()
-    click_in_chart(page, "sweep-heat", box["x"] + box["width"] * 0.5, box["y"] + box["height"] * 0.25)
+    click_in_chart(page, "#sweep-heat", box["x"] + box["width"] * 0.5, box["y"] + box["height"] * 0.25)
     wait_for_graph(page)
-    assert shown(page)["kappa"] == ["30"] and "rho" not in shown(page), "rho 1 is the default"
+    wait_for_link(page, kappa="30", rho=None)  # rho 1 is the default
     page.go_back()
     page.click("#sweep-suggestion a:has-text('Open it')")
     wait_for_graph(page)
