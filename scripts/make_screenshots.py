@@ -1,36 +1,72 @@
 """Take the pictures of the documentation: the app on the demo, in a headless browser.
 
-usage: python -m scripts.make_screenshots [FOLDER]      (default: docs/images)
+usage: python -m scripts.make_screenshots [FOLDER] [NAME...]      (default: docs/images, all pictures)
 
-Serves a fresh workspace with the demo and the results that the pages show, and writes motifs.png, map.png, search.png
-and grammar.png.
+Serves a fresh workspace with the demo and the results that the pages show, and writes library.png, motifs.png,
+walk.png, sweeps.png, map.png, search.png, grammar.png, compose.png and clip.png, each with at most 256 colours.
 """
 
 from __future__ import annotations
 
+import io
 import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from pathlib import Path
 
+from PIL import Image
 from playwright.sync_api import Page, sync_playwright
 
 from core.analyses import DEMO, Request, run
+from core.retrieval.queries import whole_query
 from core.workspace import Workspace
 from tests.browser.start import running, start_chromium
 from webapp.app import create_app
 
 SIZE = {"width": 1440, "height": 900}
 PATIENCE = 120_000  # milliseconds
+AXES = ("kappa:200,500,1000,2000", "rho:0.5,1,2")
+SEEDS = 2
 
 
 def prepared(folder: Path) -> Workspace:
     """A workspace in ``folder`` with the demo and what is shown of it."""
     workspace = Workspace(folder)
     run(workspace, Request(DEMO, "demo"))
-    for method in ("motifs", "map", "search", "grammar"):
+    for method in ("motifs", "map", "grammar"):
         run(workspace, Request(DEMO, method))
+    index = run(workspace, Request(DEMO, "search"))
+    index.search(whole_query(workspace.open(DEMO).clips[0], 0, 60), level="interval")  # compiles its kernels
+    run(workspace, Request(DEMO, "sweep", {"axes": ";".join(AXES), "seeds": SEEDS}))
     return workspace
+
+
+def library(page: Page) -> None:
+    """The demo's clips with their thumbnails."""
+    page.locator(".ag-row").first.wait_for()
+
+
+def walk(page: Page) -> None:
+    """A walk through the graph, playing."""
+    page.wait_for_function("window.motionscape.stage.figures > 0")
+
+
+def sweeps(page: Page) -> None:
+    """Charts of a sweep and its suggestion."""
+    page.locator("#sweep-table .ag-row").first.wait_for()
+    page.locator(".js-plotly-plot .xy").first.wait_for()
+
+
+def clip(page: Page) -> None:
+    """Curves of a clip that plays."""
+    page.locator(".js-plotly-plot .xy").first.wait_for()
+    page.wait_for_function("window.motionscape.stage.figures > 0")
+
+
+def compose(page: Page) -> None:
+    """A new routine with its tree, playing."""
+    page.locator("#compose-tree svg, .tree svg").first.wait_for()
+    page.wait_for_function("window.motionscape.stage.figures > 0")
 
 
 def motifs(page: Page) -> None:
@@ -63,21 +99,33 @@ def grammar(page: Page) -> None:
 def pictures(workspace: Workspace) -> dict[str, tuple[str, Callable[[Page], None]]]:
     """Name -> link and what is done there. The map's keys and the query are postures and frames of one kick."""
     kick = next(label for label in workspace.open(DEMO).labels if label.action == "kick")
-    found = run(workspace, Request(DEMO, "map"))
-    nodes = found.nodes_of(kick.clip)
-    scale = found.fps / found.clip_fps[found.clips.index(kick.clip)]
-    at = [round((kick.start + share * (kick.end - kick.start)) * scale) for share in (0.15, 0.5)]
-    keys = ",".join("-".join(map(str, nodes[frame])) for frame in at)
+    demo_map = run(workspace, Request(DEMO, "map"))
+    nodes = demo_map.nodes_of(kick.clip)
+    scale = demo_map.fps / demo_map.clip_fps[demo_map.clips.index(kick.clip)]
+    frames = [round((kick.start + share * (kick.end - kick.start)) * scale) for share in (0.15, 0.5)]
+    keys = ",".join("-".join(map(str, nodes[frame])) for frame in frames)
     return {
+        "library": (f"/library?dataset={DEMO}", library),
         "motifs": (f"/motifs?dataset={DEMO}", motifs),
+        "walk": (f"/motifs?dataset={DEMO}&side=walk&walk=random:15:7", walk),
+        "sweeps": (f"/sweeps?dataset={DEMO}&x={AXES[0]}&y={AXES[1]}&seeds={SEEDS}", sweeps),
         "map": (f"/map?dataset={DEMO}&keys={keys}&within=0.40", motion_map),
         "search": (f"/search?dataset={DEMO}&query={kick.clip}:{kick.start}-{kick.end}", search),
         "grammar": (f"/grammar?dataset={DEMO}", grammar),
+        "compose": (f"/grammar?dataset={DEMO}&show=compose&sentence=random:7:8", compose),
+        "clip": (f"/clip?dataset={DEMO}&clip={kick.clip}", clip),
     }
 
 
-def main(folder: Path) -> None:
-    """Write the pictures into ``folder``."""
+def small(screenshot: bytes) -> bytes:
+    """A PNG with at most 256 colours: about a third of the size, with no difference that one sees."""
+    with Image.open(io.BytesIO(screenshot)) as image, io.BytesIO() as file:
+        image.convert("RGB").quantize(256).save(file, "PNG", optimize=True)
+        return file.getvalue()
+
+
+def main(folder: Path, names: Collection[str] = ()) -> None:
+    """Write the pictures of these names (all where none is given) into ``folder``."""
     folder.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as temporary, sync_playwright() as playwright:
         workspace = prepared(Path(temporary))
@@ -85,6 +133,8 @@ def main(folder: Path) -> None:
         with running(application) as address:
             browser = start_chromium(playwright)
             for name, (link, arrange) in pictures(workspace).items():
+                if names and name not in names:
+                    continue
                 page = browser.new_page(viewport=SIZE)
                 page.set_default_timeout(PATIENCE)
                 page.goto(f"{address}{link}")
@@ -94,10 +144,10 @@ def main(folder: Path) -> None:
                 )
                 page.wait_for_timeout(1500)
                 page.mouse.move(SIZE["width"] / 2, 4)
-                (folder / f"{name}.png").write_bytes(page.screenshot())
+                (folder / f"{name}.png").write_bytes(small(page.screenshot()))
                 page.close()
             browser.close()
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1] if len(sys.argv) > 1 else "docs/images"))
+    main(Path(sys.argv[1] if len(sys.argv) > 1 else "docs/images"), sys.argv[2:])
