@@ -130,7 +130,9 @@ def test_bad_files_are_refused_in_one_line(tmp_path, what):
         assert caught.value.line == line, message
 
 
-@pytest.mark.parametrize("content", [b"\x1f\x8b\x08not gzip", gzip.compress(B.encode())[:-20], b"plain"])
+@pytest.mark.parametrize(
+    "content", [b"\x1f\x8b\x08not gzip", gzip.compress(B.encode())[:-20], b"plain"], ids=["head", "cut", "plain"]
+)  # without ids the time in the gzip header is part of the name, and two test processes may start in different seconds
 def test_bad_gzip(tmp_path, content):
     with pytest.raises(RecordingError, match="unpacked"):
         _read(tmp_path, content, "a.bvh.gz")
