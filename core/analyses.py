@@ -123,15 +123,15 @@ def submit(workspace: Workspace, request: Request) -> Job:
     Raises ParameterError, or WorkspaceError (no such data set, or for an import a name that is taken).
     """
     request = normalise(request)
-    asked = asdict(request)
+    entry = asdict(request)
     kind = METHODS.get(request.method) or TASKS[request.method]
     if isinstance(kind, Method) or kind.analyses:
-        asked["fingerprint"] = workspace.info(request.dataset).fingerprint
+        entry["fingerprint"] = workspace.info(request.dataset).fingerprint
     elif request.method == "import":
         workspace.check_free(request.dataset)
     elif request.method in ("add", "remove", "edit"):
         workspace.info(request.dataset)  # raises where it is not there
-    return workspace.jobs.submit(key(workspace, request), asked, f"{kind.title}: {request.dataset}")
+    return workspace.jobs.submit(key(workspace, request), entry, f"{kind.title}: {request.dataset}")
 
 
 def run(workspace: Workspace, request: Request, report: Report = silent) -> Any:
@@ -159,7 +159,7 @@ def run(workspace: Workspace, request: Request, report: Report = silent) -> Any:
     raise AnalysisError("The worker of this analysis stopped again and again; see the logs of the workspace.")
 
 
-def at_once(workspace: Workspace, request: Request, report: Report = silent) -> Any:
+def result_now(workspace: Workspace, request: Request, report: Report = silent) -> Any:
     """The result of a request that takes about a second: opened, or computed here and kept, without a job.
 
     Raises MotionscapeError where it cannot be.
@@ -197,20 +197,20 @@ def execute(workspace: Workspace, job: Job, report: Report = silent) -> Any:
 
 
 def _perform(workspace: Workspace, job: Job, report: Report) -> Any:
-    asked = job.request
-    if asked["method"] in TASKS:
-        task = TASKS[asked["method"]]
-        name = workspace.open_fingerprint(asked["fingerprint"]).name if task.analyses else asked["dataset"]
-        task.perform(workspace, name, build(task.parameters, asked["parameters"]), report)
+    entry = job.request
+    if entry["method"] in TASKS:
+        task = TASKS[entry["method"]]
+        name = workspace.open_fingerprint(entry["fingerprint"]).name if task.analyses else entry["dataset"]
+        task.perform(workspace, name, build(task.parameters, entry["parameters"]), report)
         return None
-    result = _load(workspace, asked["method"], job.key)
+    result = _load(workspace, entry["method"], job.key)
     if result is None:  # otherwise someone finished it between the request and now
-        method = METHODS[asked["method"]]
+        method = METHODS[entry["method"]]
         report("opening", 0.0)
-        dataset = workspace.open_fingerprint(asked["fingerprint"])
-        result = _computed(workspace, dataset, asked["method"], asked["parameters"], report)
+        dataset = workspace.open_fingerprint(entry["fingerprint"])
+        result = _computed(workspace, dataset, entry["method"], entry["parameters"], report)
         workspace.results.put(job.key, *method.pack(result, dataset))
-        _results.put((workspace.path, asked["method"], job.key), result)
+        _results.put((workspace.path, entry["method"], job.key), result)
     return result
 
 
@@ -326,11 +326,11 @@ def _sweep(workspace: Workspace, name: str, values: SweepParameters, report: Rep
     from core.motifs.sweep import graphs_of
 
     dataset = workspace.open(name)
-    asked = {point_key(dataset.fingerprint, point): point for point in values.points()}
-    there = read_figures(workspace, dataset, list(asked))
-    missing = [key for key, figures in zip(asked, there, strict=True) if figures is None]
-    points = [asked[key] for key in missing]
-    for k, graph in graphs_of(dataset, points, report, ready=len(asked) - len(missing)):
+    points_by_key = {point_key(dataset.fingerprint, point): point for point in values.points()}
+    there = read_figures(workspace, dataset, list(points_by_key))
+    missing = [key for key, figures in zip(points_by_key, there, strict=True) if figures is None]
+    points = [points_by_key[key] for key in missing]
+    for k, graph in graphs_of(dataset, points, report, ready=len(points_by_key) - len(missing)):
         workspace.results.put(missing[k], *METHODS["motifs"].pack(graph, dataset))
         keep_figures(workspace, missing[k], graph, dataset)
 

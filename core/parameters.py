@@ -57,7 +57,7 @@ class Parameter:
     def expected(self) -> str:
         """What a value may be, in words."""
         kinds = {int: "a whole number", float: "a number", str: "text", bool: "true or false"}
-        said = [" or ".join("nothing" if word is None else str(word) for word in self.words)] if self.words else []
+        words = [" or ".join("nothing" if word is None else str(word) for word in self.words)] if self.words else []
         numbers = [kinds[float if float in self.kinds else kind] for kind in self.kinds if kind is not bool][:1]
         if bool in self.kinds:
             numbers = [kinds[bool]]
@@ -67,7 +67,7 @@ class Parameter:
             numbers[0] += f", at least {self.minimum:g}"
         elif numbers and self.maximum is not None:
             numbers[0] += f", at most {self.maximum:g}"
-        return " or ".join(said + numbers)
+        return " or ".join(words + numbers)
 
     def parse(self, value: Any) -> Any:
         """``value`` (a number, or text such as a link or a command line gives) as this parameter takes it.

@@ -122,16 +122,16 @@ def rank_dataset(dataset: Dataset, parameters: RankingParameters | None = None, 
 def evaluate(rankings: Rankings, dataset: Dataset) -> Evaluation:
     """What the labels of a data set say of its rankings. Raises AnalysisError where no query has a label."""
     labels = clip_labels(dataset)
-    asked = [rankings.clips[k] for k in rankings.queries if rankings.clips[k] in labels.content]
-    if not asked:
+    labelled_queries = [rankings.clips[k] for k in rankings.queries if rankings.clips[k] in labels.content]
+    if not labelled_queries:
         raise AnalysisError(
             "no clip that was searched for has a label, so there is nothing to compare the rankings with"
         )
     engines = {}
     for name in rankings.orders:
         found = rankings.of(name)
-        engines[name] = score_rankings({query: found[query] for query in asked}, labels)
-    return Evaluation(engines, len(asked))
+        engines[name] = score_rankings({query: found[query] for query in labelled_queries}, labels)
+    return Evaluation(engines, len(labelled_queries))
 
 
 def unpack(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Rankings:
@@ -139,11 +139,11 @@ def unpack(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Ran
     if document.get("format") != FORMAT:
         raise FormatError(f"not rankings: expected format {FORMAT}, found {document.get('format')}")
     orders = {key.removeprefix("order "): value for key, value in arrays.items() if key.startswith("order ")}
-    asked = [name for name in RankingParameters(**document["parameters"]).names if name in orders]
+    names = [name for name in RankingParameters(**document["parameters"]).names if name in orders]
     return Rankings(
         tuple(document["clips"]),
         arrays["queries"],
-        {name: orders[name] for name in asked},
+        {name: orders[name] for name in names},
         document["parameters"],
         document["seconds"],
     )

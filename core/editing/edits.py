@@ -25,7 +25,7 @@ class Edited(NamedTuple):
 
     clip: Clip
     labels: tuple[Label, ...]
-    said: str
+    summary: str
 
 
 def trim(clip: Clip, labels: Iterable[Label], start: int, end: int) -> Edited:
@@ -131,9 +131,9 @@ def renamed(edited: Edited, name: str) -> Edited:
     return edited._replace(clip=replace(edited.clip, name=name), labels=labels)
 
 
-def _edited(clip: Clip, labels: tuple[Label, ...], said: str) -> Edited:
+def _edited(clip: Clip, labels: tuple[Label, ...], summary: str) -> Edited:
     """What the readers doubted stays said; what they did is the old clip's business."""
-    return Edited(replace(clip, notes=(said,)), labels, said)
+    return Edited(replace(clip, notes=(summary,)), labels, summary)
 
 
 def _within(labels: Iterable[Label], clip: Clip, start: int, end: int, name: str) -> tuple[Label, ...]:

@@ -151,7 +151,7 @@ def _regime(
         total = sum(one.nearest.values())
         for content, n in one.nearest.items():
             confusion[contents.index(one.content), contents.index(content)] += n / total
-    asked = confusion.sum(1, keepdims=True)
+    per_content = confusion.sum(1, keepdims=True)
     values: dict[str, list[tuple[str, float]]] = {}
     for one in kept:
         for name, value in one.measures.items():
@@ -161,7 +161,7 @@ def _regime(
         recall=RECALLS,
         precision=np.mean([one.precision for one in kept], axis=0) if kept else np.zeros(len(RECALLS)),
         contents=contents,
-        confusion=confusion / np.where(asked > 0, asked, 1),
+        confusion=confusion / np.where(per_content > 0, per_content, 1),
         queries=len(kept),
         skipped=len(scored) - len(kept),
         short=sum(one.short for one in kept),

@@ -163,10 +163,12 @@ def _baselines(strings: Sequence[tuple[int, ...]], learned: Induced) -> dict[str
     """
     machine, hierarchy = state_machine(strings), sequitur(strings)
     states = len(machine.leaving)
-    told = -sum(machine.log2_probability(string) for string in strings)
+    of_strings = -sum(machine.log2_probability(string) for string in strings)
     trees = [tree for tree in map(hierarchy.parse, strings) if tree is not None]  # it generates each of them
     return {
-        "state_machine": _figures(len(machine.transitions), Bits(2 * len(machine.transitions) * np.log2(states), told)),
+        "state_machine": _figures(
+            len(machine.transitions), Bits(2 * len(machine.transitions) * np.log2(states), of_strings)
+        ),
         "sequitur": _figures(len(hierarchy.rules), hierarchy.bits(trees)),
     }
 

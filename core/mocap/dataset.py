@@ -138,13 +138,13 @@ def open_dataset(
         if clip is not None:
             read.append(clip)
     sources = [Path(one) for one in ([source] if isinstance(source, str | os.PathLike) else source)]
-    fitted, told = _labels(sources, labels, {clip.name: clip.n_frames for clip in read}, on_error)
+    fitted, label_report = _labels(sources, labels, {clip.name: clip.n_frames for clip in read}, on_error)
     first = sources[0]
     return Dataset(
         name or (first.resolve().name if first.is_dir() else recording_format(first)[0]),
         tuple(read),
         fitted,
-        replace(told, files=(*files, *told.files)),
+        replace(label_report, files=(*files, *label_report.files)),
     )
 
 

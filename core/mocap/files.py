@@ -30,7 +30,7 @@ def replacing(path: str | Path) -> Iterator[Path]:
     is followed, and a device or a pipe (/dev/null, /dev/stdout) is written to as it is. Raises OSError as writing does,
     about ``path``.
     """
-    asked, path = str(path), Path(os.path.realpath(path))
+    given_name, path = str(path), Path(os.path.realpath(path))
     if path.exists() and not path.is_file() and not path.is_dir():
         yield path
         return
@@ -50,7 +50,7 @@ def replacing(path: str | Path) -> Iterator[Path]:
             fresh.replace(path)
     except OSError as error:
         if error.filename == str(fresh):  # a name that nobody gave
-            error.filename = asked
+            error.filename = given_name
         raise
     finally:
         for left in (fresh, old):

@@ -15,7 +15,7 @@ from core.mocap.reports import FileReport
 from core.mocap.text import decoded
 
 _FIRST_BYTES = 1 << 16  # enough for any header
-_TOLD = 12  # rows that do not fit and are told one by one
+_MOST_NAMED_ROWS = 12  # rows that do not fit and are told one by one
 
 
 class LabelFile(NamedTuple):
@@ -86,9 +86,9 @@ def _taken(labels: Sequence[Label]) -> str:
 
 
 def _doubts(faults: Sequence[str], unknown: Mapping[str, int]) -> list[str]:
-    doubts = [*faults[:_TOLD]]
-    if len(faults) > _TOLD:
-        doubts.append(f"{len(faults) - _TOLD} more rows like these")
+    doubts = [*faults[:_MOST_NAMED_ROWS]]
+    if len(faults) > _MOST_NAMED_ROWS:
+        doubts.append(f"{len(faults) - _MOST_NAMED_ROWS} more rows like these")
     if unknown:
         named = ", ".join(f"{clip} (line {line})" for clip, line in list(unknown.items())[:5])
         count = f"{len(unknown)} clips it names are" if len(unknown) > 1 else "one clip it names is"
@@ -106,8 +106,8 @@ def find_labels(
     labels: dict[Label, None] = {}
     reports = []
     for file in (file for folder in folders for file in find_label_files(folder)):
-        taken, told = take_labels(file.path, frames)
+        taken, report = take_labels(file.path, frames)
         done = {label.clip for label in labels} if file.whole else set()
         labels |= dict.fromkeys(label for label in taken if label.clip not in done)
-        reports.append(told)
+        reports.append(report)
     return tuple(labels), tuple(reports)

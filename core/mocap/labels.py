@@ -133,8 +133,8 @@ def fit_label(label: Label, n_frames: int) -> tuple[Label | None, str]:
     if label.start >= n_frames:
         return None, f"{label.action} in {label.clip} starts at frame {label.start} of {n_frames}: left out"
     beyond = n_frames < label.end != WHOLE_CLIP
-    said = f"{label.action} in {label.clip} ends at frame {label.end} of {n_frames}: cut" if beyond else ""
-    return label._replace(end=min(label.end, n_frames)), said
+    message = f"{label.action} in {label.clip} ends at frame {label.end} of {n_frames}: cut" if beyond else ""
+    return label._replace(end=min(label.end, n_frames)), message
 
 
 def write_labels(path: str | Path, labels: Iterable[Label]) -> None:

@@ -105,7 +105,7 @@ class MotifGraph:
             "parameters": dict(self.parameters),
             "seconds": {stage: round(t, 4) for stage, t in self.seconds.items()},
             "metrics": dict(self.metrics),
-            "motifs": [_motif_json(motif) | _said((notes or {}).get(motif.id)) for motif in self.motifs],
+            "motifs": [_motif_json(motif) | _note_json((notes or {}).get(motif.id)) for motif in self.motifs],
             "edges": [_edge_json(edge) for edge in self.edges],
             "components": [list(ids) for ids in self.components()],
         }
@@ -162,7 +162,7 @@ def _motif_json(motif: Motif) -> dict[str, Any]:
     }
 
 
-def _said(note: Any) -> dict[str, Any]:
+def _note_json(note: Any) -> dict[str, Any]:
     return {"name": note.name, "tags": list(note.tags), "note": note.note} if note else {}
 
 

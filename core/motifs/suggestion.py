@@ -56,17 +56,17 @@ def suggest(table: SweepTable) -> Suggestion:
         flat = f"these settings explain {low} to {high} % of the motion, a difference hardly larger than that of seeds"
         return Suggestion(at, best, UNSURE, f"No clear trade-off: {flat}; {_named(at)} is as good as any.")
     axis = max(matters, key=lambda a: _range_along(worth, best, a))
-    told = f"With {_named(at)} the motifs explain {_percent(worth[best])} % of the motion: "
-    told += _neighbours(table, best, axis)
+    sentence = f"With {_named(at)} the motifs explain {_percent(worth[best])} % of the motion: "
+    sentence += _neighbours(table, best, axis)
     if (gap := _missing(table, best, axis)) is not None:
-        return Suggestion(at, best, UNSURE, f"{told}; {gap} is not there yet.")
+        return Suggestion(at, best, UNSURE, f"{sentence}; {gap} is not there yet.")
     if (end := _untried(table, best, axis)) is not None:
-        return Suggestion(at, best, UNSURE, f"{told}; no {end} was tried.")
+        return Suggestion(at, best, UNSURE, f"{sentence}; no {end} was tried.")
     if seeds < _SEEDS:
-        return Suggestion(at, best, UNSURE, f"{told}; {_SEEDS} seeds or more would show how much of it is chance.")
+        return Suggestion(at, best, UNSURE, f"{sentence}; {_SEEDS} seeds or more would show how much of it is chance.")
     if agree < _AGREE * seeds:
         return Suggestion(at, best, UNSURE, f"No clear trade-off: only {agree} of {seeds} seeds agree on {_named(at)}.")
-    return Suggestion(at, best, CLEAR, f"{told}; {agree} of {seeds} seeds agree.")
+    return Suggestion(at, best, CLEAR, f"{sentence}; {agree} of {seeds} seeds agree.")
 
 
 def _standard_error(every: np.ndarray) -> float:
@@ -124,12 +124,12 @@ def _neighbours(table: SweepTable, at: tuple[int, ...], axis: int) -> str:
     """What is worse on either side of ``at`` along an axis."""
     worth = table.middle("explained")
     name, values = list(table.axes.items())[axis]
-    said = []
+    parts = []
     for i in (at[axis] - 1, at[axis] + 1):
         other = (*at[:axis], i, *at[axis + 1 :])
         if 0 <= i < len(values) and np.isfinite(worth[other]):
-            said.append(f"at {_named({name: values[i]})} {_difference(table, at, other)}")
-    return ", ".join(said)
+            parts.append(f"at {_named({name: values[i]})} {_difference(table, at, other)}")
+    return ", ".join(parts)
 
 
 def _missing(table: SweepTable, at: tuple[int, ...], axis: int) -> str | None:

@@ -49,10 +49,10 @@ class BoundedEdit:
         """Clips ``(k,)`` by the distance of the whole of them to the query."""
         composed = compose(self.store, query, weights)
         metric = Metric(composed.weights)
-        asked = metric.motions(self.store, composed.codes, np.array([0]), np.array([len(composed.codes)]))
+        query_motion = metric.motions(self.store, composed.codes, np.array([0]), np.array([len(composed.codes)]))
         every = self._all(metric)
         others = every if len(among) == len(self.clips) else every[among]
-        apart = _ranked_distances(metric, asked, others)
+        apart = _ranked_distances(metric, query_motion, others)
         if root_path > 0:
             starts, ends = self.store.starts[among], self.store.starts[among + 1]
             apart = (1 - root_path) * apart + root_path * path_distances(
@@ -94,14 +94,14 @@ class BoundedEdit:
         return self._resampled.get_or_compute(metric.key, lambda: metric.clips(self.store))
 
 
-def _ranked_distances(metric: Metric, asked: Motions, others: Motions) -> np.ndarray:
+def _ranked_distances(metric: Metric, query_motion: Motions, others: Motions) -> np.ndarray:
     """Distances ``(k,)``: exact for the nearest RERANKED, and beyond them growing with the rough distance."""
     if len(others.samples) <= EXACT:
-        return metric.distances(asked, others)
-    rough = metric.rough(asked, others)
+        return metric.distances(query_motion, others)
+    rough = metric.rough(query_motion, others)
     near = np.argpartition(rough, RERANKED)[:RERANKED]
     found = np.empty(len(rough))
-    found[near] = metric.distances(asked, others[near])
+    found[near] = metric.distances(query_motion, others[near])
     last, edge = found[near].max(), rough[near].max()
     rest = np.ones(len(rough), bool)
     rest[near] = False

@@ -55,10 +55,10 @@ class _Windows:
 def locate(store: FrameStore, query: Composed, among: np.ndarray, top: int, root_path: float = 0.0) -> list[Place]:
     """At most ``top`` stretches of the clips numbered ``(k,)``, best first; none lies over most of another."""
     metric = Metric(query.weights)
-    asked = metric.motions(store, query.codes, np.array([0]), np.array([len(query.codes)]))
+    query_motion = metric.motions(store, query.codes, np.array([0]), np.array([len(query.codes)]))
 
     def apart(windows: _Windows) -> np.ndarray:
-        found = metric.distances(asked, metric.motions(store, store.codes, windows.start, windows.end))
+        found = metric.distances(query_motion, metric.motions(store, store.codes, windows.start, windows.end))
         if root_path > 0:
             paths = path_distances(query.codes, store.codes, windows.start, windows.end, store.fps)
             found = (1 - root_path) * found + root_path * paths
@@ -204,17 +204,17 @@ def _refine(store: FrameStore, query: Composed, metric: Metric, windows: _Window
     step = max(1, -(-len(query.codes) // _REFINED))
     scales = metric.scales
     scales[N_COLUMNS:] = 0  # postures alone: how fast one travels changes with the tempo
-    asked = query.codes[::step].astype(np.float32) * scales
+    query_values = query.codes[::step].astype(np.float32) * scales
     start, end, cost = windows.start.copy(), windows.end.copy(), np.empty(len(windows.clip))
     for k, clip in enumerate(windows.clip):
         more = (end[k] - start[k]) // 4
         low, high = max(store.starts[clip], start[k] - more), min(store.starts[clip + 1], end[k] + more)
         frames = store.codes[low:high:step].astype(np.float32) * scales
-        first, last, cost[k] = warped_stretch(asked, frames, metric.cap)
+        first, last, cost[k] = warped_stretch(query_values, frames, metric.cap)
         found = low + first * step, min(high, low + (last - 1) * step + 1)
         if found[1] - found[0] >= _SHRUNK * (end[k] - start[k]):  # who stands still warps onto a single frame
             start[k], end[k] = found
-    return _Windows(windows.clip, start, end), cost / len(asked)
+    return _Windows(windows.clip, start, end), cost / len(query_values)
 
 
 def warped_stretch(query: np.ndarray, frames: np.ndarray, cap: float) -> tuple[int, int, float]:

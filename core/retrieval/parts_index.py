@@ -112,9 +112,9 @@ class Parts:
         self, query: Query, weights: Mapping[str, float], *, among: np.ndarray, top: int, root_path: float
     ) -> list[Hit]:
         """Stretches of the clips ``(k,)``: found by their patterns (core.retrieval.part_places), verified by frames."""
-        asked = self.query_lists(query, weights)
-        wanted, many = self._wanted(asked, weights), _VERIFIED * top + 10
-        found = part_places.find_places(self.nodes, self.store.starts, self._gains(asked), wanted, among, many)
+        lists = self.query_lists(query, weights)
+        wanted, many = self._wanted(lists, weights), _VERIFIED * top + 10
+        found = part_places.find_places(self.nodes, self.store.starts, self._gains(lists), wanted, among, many)
         composed = compose(self.store, query, weights)
         spans, warped = warped_spans(self.store, composed, found[:, :2].astype(np.int64))
         scores = found[:, 2] * (1 - warped)
@@ -130,17 +130,17 @@ class Parts:
         The warp is that of the frames. Raises KeyError where the segment's clip is not indexed.
         """
         by_frames = explain(self.store, compose(self.store, query, weights), query, segment)
-        asked = self.query_lists(query, dict.fromkeys(LEAVES, 1.0))
+        lists = self.query_lists(query, dict.fromkeys(LEAVES, 1.0))
         clip, start, end = self.store.stretch(segment)
         span = self.store.starts[clip] + np.array([[start], [end]])
         times = len(by_frames.times)
         similarity = np.full((len(LEAVES), times), np.nan)
-        for leaf, gain in self._gains(asked, LEAVES).items():
+        for leaf, gain in self._gains(lists, LEAVES).items():
             node = self.nodes[leaf]
             first, last = (int(k[0]) for k in node.windows(*span))
             if last > first or np.isfinite(by_frames.similarity[LEAVES.index(leaf)]).any():
                 similarity[LEAVES.index(leaf)] = part_places.paired_similarity(
-                    node.symbols[first:last], gain, self.MATCHING.gap, asked.lists[leaf].cuts, times
+                    node.symbols[first:last], gain, self.MATCHING.gap, lists.lists[leaf].cuts, times
                 )
         return Explanation(by_frames.times, similarity, by_frames.warp)
 
@@ -205,17 +205,17 @@ class Parts:
         return cls(FrameStore.unpack(document["frames"], arrays), nodes, PatternSettings(**document["settings"]))
 
     def _clip_scores(self, query: Query, weights: Mapping[str, float], among: np.ndarray) -> np.ndarray:
-        asked = self.query_lists(query, weights)
-        windows = {node: (self.nodes[node].starts[among], self.nodes[node].starts[among + 1]) for node in asked.lists}
-        return part_places.judged(self.nodes, self._gains(asked), self._wanted(asked, weights), windows)
+        lists = self.query_lists(query, weights)
+        windows = {node: (self.nodes[node].starts[among], self.nodes[node].starts[among + 1]) for node in lists.lists}
+        return part_places.judged(self.nodes, self._gains(lists), self._wanted(lists, weights), windows)
 
-    def _wanted(self, asked: QueryLists, weights: Mapping[str, float]) -> part_places.Wanted:
-        return part_places.Wanted(asked.lists, asked.frames, weights, self.MATCHING.alpha, self.MATCHING.gap)
+    def _wanted(self, lists: QueryLists, weights: Mapping[str, float]) -> part_places.Wanted:
+        return part_places.Wanted(lists.lists, lists.frames, weights, self.MATCHING.alpha, self.MATCHING.gap)
 
-    def _gains(self, asked: QueryLists, nodes: Iterable[str] | None = None) -> dict[str, np.ndarray]:
-        chosen = [node for node in asked.lists if nodes is None or node in nodes]
+    def _gains(self, lists: QueryLists, nodes: Iterable[str] | None = None) -> dict[str, np.ndarray]:
+        chosen = [node for node in lists.lists if nodes is None or node in nodes]
         return {
-            node: gains(self.nodes[node].library.by_percentile[asked.lists[node].symbols], self.MATCHING.tolerance)
+            node: gains(self.nodes[node].library.by_percentile[lists.lists[node].symbols], self.MATCHING.tolerance)
             for node in chosen
         }
 
@@ -264,9 +264,9 @@ class Printed(Parts):
         return super().query_lists(query, dict.fromkeys(weights, 1.0))
 
     def _clip_scores(self, query: Query, weights: Mapping[str, float], among: np.ndarray) -> np.ndarray:
-        asked = self.query_lists(query, weights)
+        lists = self.query_lists(query, weights)
         scores = {}
-        for node, listed in asked.lists.items():
+        for node, listed in lists.lists.items():
             index = self.nodes[node]
             # W of Algorithm 1: 1 where all leaves weigh the same
             weight = len(LEAVES) * float(np.mean([weights[leaf] for leaf in leaves_of(node)]))

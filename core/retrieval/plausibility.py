@@ -36,8 +36,8 @@ def plausibility(index: SearchIndex, query: Query) -> Plausibility:
     scales = column_weights(composed.weights) / 127
     at, clips = _spread(len(store.codes), _SAMPLE), np.repeat(np.arange(len(store.clips)), np.diff(store.starts))
     real = store.codes[at, :N_COLUMNS] * scales
-    asked = composed.codes[_spread(len(composed.codes), _ASKED), :N_COLUMNS] * scales
-    ours = np.median(_nearest(asked, real, np.zeros((len(asked), len(real)), bool)))
+    query_values = composed.codes[_spread(len(composed.codes), _ASKED), :N_COLUMNS] * scales
+    ours = np.median(_nearest(query_values, real, np.zeros((len(query_values), len(real)), bool)))
     some = _spread(len(at), 256)
     same = (clips[at[some]][:, None] == clips[at][None]) & (np.abs(at[some][:, None] - at[None]) < _APART * store.fps)
     usual = np.median(_nearest(real[some], real, same))

@@ -20,11 +20,11 @@ def path_distances(
     Paths begin at one place, facing one way, and are read at equal steps of time; half is how far the places are
     apart, as a share of the longer path, half how far the headings are (half a turn is most).
     """
-    asked, heading, length = _path(query, fps)
+    query_path, heading, length = _path(query, fps)
     found = np.empty(len(starts))
     for k, (start, end) in enumerate(zip(starts, ends, strict=True)):
         path, turn, longer = _path(codes[start:end], fps)
-        apart = np.linalg.norm(path - asked, axis=1) / (_ROOM + max(length, longer))
+        apart = np.linalg.norm(path - query_path, axis=1) / (_ROOM + max(length, longer))
         found[k] = 0.5 * np.minimum(apart, 1).mean() + 0.5 * np.minimum(np.abs(turn - heading) / np.pi, 1).mean()
     return found
 

@@ -151,7 +151,7 @@ def _held_out(
     """Contender -> shares of held-out sentences and of their shuffles that it accepts; and how many shuffles."""
     folds = min(parameters.folds, len(strings))
     fold = rng.permutation(np.arange(len(strings)) % folds)
-    told: dict[str, list[list[bool]]] = {name: [[], []] for name in CONTENDERS}
+    verdicts: dict[str, list[list[bool]]] = {name: [[], []] for name in CONTENDERS}
     for k in range(folds):
         report("held out", k / folds)
         rest = [string for string, own in zip(strings, fold, strict=True) if own != k]
@@ -163,15 +163,15 @@ def _held_out(
         }
         shuffles = [_shuffled(string, rng) for string in held for _ in range(parameters.shuffles)]
         for name, accepts in judges.items():
-            told[name][0] += map(accepts, held)
-            told[name][1] += [accepts(string) for string, same in shuffles if not same]
+            verdicts[name][0] += map(accepts, held)
+            verdicts[name][1] += [accepts(string) for string, same in shuffles if not same]
     for clip, path in paths.by_clip.items():
         walks = paths.without(clip)
-        told[WALK][0].append(walks(path))
+        verdicts[WALK][0].append(walks(path))
         shuffles = [_shuffled(path, rng) for _ in range(parameters.shuffles)]
-        told[WALK][1] += [walks(string) for string, same in shuffles if not same]
-    shares = {name: (_share(held), _share(shuffled)) for name, (held, shuffled) in told.items()}
-    return shares, len(told[GRAMMAR][1])
+        verdicts[WALK][1] += [walks(string) for string, same in shuffles if not same]
+    shares = {name: (_share(held), _share(shuffled)) for name, (held, shuffled) in verdicts.items()}
+    return shares, len(verdicts[GRAMMAR][1])
 
 
 def _shuffled(string: String, rng: np.random.Generator) -> tuple[String, bool]:

@@ -39,8 +39,8 @@ class MotifPaths:
         if not motifs:
             return float("nan")
         ways = {motif: 1 + sum(a == motif for a, _ in pairs) for motif in motifs}
-        told = sum(np.log2(len(motifs)) + sum(np.log2(ways[m]) for m in path) for path in self.by_clip.values())
-        return float((2 * len(pairs) * np.log2(len(motifs) + 1) + told) / len(self.by_clip))
+        choice_bits = sum(np.log2(len(motifs)) + sum(np.log2(ways[m]) for m in path) for path in self.by_clip.values())
+        return float((2 * len(pairs) * np.log2(len(motifs) + 1) + choice_bits) / len(self.by_clip))
 
     def without(self, clip: str) -> Callable[[Sequence[int]], bool]:
         """Whether all steps of a string are edges that other clips than this one have."""

@@ -61,8 +61,8 @@ def pack_made(made: Made, document: dict[str, Any]) -> tuple[dict[str, Any], dic
     """The document with what it says of the motion, and the arrays ``root (n, 3)`` metres,
     ``rotations (n, n_joints, 4)`` and ``contacts (n, 2)``."""
     clip = made.clip
-    said = {"name": clip.name, "skeleton": clip.skeleton.to_json()}
-    return document | said, {"root": clip.root_positions, "rotations": clip.rotations, "contacts": made.contacts}
+    head = {"name": clip.name, "skeleton": clip.skeleton.to_json()}
+    return document | head, {"root": clip.root_positions, "rotations": clip.rotations, "contacts": made.contacts}
 
 
 def unpack_made(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray], kind: str) -> dict[str, Any]:

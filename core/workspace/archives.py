@@ -50,13 +50,13 @@ def unpack_archives(folder: Path, report: Report) -> tuple[FileReport, ...]:
     for archive in [path for path in files_below(folder) if path.suffix.lower() == ".zip"]:
         target = _free_folder(archive)
         try:
-            written, told = _unpack(archive, target, room, report)
+            written, archive_report = _unpack(archive, target, room, report)
             room -= written
             archive.unlink()
         except WorkspaceError as error:
             shutil.rmtree(target, ignore_errors=True)
-            told = FileReport(archive.name, None, "error", (f"{archive.name}: {error}",))
-        reports.append(told)
+            archive_report = FileReport(archive.name, None, "error", (f"{archive.name}: {error}",))
+        reports.append(archive_report)
     return tuple(reports)
 
 
@@ -101,14 +101,14 @@ def _choose(infos: list[zipfile.ZipInfo]) -> tuple[list[Entry], list[str]]:
             left["names that lead out of it"].append(name)
         else:
             entries.append(Entry(info, parts))
-    said = [f"left packed, {kind}: {_some(names)}" for kind, names in left.items() if names]
+    messages = [f"left packed, {kind}: {_some(names)}" for kind, names in left.items() if names]
     if not entries:
-        raise WorkspaceError("; ".join(["there is no recording, skeleton or CSV file in it", *said]))
+        raise WorkspaceError("; ".join(["there is no recording, skeleton or CSV file in it", *messages]))
     if len(entries) > MAX_FILES:
         raise WorkspaceError(f"it holds {len(entries):,} recordings; an upload takes at most {MAX_FILES:,} files")
     if any(entry.info.flag_bits & 1 for entry in entries):
         raise WorkspaceError("it is locked with a password; unpack it and add the recordings")
-    return entries, said
+    return entries, messages
 
 
 def _parts(name: str, taken: set[str]) -> tuple[str, ...] | None:

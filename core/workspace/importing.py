@@ -59,10 +59,10 @@ def store_recordings(folder: Path, name: str, what: Recordings, report: Report) 
             arrived = arrivals.take(file, recording)
             if arrived is not None:
                 writer.add(arrived)
-        labels, told = labels_for(what, arrivals.frames, arrivals.names)
+        labels, label_reports = labels_for(what, arrivals.frames, arrivals.names)
         if not arrivals.names and not (before.clips and labels):
             raise WorkspaceError(arrivals.why_none(what.also))
-        writer.labels, writer.report = _together(before, what, labels, (*what.also, *arrivals.files, *told))
+        writer.labels, writer.report = _together(before, what, labels, (*what.also, *arrivals.files, *label_reports))
     _inspect(folder, report)
 
 
@@ -80,8 +80,8 @@ class _Arrivals:
         """The clip under a name that is free; None where there is none, or the same one is there already."""
         file = _below_source(file, self._sources)
         if clip is not None and (there := self._there_already(clip)):
-            said = (f"left out: the same recording is there already, as {there}",)
-            file, clip = replace(file, clip=None, verdict="warning", messages=said), None
+            reason = (f"left out: the same recording is there already, as {there}",)
+            file, clip = replace(file, clip=None, verdict="warning", messages=reason), None
         elif clip is not None:
             was = clip.name
             clip, file = _with_free_name(clip, file, self.frames)
@@ -117,11 +117,11 @@ def labels_for(
         given = Path(what.labels)
         paths = [path for path in files_below(given) if path.suffix == ".csv"] if given.is_dir() else [given]
         taken = [take_labels(path, meant) for path in paths]
-        labels, told = tuple(label for some, _ in taken for label in some), tuple(file for _, file in taken)
+        labels, label_reports = tuple(label for some, _ in taken for label in some), tuple(file for _, file in taken)
     else:
-        labels, told = find_labels([source for source in what.sources if Path(source).is_dir()], meant)
+        labels, label_reports = find_labels([source for source in what.sources if Path(source).is_dir()], meant)
     renamed = (label._replace(clip=names.get(label.clip, label.clip)) for label in labels)
-    return tuple(dict.fromkeys(renamed)), tuple(_below_source(file, what.sources) for file in told)
+    return tuple(dict.fromkeys(renamed)), tuple(_below_source(file, what.sources) for file in label_reports)
 
 
 def _together(
@@ -143,9 +143,9 @@ def add_labels(before: Dataset, what: Recordings) -> tuple[tuple[Label, ...], Im
     labels: list[Label] = []
     files = list(what.also)
     for source in map(Path, what.sources):
-        some, told = find_labels([source], frames) if source.is_dir() else take_labels(source, frames)
+        some, label_reports = find_labels([source], frames) if source.is_dir() else take_labels(source, frames)
         labels += some
-        files += told if isinstance(told, tuple) else [told]
+        files += label_reports if isinstance(label_reports, tuple) else [label_reports]
     files = [_below_source(file, what.sources) for file in files]
     if not labels:
         doubtful = [file for file in files if file.verdict != "ok"]
@@ -208,5 +208,5 @@ def _with_free_name(clip: Clip, file: FileReport, taken: Iterable[str]) -> tuple
     if clip.name not in taken:
         return clip, file
     name = next(n for n in (f"{clip.name} ({k})" for k in range(2, 100_000)) if n not in taken)
-    said = f"a clip called {clip.name} was there already; this one is called {name}"
-    return replace(clip, name=name), replace(file, clip=name, verdict="warning", messages=(said, *file.messages))
+    note = f"a clip called {clip.name} was there already; this one is called {name}"
+    return replace(clip, name=name), replace(file, clip=name, verdict="warning", messages=(note, *file.messages))

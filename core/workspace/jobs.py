@@ -166,19 +166,19 @@ class JobTable:
 
         A thread sends heartbeats meanwhile. The job's end is the caller's to write.
         """
-        asked, over = threading.Event(), threading.Event()
+        stop_requested, over = threading.Event(), threading.Event()
         last_stage, last_time = "", 0.0
 
         def beats() -> None:
             while not over.wait(HEARTBEAT):
                 with suppress(WorkspaceError):  # a busy table is no reason to stop working
                     if self.beat(job_id):
-                        asked.set()
+                        stop_requested.set()
             self._database.close()
 
         def report(stage: str, fraction: float) -> None:
             nonlocal last_stage, last_time
-            if asked.is_set():
+            if stop_requested.is_set():
                 raise Cancelled
             now = time.monotonic()
             if now - last_time < (PROGRESS_EVERY if stage == last_stage else PROGRESS_EVERY / 4):

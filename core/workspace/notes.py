@@ -62,23 +62,23 @@ class Notes:
     ) -> MotifNote:
         """Writes what is said of a motif of a result; saying nothing removes it. Raises WorkspaceError (too long)."""
         plain = tuple((clip, start, end) for clip, start, end in segments)
-        said = MotifNote(_line(name), _tags(tags), str(note).strip(), plain, time.time())
-        if len(said.name) > LONGEST_NAME:
-            raise WorkspaceError(f"A name has at most {LONGEST_NAME} letters; this one has {len(said.name)}.")
-        if len(said.note) > LONGEST_NOTE:
-            raise WorkspaceError(f"A note has at most {LONGEST_NOTE} letters; this one has {len(said.note)}.")
-        if len(said.tags) > MOST_TAGS or any(len(tag) > LONGEST_NAME for tag in said.tags):
+        entry = MotifNote(_line(name), _tags(tags), str(note).strip(), plain, time.time())
+        if len(entry.name) > LONGEST_NAME:
+            raise WorkspaceError(f"A name has at most {LONGEST_NAME} letters; this one has {len(entry.name)}.")
+        if len(entry.note) > LONGEST_NOTE:
+            raise WorkspaceError(f"A note has at most {LONGEST_NOTE} letters; this one has {len(entry.note)}.")
+        if len(entry.tags) > MOST_TAGS or any(len(tag) > LONGEST_NAME for tag in entry.tags):
             raise WorkspaceError(f"A motif has at most {MOST_TAGS} tags of at most {LONGEST_NAME} letters.")
-        row = (dataset, result, int(motif), json.dumps(said.segments), said.name, json.dumps(said.tags), said.note)
+        row = (dataset, result, int(motif), json.dumps(entry.segments), entry.name, json.dumps(entry.tags), entry.note)
         with self._database.transaction("keep the note") as table:
-            if said.is_empty:
+            if entry.is_empty:
                 # An empty row hides a note that would be carried over; without one there is nothing to hide.
                 others = table.execute("SELECT 1 FROM notes WHERE dataset = ? AND result != ? LIMIT 1", row[:2])
                 if others.fetchone() is None:
                     table.execute("DELETE FROM notes WHERE dataset = ? AND result = ? AND motif = ?", row[:3])
-                    return said
-            table.execute("REPLACE INTO notes VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?)", (*row, said.changed))
-        return said
+                    return entry
+            table.execute("REPLACE INTO notes VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?)", (*row, entry.changed))
+        return entry
 
     def of(self, dataset: str, result: str, motifs: Mapping[int, Sequence[Segment]]) -> dict[int, MotifNote]:
         """What is said of each of these motifs: written for this very result, or carried over from another.

@@ -40,9 +40,9 @@ def read_query_file(workspace: Workspace, key: str, values: QueryFileParameters,
 
     folder = workspace.uploads.path(values.upload)
     try:
-        told = unpack_archives(folder, report)
+        reports = unpack_archives(folder, report)
         if not holds_recordings(folder):
-            reasons = " ".join(message for file in told if file.verdict != "ok" for message in file.messages)
+            reasons = " ".join(message for file in reports if file.verdict != "ok" for message in file.messages)
             raise WorkspaceError(reasons or "There is no recording in this file (BVH, or AMC together with its ASF).")
         file, clip = next(iter(read_recordings(folder, skeleton=only_skeleton(folder), report=report)))
         if isinstance(file, RecordingError):
@@ -84,5 +84,5 @@ def unpack_clip(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -
         raise FormatError(f"not a recording: expected format {FORMAT}, found {document.get('format')}")
     moving = {int(name.partition("_")[2]): track for name, track in arrays.items() if name.startswith("translation_")}
     skeleton = Skeleton.from_json(document["skeleton"])
-    said = {"notes": tuple(document["notes"]), "warnings": tuple(document["warnings"])}
-    return Clip(document["name"], skeleton, document["fps"], arrays["root"], arrays["rotations"], moving, **said)
+    messages = {"notes": tuple(document["notes"]), "warnings": tuple(document["warnings"])}
+    return Clip(document["name"], skeleton, document["fps"], arrays["root"], arrays["rotations"], moving, **messages)

@@ -107,7 +107,7 @@ def edit_clip(workspace: Workspace, name: str, values: EditParameters, report: R
         edited = edits.renamed(edited, edits.free_name(edited.clip.name, taken))
         taken.add(edited.clip.name)
         made.append(edited)
-    files = tuple(FileReport(edited.clip.name, edited.clip.name, "ok", (edited.said,)) for edited in made)
+    files = tuple(FileReport(edited.clip.name, edited.clip.name, "ok", (edited.summary,)) for edited in made)
     labels = tuple(label for edited in made for label in edited.labels)
     more = Dataset(values.into or name, tuple(edited.clip for edited in made), labels, ImportReport(files))
     if values.into:

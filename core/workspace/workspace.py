@@ -249,13 +249,13 @@ class Workspace:
 
         folder = self.uploads.path(upload)
         with plain_errors("unpack the upload"):
-            told = unpack_archives(folder, report)
+            reports = unpack_archives(folder, report)
         if not labels_alone and not _importing().holds_recordings(folder):
-            reasons = " ".join(message for file in told if file.verdict != "ok" for message in file.messages)
+            reasons = " ".join(message for file in reports if file.verdict != "ok" for message in file.messages)
             raise WorkspaceError(reasons or "There is no recording among these files (BVH, or AMC with its ASF).")
         given = self.uploads.file(upload, skeleton) if skeleton else _importing().only_skeleton(folder)
         chosen = self.uploads.file(upload, labels) if labels else None
-        return _recordings(folder, skeleton=given, fps=fps, labels=chosen, also=told)
+        return _recordings(folder, skeleton=given, fps=fps, labels=chosen, also=reports)
 
     def check_free(self, name: str) -> str:
         """``name`` in its final form; raises NameRefused where it cannot be used or is taken."""

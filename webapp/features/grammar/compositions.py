@@ -85,7 +85,7 @@ def composed(workspace: Workspace, name: str, view: View) -> dict[str, Any] | No
     try:
         tree = tree_of(found, view["sentence"])
         request = derive_request(found, name, view, tree)
-        made = analyses.at_once(workspace, request)
+        made = analyses.result_now(workspace, request)
     except MotionscapeError as error:
         return data | {"error": _sentence(str(error))}
     dataset, notes = workspace.open(name), grammars.notes_of(workspace, name, view) or {}
@@ -202,7 +202,7 @@ def _alternative(
     notes: actions.Notes,
 ) -> dict[str, Any]:
     request = derive_request(found, name, view, tree)
-    made = analyses.at_once(workspace, request)
+    made = analyses.result_now(workspace, request)
     node = at_path(tree, path)
     frames, fps = made.clip.n_frames, made.clip.fps
     start = made.spans[node.start][0] if node.start < len(made.spans) else frames
@@ -234,7 +234,7 @@ def keep(workspace: Workspace, name: str | None, view: View, called: str) -> str
     if found is None or name is None or not (view or {}).get("sentence"):
         raise WorkspaceError("There is no routine to keep.")
     try:
-        made = analyses.at_once(workspace, derive_request(found, name, view, tree_of(found, view["sentence"])))
+        made = analyses.result_now(workspace, derive_request(found, name, view, tree_of(found, view["sentence"])))
     except MotionscapeError as error:
         raise WorkspaceError(_sentence(str(error))) from error
     notes = grammars.notes_of(workspace, name, view) or {}

@@ -81,7 +81,7 @@ def walk_data(
     except ParameterError as error:
         return data | {"error": _sentence(str(error))}
     try:
-        walk = analyses.at_once(workspace, request)
+        walk = analyses.result_now(workspace, request)
         again = {"recipes": recipes.both(workspace.path, request)}
         return data | shown_walk(walk, analyses.key(workspace, request), names) | again
     except MotionscapeError as error:
