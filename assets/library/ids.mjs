@@ -2,3 +2,117 @@
 // change that module and run `make bundle`.
 /** @import { StoreId } from "../shared/ids.mjs" */
 
+/**
+ * The tab, and the files of the report, that one looks at.
+ * @typedef {object} View
+ * @property {string} [tab]
+ * @property {string} [files]
+ */
+
+/**
+ * What is to be done with a data set, or with the trash.
+ * @typedef {object} DatasetAction
+ * @property {"rename" | "trash" | "empty"} action
+ * @property {string} [dataset]
+ * @property {number} [at]
+ */
+
+/**
+ * What is to be done with the clips that are chosen in the table.
+ * @typedef {object} ClipsAction
+ * @property {"remove" | "clear"} action
+ * @property {number} [at]
+ */
+
+/**
+ * The data set that the dialog is opened for.
+ * @typedef {object} UploadInto
+ * @property {string} dataset
+ * @property {number} [at]
+ */
+
+/**
+ * What has arrived of the files of an upload, and of which kinds they are.
+ * @typedef {object} Upload
+ * @property {string | null} [token]
+ * @property {number} [received]
+ * @property {number} [total]
+ * @property {boolean} [done]
+ * @property {string} [name]
+ * @property {number} [recordings]
+ * @property {number} [labels]
+ * @property {number} [amc]
+ * @property {number} [archives]
+ */
+
+/**
+ * A file of the import report.
+ * @typedef {object} ReportRow
+ * @property {string} key
+ * @property {"ok" | "warning" | "error"} verdict
+ * @property {boolean} added
+ * @property {string} name
+ * @property {string} path
+ * @property {string} messages
+ * @property {Record<string, string>} [selection]
+ */
+
+/**
+ * Features of a data set that someone waits for.
+ * @typedef {object} FeaturesAsked
+ * @property {string} dataset
+ * @property {".npz" | ".parquet"} suffix
+ * @property {number} [job]
+ * @property {number} [at]
+ */
+
+/**
+ * Where a file that is ready is downloaded from.
+ * @typedef {object} Download
+ * @property {string} address
+ * @property {number | null} at
+ */
+
+export const DATASET_CARDS = "dataset-cards";
+export const DATASET_DETAIL = "dataset-detail";
+export const DATASET_TABS = "dataset-tabs";
+export const DATASET_ACTION = /** @type {StoreId<DatasetAction>} */ ("dataset-action");
+export const DEMO = "demo";
+export const ADD = "add";
+export const CLIPS_TABLE = "clips-table";
+export const CLIPS_CHOSEN = "clips-chosen";
+export const CLIPS_ACTION = /** @type {StoreId<ClipsAction>} */ ("clips-action");
+export const CLIPS_MARKED = /** @type {StoreId<any>} */ ("clips-marked");
+export const REPORT_TABLE = "report-table";
+export const REPORT_FILTER = "report-filter";
+export const REPORT_ROWS = /** @type {StoreId<Array<ReportRow>>} */ ("report-rows");
+export const RENAME_DIALOG = "rename-dialog";
+export const RENAME_OLD = /** @type {StoreId<string>} */ ("rename-old");
+export const RENAME_NAME = "rename-name";
+export const RENAME_PROBLEM = "rename-problem";
+export const RENAME_SAVE = "rename-save";
+export const TRASH_OPEN = "trash-open";
+export const TRASH_DIALOG = "trash-dialog";
+export const TRASH_LIST = "trash-list";
+export const UPLOAD_OPEN = "upload-open";
+export const UPLOAD_DIALOG = "upload-dialog";
+export const DROP_ZONE = "drop-zone";
+export const UPLOAD_BAR = "upload-bar";
+export const UPLOAD_PROGRESS = "upload-progress";
+export const UPLOAD_SUMMARY = "upload-summary";
+export const UPLOAD_LIST = "upload-list";
+export const UPLOAD_TARGET = "upload-target";
+export const UPLOAD_NAME = "upload-name";
+export const UPLOAD_LABELS = "upload-labels";
+export const UPLOAD_LABELS_BOX = "upload-labels-box";
+export const UPLOAD_LABELS_LABEL = "upload-labels-label";
+export const UPLOAD_FPS = "upload-fps";
+export const UPLOAD_FPS_BOX = "upload-fps-box";
+export const UPLOAD_IMPORT = "upload-import";
+export const UPLOAD_PROBLEM = "upload-problem";
+export const UPLOAD = /** @type {StoreId<Upload>} */ ("upload");
+export const UPLOAD_INTO = /** @type {StoreId<UploadInto>} */ ("upload-into");
+export const UPLOAD_SUGGESTED = /** @type {StoreId<string>} */ ("upload-suggested");
+export const UPLOADED = /** @type {StoreId<string>} */ ("uploaded");
+export const FEATURES_ASKED = /** @type {StoreId<FeaturesAsked>} */ ("features-asked");
+export const FEATURES_READY = /** @type {StoreId<Download>} */ ("features-ready");

@@ -2,3 +2,99 @@
 // change that module and run `make bundle`.
 /** @import { StoreId } from "../shared/ids.mjs" */
 
+/**
+ * The keys and the path that are searched for, and how the map is drawn.
+ * @typedef {object} View
+ * @property {string} [keys]
+ * @property {string} [drawn]
+ * @property {string} [within]
+ * @property {string} [pace]
+ * @property {string} [way]
+ * @property {string} [colour]
+ * @property {string} [click]
+ * @property {string} [below]
+ * @property {string} [region]
+ */
+
+/**
+ * What is said of a node beside its posture.
+ * @typedef {object} Facts
+ * @property {Array<string>} names
+ * @property {Array<Array<[number, number]>>} labels
+ */
+
+/**
+ * The map that is shown.
+ * @typedef {object} KnownMap
+ * @property {string} key
+ * @property {string} dataset
+ * @property {string} version
+ * @property {Facts} facts
+ */
+
+/**
+ * Those parts of the view that the server draws by.
+ * @typedef {object} Look
+ * @property {string} [colour]
+ * @property {string} [below]
+ * @property {string} [region]
+ * @property {string} [icons]
+ */
+
+/**
+ * Nodes that the selected motifs pass.
+ * @typedef {object} Lit
+ * @property {Array<number>} nodes
+ */
+
+/**
+ * The earlier map that these clips are to be laid on: key of its result.
+ * @typedef {object} Extend
+ * @property {string} model
+ * @property {number} [at]
+ */
+
+export const MAP_RUN = "map-run";
+export const MAP_FOLD = "map-fold";
+export const MAP_SUMMARY = "map-summary";
+export const MAP_FORM = "map-form";
+export const MAP_SETTING = "map-setting";
+export const MAP_STATUS = "map-status";
+export const MAP_SETTINGS = /** @type {StoreId<Record<string, string>>} */ ("map-settings");
+export const MAP_RESULT_KEY = /** @type {StoreId<string>} */ ("map-result-key");
+export const MAP_STATUS_OF = /** @type {StoreId<Array<any>>} */ ("map-status-of");
+export const MAP_AGAIN = /** @type {StoreId<Record<string, boolean | number>>} */ ("map-again");
+export const MAP_MENUS = "map-menus";
+export const MAP_MORE = "map-more";
+export const MAP_RESULT = "map-result";
+export const MAP_PLOT = "map-plot";
+export const MAP_GRAPH = "map-graph";
+export const MAP_LEGEND = "map-legend";
+export const MAP_SAID = "map-said";
+export const MAP_COLOUR = "map-colour";
+export const MAP_CLICK = "map-click";
+export const MAP_PACE = "map-pace";
+export const MAP_WAY = "map-way";
+export const MAP_BELOW = "map-below";
+export const MAP_PREVIEW = "map-preview";
+export const MAP_KEYS = "map-keys";
+export const MAP_REACH = "map-reach";
+export const MAP_REACH_LABEL = "map-reach-label";
+export const MAP_REACH_BOX = "map-reach-box";
+export const MAP_REACH_VALUE = "map-reach-value";
+export const MAP_COUNT = "map-count";
+export const MAP_PLAY_ALL = "map-play-all";
+export const MAP_HITS = "map-hits";
+export const MAP_MULTIPLES = "map-multiples";
+export const MAP_MULTIPLES_GRAPH = "map-multiples-graph";
+export const MAP_CLIPS_PLACE = "map-clips-place";
+export const MAP_CLIPS = "map-clips";
+export const MAP_REGION = "map-region";
+export const MAP_KNOWN = /** @type {StoreId<KnownMap>} */ ("map-known");
+export const MAP_LOOK = /** @type {StoreId<Look>} */ ("map-look");
+export const MAP_LIT = /** @type {StoreId<Lit>} */ ("map-lit");
+export const MAP_EXTEND = /** @type {StoreId<Extend>} */ ("map-extend");
+export const MAP_LOADED = /** @type {StoreId<any>} */ ("map-loaded");
+export const MAP_SHOWN = /** @type {StoreId<any>} */ ("map-shown");
+export const MAP_DRAWN = /** @type {StoreId<any>} */ ("map-drawn");
+export const MAP_MARKED = /** @type {StoreId<any>} */ ("map-marked");

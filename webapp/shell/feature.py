@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib import import_module
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, get_type_hints
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -74,6 +74,30 @@ class LinkKeys:
     of_dataset: tuple[str, ...] = ()
     free_text: tuple[str, ...] = ()
     patterns: Mapping[str, str] = field(default_factory=lambda: NOTHING)
+
+
+@dataclass(frozen=True)
+class LinkKey:
+    """What is special about a key of a link, as an annotation in the page's ``View``: see :class:`LinkKeys`."""
+
+    of_dataset: bool = False
+    free_text: bool = False
+    pattern: str = ""
+
+
+def link_keys(view: type) -> LinkKeys:
+    """The keys that a page's ``View`` declares, a ``TypedDict`` of text in the order in which links have them."""
+    marks = {key: _mark(hint) for key, hint in get_type_hints(view, include_extras=True).items()}
+    return LinkKeys(
+        names=tuple(marks),
+        of_dataset=tuple(key for key, mark in marks.items() if mark.of_dataset),
+        free_text=tuple(key for key, mark in marks.items() if mark.free_text),
+        patterns={key: mark.pattern for key, mark in marks.items() if mark.pattern},
+    )
+
+
+def _mark(hint: Any) -> LinkKey:
+    return next((mark for mark in getattr(hint, "__metadata__", ()) if isinstance(mark, LinkKey)), LinkKey())
 
 
 @dataclass(frozen=True)

@@ -37,7 +37,7 @@ def problem(value: object, shape: Any, place: str = "it") -> str | None:
         most = next((extra.size for extra in parts[1:] if isinstance(extra, Most)), None)
         if most is not None and isinstance(value, str | list | dict) and len(value) > most:
             return f"{place} is too long"
-        return problem(value, parts[0], place)
+        return None if most and parts[0] is str and isinstance(value, str) else problem(value, parts[0], place)
     if origin is Literal:
         fits = any(type(value) is type(word) and value == word for word in parts)
         return None if fits else f"{place} is none of {', '.join(map(str, parts))}"

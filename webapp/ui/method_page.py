@@ -20,11 +20,14 @@ from core import analyses
 from core.errors import ParameterError
 from core.workspace import Job, Workspace, WorkspaceError
 from webapp import jobs
+from webapp.jobs.names import JOBS_FINISHED, JOBS_SEEN
 from webapp.jobs.running import running
 from webapp.shell import recipes, settings
 from webapp.shell.buttons import copies, sends
 from webapp.shell.icons import icon
 from webapp.shell.messages import empty_state, notice
+from webapp.shell.names import DATASET, JOB_STARTED, NOTICES, REVISION, VIEW, VIEW_CHANGE
+from webapp.ui.names import MethodNames
 from webapp.ui.parameter_form import parameter_form, read_form, summary
 
 
@@ -47,9 +50,9 @@ class MethodPage:
     without: Collection[str] = ()
 
     @property
-    def control(self) -> str:
-        """The type in the ids of the form's controls."""
-        return f"{self.page}-setting"
+    def names(self) -> MethodNames:
+        """Ids of its parts."""
+        return MethodNames(self.page)
 
     @property
     def shown(self) -> list[analyses.Parameter]:
@@ -59,30 +62,28 @@ class MethodPage:
 
 def run_button(of: MethodPage) -> Component:
     """The button in the page's head that computes the result."""
-    return dmc.Button(of.action, id=f"{of.page}-run", leftSection=icon(of.symbol, 16))
+    return dmc.Button(of.action, id=of.names.run, leftSection=icon(of.symbol, 16))
 
 
 def settings_fold(of: MethodPage) -> Component:
     """The settings, folded away: what differs from the defaults stands in the line that is seen."""
-    head = [html.Span("Settings", className="settings-title"), html.Span(id=f"{of.page}-summary", className="muted")]
+    head = [html.Span("Settings", className="settings-title"), html.Span(id=of.names.summary, className="muted")]
     return dmc.Accordion(
-        id=f"{of.page}-fold",
+        id=of.names.fold,
         variant="contained",
         className="settings",
         value=None,
         children=dmc.AccordionItem(
             value="form",
-            children=[dmc.AccordionControl(head), dmc.AccordionPanel(html.Div(id=f"{of.page}-form"))],
+            children=[dmc.AccordionControl(head), dmc.AccordionPanel(html.Div(id=of.names.form))],
         ),
     )
 
 
 def status_place(of: MethodPage) -> Component:
     """Progress, an ending, or what to do, in place of a result that is not there; and the page's stores."""
-    stores = ("settings", "result-key", "status-of", "again")
-    return html.Div(
-        [html.Div(id=f"{of.page}-status"), *(dcc.Store(id=f"{of.page}-{name}") for name in stores)],
-    )
+    stores = (of.names.settings, of.names.result_key, of.names.status_of, of.names.again)
+    return html.Div([html.Div(id=of.names.status), *(dcc.Store(id=store) for store in stores)])
 
 
 def register(app: Dash, workspace: Workspace, of: MethodPage) -> None:
@@ -95,46 +96,48 @@ def register(app: Dash, workspace: Workspace, of: MethodPage) -> None:
 def _form(app: Dash, of: MethodPage) -> None:
     app.clientside_callback(
         ClientsideFunction("settings", "pick"),
-        Output(f"{of.page}-settings", "data"),
-        Input("view", "data"),
-        State(f"{of.page}-settings", "data"),
-        State(f"{of.page}-settings", "id"),
+        Output(of.names.settings, "data"),
+        Input(VIEW, "data"),
+        State(of.names.settings, "data"),
+        State(of.names.settings, "id"),
     )
 
     @app.callback(
-        Output(f"{of.page}-form", "children"),
-        Output(f"{of.page}-summary", "children"),
-        Input(f"{of.page}-settings", "data"),
+        Output(of.names.form, "children"),
+        Output(of.names.summary, "children"),
+        Input(of.names.settings, "data"),
     )
     def show_form(view):
         values = settings.request_of(of.page, "", view).parameters
-        return parameter_form(of.shown, values, of.control, of.labels), summary(settings.not_default(of.page, values))
+        return parameter_form(of.shown, values, of.names.control, of.labels), summary(
+            settings.not_default(of.page, values)
+        )
 
 
 def _run(app: Dash, workspace: Workspace, of: MethodPage) -> None:
-    control = {"type": of.control, "name": ALL}
+    control = of.names.control(ALL)
 
     @app.callback(
         Output(control, "error"),
-        Input(f"{of.page}-run", "n_clicks"),
-        Input(f"{of.page}-again", "data"),
+        Input(of.names.run, "n_clicks"),
+        Input(of.names.again, "data"),
         State(control, "value"),
         State(control, "id"),
-        State("dataset", "data"),
-        State("view", "data"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
         prevent_initial_call=True,
     )
     def run(_clicks, _again, values, ids, dataset, view):
         taken, problems = read_form(of.shown, ids, values)
         if problems:
-            set_props(f"{of.page}-fold", {"value": "form"})
+            set_props(of.names.fold, {"value": "form"})
             return [problems.get(component["name"]) for component in ids]
         kept = settings.request_of(of.page, dataset or "", view).parameters
         taken |= {name: value for name, value in kept.items() if name in of.without}
         try:
             ask(workspace, of.page, dataset, taken)
         except (ParameterError, WorkspaceError) as error:
-            set_props("notices", {"sendNotifications": [notice(f"Cannot do that: {of.title}", str(error), "red")]})
+            set_props(NOTICES, {"sendNotifications": [notice(f"Cannot do that: {of.title}", str(error), "red")]})
         return [None] * len(ids)
 
 
@@ -147,31 +150,31 @@ def ask(workspace: Workspace, page: str, dataset: str | None, values: Mapping[st
         raise WorkspaceError("Choose a dataset first; the library has none yet.")
     request = analyses.normalise(analyses.Request(dataset, settings.methods()[page], dict(values)))
     if analyses.stored(workspace, request) is None:
-        set_props("job-started", {"data": jobs.start(workspace, request).id})
-    set_props("view-change", {"data": settings.view_of(page, request.parameters)})
+        set_props(JOB_STARTED, {"data": jobs.start(workspace, request).id})
+    set_props(VIEW_CHANGE, {"data": settings.view_of(page, request.parameters)})
 
 
 def _look(app: Dash, workspace: Workspace, of: MethodPage) -> None:
     @app.callback(
-        Output(f"{of.page}-result-key", "data"),
-        Input("dataset", "data"),
-        Input(f"{of.page}-settings", "data"),
-        Input("jobs-finished", "data"),
-        Input("revision", "data"),
-        State(f"{of.page}-result-key", "data"),
+        Output(of.names.result_key, "data"),
+        Input(DATASET, "data"),
+        Input(of.names.settings, "data"),
+        Input(JOBS_FINISHED, "data"),
+        Input(REVISION, "data"),
+        State(of.names.result_key, "data"),
     )
     def find_result(dataset, view, _finished, _revision, current):
         key = settings.key_of(workspace, of.page, dataset, view)
-        return no_update if key == current and ctx.triggered_id in ("jobs-finished", "revision") else key
+        return no_update if key == current and ctx.triggered_id in (JOBS_FINISHED, REVISION) else key
 
     @app.callback(
-        Output(f"{of.page}-status", "children"),
-        Output(f"{of.page}-status-of", "data"),
-        Input("jobs-seen", "data"),
-        Input(f"{of.page}-result-key", "data"),
-        State("dataset", "data"),
-        State(f"{of.page}-settings", "data"),
-        State(f"{of.page}-status-of", "data"),
+        Output(of.names.status, "children"),
+        Output(of.names.status_of, "data"),
+        Input(JOBS_SEEN, "data"),
+        Input(of.names.result_key, "data"),
+        State(DATASET, "data"),
+        State(of.names.settings, "data"),
+        State(of.names.status_of, "data"),
     )
     def show_status(_seen, key, dataset, view, current):
         job = settings.latest_job(workspace, of.page, dataset, view) if not key else None
@@ -198,7 +201,7 @@ def status(of: MethodPage, dataset: str | None, job: Job | None, ready: bool) ->
 
 
 def _again(of: MethodPage, label: str) -> Component:
-    return dmc.Button(label, variant="light", **sends(f"{of.page}-again", {"run": True}, every_time=True))
+    return dmc.Button(label, variant="light", **sends(of.names.again, {"run": True}, every_time=True))
 
 
 def _card(child: Component) -> Component:
@@ -216,7 +219,7 @@ def earlier_menu(workspace: Workspace, of: MethodPage, dataset: str | None, read
                 html.Div(summary(said), className="menu-title"),
                 html.Div(_when(job.finished), className="muted menu-note"),
             ],
-            **sends("view-change", settings.view_of(of.page, job.request["parameters"]), every_time=True),
+            **sends(VIEW_CHANGE, settings.view_of(of.page, job.request["parameters"]), every_time=True),
         )
         for job, said in past[:15]
     ]

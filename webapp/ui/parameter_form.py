@@ -13,19 +13,20 @@ from dash.development.base_component import Component
 from core.errors import ParameterError
 from core.parameters import Parameter
 from webapp.shell.icons import icon
+from webapp.shell.identifiers import Pattern
 
 NO_LABELS: Mapping[str, str] = MappingProxyType({})
 
 
 def parameter_form(
-    parameters: Sequence[Parameter], values: Mapping[str, Any], kind: str, labels: Mapping[str, str] = NO_LABELS
+    parameters: Sequence[Parameter], values: Mapping[str, Any], control: Pattern, labels: Mapping[str, str] = NO_LABELS
 ) -> Component:
-    """One control a parameter, its id ``{"type": kind, "name": name}``; the advanced ones folded away.
+    """One control a parameter, its id ``control(name)``; the advanced ones folded away.
 
     labels: everyday names to use instead of the parameters' own.
     """
-    folded = [_control(p, values, kind, labels) for p in parameters if p.advanced]
-    plain = [_control(p, values, kind, labels) for p in parameters if not p.advanced]
+    folded = [_control(p, values, control, labels) for p in parameters if p.advanced]
+    plain = [_control(p, values, control, labels) for p in parameters if not p.advanced]
     parts: list[Component] = [html.Div(plain, className="form-grid")]
     if folded:
         parts.append(
@@ -69,9 +70,9 @@ def summary(parameters: Mapping[str, Any]) -> str:
     return ", ".join(f"{name.replace('_', ' ')} {value}" for name, value in parameters.items())
 
 
-def _control(parameter: Parameter, values: Mapping[str, Any], kind: str, labels: Mapping[str, str]) -> Component:
+def _control(parameter: Parameter, values: Mapping[str, Any], control: Pattern, labels: Mapping[str, str]) -> Component:
     label = _label(parameter, labels)
-    identity = {"type": kind, "name": parameter.name}
+    identity = control(parameter.name)
     value = values.get(parameter.name, parameter.default)
     if bool in parameter.kinds:
         data = [{"value": "true", "label": "Yes"}, {"value": "false", "label": "No"}]

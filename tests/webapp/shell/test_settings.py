@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from core.parameters import Parameter
 from webapp.shell import settings
+from webapp.shell.identifiers import Pattern
 from webapp.ui.method_page import MethodPage, status
 from webapp.ui.parameter_form import parameter_form, read_form
 
@@ -60,7 +61,9 @@ PARAMETERS = (
 
 
 def test_every_kind_of_parameter_has_a_control_that_is_read_back():
-    shown = parameter_form(PARAMETERS, {"kept": False, "many": 5}, "some-setting", {"many": "How many"})
+    shown = parameter_form(
+        PARAMETERS, {"kept": False, "many": 5}, Pattern("some-setting", "name"), {"many": "How many"}
+    )
     found = {part.id["name"]: part for part in shown._traverse() if isinstance(getattr(part, "id", None), dict)}
     assert set(found) == {"many", "name", "kept", "way"}
     assert found["kept"].value == "false" and found["many"].value == 5 and found["way"].value == "fast"

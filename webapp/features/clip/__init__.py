@@ -1,6 +1,7 @@
 """Clip: the curves of one clip, its gait, and edits of it."""
 
-from webapp.shell.feature import Feature, LinkKeys, later
+from webapp.features.clip import names
+from webapp.shell.feature import Feature, later, link_keys
 
 FEATURE = Feature(
     path="clip",
@@ -8,6 +9,6 @@ FEATURE = Feature(
     symbol="pulse",
     page=later("webapp.features.clip.layout:page"),
     register=later("webapp.features.clip.callbacks:register"),
-    keys=LinkKeys(names=("chart", "angles", "joints", "rig", "channels", "span"), of_dataset=("joints",)),
+    keys=link_keys(names.View),
     routes=later("webapp.features.clip.routes:blueprints"),
 )

@@ -12,11 +12,12 @@ from core.editing.curves import ClipCurves
 from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
 from core.workspace import Workspace, WorkspaceError
-from webapp.features.clip import clips, editing, layout, table
+from webapp.features.clip import clips, editing, layout, names, table
 from webapp.features.clip.figures import curves as figures
 from webapp.features.clip.figures.gait import gait_table
 from webapp.features.clip.figures.path import path_chart, selected_part
 from webapp.shell import results
+from webapp.shell.names import DATASET, GRAPH_KEY, PARAMETERS, REVISION, SELECTION, THEME, VIEW
 from webapp.shell.results import find_edge, find_motif
 from webapp.ui.charts import tall
 from webapp.ui.timeline import motif_colour, motif_name
@@ -46,17 +47,17 @@ def clip_of(dataset: Dataset, graph: MotifGraph | None, selection: Mapping[str, 
 
 def _choose(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("clip-shown", "data"),
-        Output("clip-picker", "data"),
-        Output("clip-picker", "value"),
-        Output("clip-nothing", "children"),
-        Output("clip-body", "className"),
-        Input("dataset", "data"),
-        Input("selection", "data"),
-        Input("revision", "data"),
-        Input("graph-key", "data"),
-        State("parameters", "data"),
-        State("clip-shown", "data"),
+        Output(names.CLIP_SHOWN, "data"),
+        Output(names.CLIP_PICKER, "data"),
+        Output(names.CLIP_PICKER, "value"),
+        Output(names.CLIP_NOTHING, "children"),
+        Output(names.CLIP_BODY, "className"),
+        Input(DATASET, "data"),
+        Input(SELECTION, "data"),
+        Input(REVISION, "data"),
+        Input(GRAPH_KEY, "data"),
+        State(PARAMETERS, "data"),
+        State(names.CLIP_SHOWN, "data"),
     )
     def choose(name, selection, _revision, _key, parameters, before):
         try:
@@ -67,12 +68,12 @@ def _choose(app: Dash, workspace: Workspace) -> None:
             return None, [], None, layout.nothing(dataset, None), "hidden"
         graph = results.motif_graph(workspace, name, parameters)
         clip = clip_of(dataset, graph, selection or {})
-        if clip is None and ctx.triggered_id == "graph-key" and before and before["clip"] in dataset.names:
+        if clip is None and ctx.triggered_id == GRAPH_KEY and before and before["clip"] in dataset.names:
             return (no_update,) * 5
         if clip is None:
             clip = dataset.names[0]
             if not selection:
-                set_props("selection", {"data": {"clip": clip}})
+                set_props(SELECTION, {"data": {"clip": clip}})
         if clip not in dataset.names:
             return None, list(dataset.names), None, layout.nothing(dataset, clip), "hidden"
         recording = dataset.clip(clip)
@@ -81,32 +82,32 @@ def _choose(app: Dash, workspace: Workspace) -> None:
         return (shown if shown != before else no_update), list(dataset.names), clip, None, ""
 
     @app.callback(
-        Output("clip-previous", "disabled"),
-        Output("clip-next", "disabled"),
-        Input("clip-picker", "data"),
-        Input("clip-picker", "value"),
+        Output(names.CLIP_PREVIOUS, "disabled"),
+        Output(names.CLIP_NEXT, "disabled"),
+        Input(names.CLIP_PICKER, "data"),
+        Input(names.CLIP_PICKER, "value"),
     )
-    def ends(names, clip):
-        at = names.index(clip) if names and clip in names else -1
-        return at <= 0, at < 0 or at == len(names) - 1
+    def ends(clips_here, clip):
+        at = clips_here.index(clip) if clips_here and clip in clips_here else -1
+        return at <= 0, at < 0 or at == len(clips_here) - 1
 
     app.clientside_callback(
         ClientsideFunction("clip", "pick"),
-        Output("clip-sought", "data"),
-        Input("clip-picker", "value"),
-        Input("clip-previous", "n_clicks"),
-        Input("clip-next", "n_clicks"),
-        State("clip-picker", "data"),
-        State("clip-shown", "data"),
+        Output(names.CLIP_SOUGHT, "data"),
+        Input(names.CLIP_PICKER, "value"),
+        Input(names.CLIP_PREVIOUS, "n_clicks"),
+        Input(names.CLIP_NEXT, "n_clicks"),
+        State(names.CLIP_PICKER, "data"),
+        State(names.CLIP_SHOWN, "data"),
         prevent_initial_call=True,
     )
 
 
 def _controls(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("clip-facts", "children"),
-        Output("clip-gait-table", "data"),
-        Input("clip-shown", "data"),
+        Output(names.CLIP_FACTS, "children"),
+        Output(names.CLIP_GAIT_TABLE, "data"),
+        Input(names.CLIP_SHOWN, "data"),
     )
     def show_facts(shown):
         curves = curves_of(workspace, shown)
@@ -115,18 +116,18 @@ def _controls(app: Dash, workspace: Workspace) -> None:
         return layout.facts(curves), gait_table(curves.gait, curves.clip.name, curves.clip.fps)
 
     @app.callback(
-        Output("clip-chart", "value"),
-        Output("clip-kind", "value"),
-        Output("clip-kind-box", "className"),
-        Output("clip-joints", "data"),
-        Output("clip-joints", "value"),
-        Output("clip-joints-box", "className"),
-        Output("clip-channels", "children"),
-        Output("clip-channels", "value"),
-        Output("clip-channels-box", "className"),
-        Output("clip-choice", "data"),
-        Input("clip-shown", "data"),
-        Input("view", "data"),
+        Output(names.CLIP_CHART, "value"),
+        Output(names.CLIP_KIND, "value"),
+        Output(names.CLIP_KIND_BOX, "className"),
+        Output(names.CLIP_JOINTS, "data"),
+        Output(names.CLIP_JOINTS, "value"),
+        Output(names.CLIP_JOINTS_BOX, "className"),
+        Output(names.CLIP_CHANNELS, "children"),
+        Output(names.CLIP_CHANNELS, "value"),
+        Output(names.CLIP_CHANNELS_BOX, "className"),
+        Output(names.CLIP_CHOICE, "data"),
+        Input(names.CLIP_SHOWN, "data"),
+        Input(VIEW, "data"),
     )
     def show_controls(shown, view):
         curves = curves_of(workspace, shown)
@@ -146,16 +147,16 @@ def _controls(app: Dash, workspace: Workspace) -> None:
 
     app.clientside_callback(
         ClientsideFunction("clip", "control"),
-        Input("clip-chart", "value"),
-        Input("clip-kind", "value"),
-        Input("clip-joints", "value"),
-        Input("clip-channels", "value"),
-        State("view", "data"),
-        State("clip-choice", "data"),
+        Input(names.CLIP_CHART, "value"),
+        Input(names.CLIP_KIND, "value"),
+        Input(names.CLIP_JOINTS, "value"),
+        Input(names.CLIP_CHANNELS, "value"),
+        State(VIEW, "data"),
+        State(names.CLIP_CHOICE, "data"),
         prevent_initial_call=True,
     )
 
-    @app.callback(Output("clip-range", "children"), Input("clip-shown", "data"), Input("selection", "data"))
+    @app.callback(Output(names.CLIP_RANGE, "children"), Input(names.CLIP_SHOWN, "data"), Input(SELECTION, "data"))
     def show_range(shown, selection):
         if not shown:
             return None
@@ -164,15 +165,15 @@ def _controls(app: Dash, workspace: Workspace) -> None:
 
 def _draw(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("clip-graph", "figure"),
-        Output("clip-graph", "style"),
-        Output("clip-legend", "children"),
-        Input("clip-shown", "data"),
-        Input("view", "data"),
-        Input("theme", "data"),
-        Input("graph-key", "data"),
-        State("parameters", "data"),
-        State("selection", "data"),
+        Output(names.CLIP_GRAPH, "figure"),
+        Output(names.CLIP_GRAPH, "style"),
+        Output(names.CLIP_LEGEND, "children"),
+        Input(names.CLIP_SHOWN, "data"),
+        Input(VIEW, "data"),
+        Input(THEME, "data"),
+        Input(GRAPH_KEY, "data"),
+        State(PARAMETERS, "data"),
+        State(SELECTION, "data"),
     )
     def draw(shown, view, scheme, _key, parameters, selection):
         curves = curves_of(workspace, shown)
@@ -188,11 +189,11 @@ def _draw(app: Dash, workspace: Workspace) -> None:
         return document, tall(document), layout.legend(panels)
 
     @app.callback(
-        Output("clip-graph", "figure", allow_duplicate=True),
-        Input("selection", "data"),
-        State("clip-shown", "data"),
-        State("clip-drawn", "data"),
-        State("theme", "data"),
+        Output(names.CLIP_GRAPH, "figure", allow_duplicate=True),
+        Input(SELECTION, "data"),
+        State(names.CLIP_SHOWN, "data"),
+        State(names.CLIP_DRAWN, "data"),
+        State(THEME, "data"),
         prevent_initial_call=True,
     )
     def mark_path(selection, shown, drawn, scheme):
@@ -241,24 +242,24 @@ def _browser(app: Dash) -> None:
     """What assets/clip_*.js must hear of."""
     app.clientside_callback(
         ClientsideFunction("clip", "drawn"),
-        Output("clip-drawn", "data"),
-        Input("clip-graph", "figure"),
-        Input("clip-legend", "children"),
-        State("clip-shown", "data"),
-        State("view", "data"),
+        Output(names.CLIP_DRAWN, "data"),
+        Input(names.CLIP_GRAPH, "figure"),
+        Input(names.CLIP_LEGEND, "children"),
+        State(names.CLIP_SHOWN, "data"),
+        State(VIEW, "data"),
     )
     app.clientside_callback(
-        ClientsideFunction("gait", "draw"), Output("clip-gait-drawn", "data"), Input("clip-gait-table", "data")
+        ClientsideFunction("gait", "draw"), Output(names.CLIP_GAIT_DRAWN, "data"), Input(names.CLIP_GAIT_TABLE, "data")
     )
     app.clientside_callback(
         ClientsideFunction("clip", "mark"),
-        Output("clip-marked", "data"),
-        Input("selection", "data"),
-        Input("clip-shown", "data"),
+        Output(names.CLIP_MARKED, "data"),
+        Input(SELECTION, "data"),
+        Input(names.CLIP_SHOWN, "data"),
     )
     app.clientside_callback(
         ClientsideFunction("clip", "seek"),
-        Output("clip-sought", "data", allow_duplicate=True),
-        Input("clip-seek", "data"),
+        Output(names.CLIP_SOUGHT, "data", allow_duplicate=True),
+        Input(names.CLIP_SEEK, "data"),
         prevent_initial_call=True,
     )

@@ -16,11 +16,13 @@ from core.editing.mirror import partners
 from core.errors import MotionscapeError, ParameterError
 from core.mocap.dataset import Dataset
 from core.workspace import Workspace, WorkspaceError, check_name
+from webapp.features.clip import names
 from webapp.jobs import changes
 from webapp.shell import results
 from webapp.shell.buttons import sends
 from webapp.shell.icons import icon
 from webapp.shell.messages import notice
+from webapp.shell.names import NOTICES, SELECTION
 
 ACTIONS = {  # name: what the menu says, what the dialog says, what its button says
     "trim": ("Make the selected range a clip", "A new clip of the selected frames.", "Make the clip"),
@@ -39,12 +41,12 @@ HERE, NEW = "here", "new"
 def menu() -> Component:
     """The menu of edits."""
     items = [
-        dmc.MenuItem(ACTIONS[name][0], **sends("clip-edit", {"action": name}, every_time=True)) for name in ACTIONS
+        dmc.MenuItem(ACTIONS[name][0], **sends(names.CLIP_EDIT, {"action": name}, every_time=True)) for name in ACTIONS
     ]
     return dmc.Menu(
         [
             dmc.MenuTarget(
-                dmc.Button("Edit", variant="default", rightSection=icon("chevron", 14), id="clip-edit-menu")
+                dmc.Button("Edit", variant="default", rightSection=icon("chevron", 14), id=names.CLIP_EDIT_MENU)
             ),
             dmc.MenuDropdown([dmc.MenuLabel("The clip itself stays as it is"), *items]),
         ],
@@ -62,27 +64,27 @@ def dialogs() -> list[Component]:
             gap=6,
             mt=4,
         ),
-        id="clip-edit-where",
+        id=names.CLIP_EDIT_WHERE,
         label="Where",
         value=HERE,
         mt="md",
     )
     dialog = dmc.Modal(
-        id="clip-edit-dialog",
+        id=names.CLIP_EDIT_DIALOG,
         children=[
-            html.Div(id="clip-edit-says"),
-            dmc.NumberInput(id="clip-edit-fps", label="Frames per second", min=1, max=1000, value=30, **number),
+            html.Div(id=names.CLIP_EDIT_SAYS),
+            dmc.NumberInput(id=names.CLIP_EDIT_FPS, label="Frames per second", min=1, max=1000, value=30, **number),
             dmc.NumberInput(
-                id="clip-edit-frame", label="First frame of the second clip", min=1, allowDecimal=False, **number
+                id=names.CLIP_EDIT_FRAME, label="First frame of the second clip", min=1, allowDecimal=False, **number
             ),
             where,
-            dmc.TextInput(id="clip-edit-name", label="Name of the new dataset", mt="sm"),
-            html.Div(id="clip-edit-effect", className="muted clip-edit-effect"),
-            html.Div(id="clip-edit-problem", className="form-problem", role="alert"),
-            dmc.Group(dmc.Button("Make the clip", id="clip-edit-do"), justify="flex-end", mt="md"),
+            dmc.TextInput(id=names.CLIP_EDIT_NAME, label="Name of the new dataset", mt="sm"),
+            html.Div(id=names.CLIP_EDIT_EFFECT, className="muted clip-edit-effect"),
+            html.Div(id=names.CLIP_EDIT_PROBLEM, className="form-problem", role="alert"),
+            dmc.Group(dmc.Button("Make the clip", id=names.CLIP_EDIT_DO), justify="flex-end", mt="md"),
         ],
     )
-    return [dialog, dcc.Store(id="clip-edit"), dcc.Store(id="clip-edit-asked")]
+    return [dialog, dcc.Store(id=names.CLIP_EDIT), dcc.Store(id=names.CLIP_EDIT_ASKED)]
 
 
 def problem(dataset: Dataset, clip: str, action: str, options: Mapping[str, Any]) -> str:
@@ -125,22 +127,22 @@ def register(app: Dash, workspace: Workspace) -> None:
 
 def _open(app: Dash, workspace: Workspace) -> None:
     app.clientside_callback(  # the frame at the cursor goes with what was asked
-        ClientsideFunction("clip", "asked"), Output("clip-edit-asked", "data"), Input("clip-edit", "data")
+        ClientsideFunction("clip", "asked"), Output(names.CLIP_EDIT_ASKED, "data"), Input(names.CLIP_EDIT, "data")
     )
 
     @app.callback(
-        Output("clip-edit-dialog", "opened"),
-        Output("clip-edit-dialog", "title"),
-        Output("clip-edit-says", "children"),
-        Output("clip-edit-do", "children"),
-        Output("clip-edit-fps", "style"),
-        Output("clip-edit-frame", "style"),
-        Output("clip-edit-frame", "value"),
-        Output("clip-edit-name", "value"),
-        Output("clip-edit-problem", "children"),
-        Input("clip-edit-asked", "data"),
-        State("clip-shown", "data"),
-        State("selection", "data"),
+        Output(names.CLIP_EDIT_DIALOG, "opened"),
+        Output(names.CLIP_EDIT_DIALOG, "title"),
+        Output(names.CLIP_EDIT_SAYS, "children"),
+        Output(names.CLIP_EDIT_DO, "children"),
+        Output(names.CLIP_EDIT_FPS, "style"),
+        Output(names.CLIP_EDIT_FRAME, "style"),
+        Output(names.CLIP_EDIT_FRAME, "value"),
+        Output(names.CLIP_EDIT_NAME, "value"),
+        Output(names.CLIP_EDIT_PROBLEM, "children"),
+        Input(names.CLIP_EDIT_ASKED, "data"),
+        State(names.CLIP_SHOWN, "data"),
+        State(SELECTION, "data"),
         prevent_initial_call=True,
     )
     def open_dialog(asked, shown, selection):
@@ -152,7 +154,7 @@ def _open(app: Dash, workspace: Workspace) -> None:
             start, end = selected(shown, selection)
             if start is None:
                 hint = notice("No range is selected", "Drag over the chart to select one.", "orange")
-                set_props("notices", {"sendNotifications": [hint]})
+                set_props(NOTICES, {"sendNotifications": [hint]})
                 return (no_update,) * 9
             says = f"A new clip of frames {start} to {end}, {(end - start) / shown['fps']:.2f} s."
         elif action == "rate":
@@ -168,11 +170,11 @@ def _open(app: Dash, workspace: Workspace) -> None:
         )
 
     @app.callback(
-        Output("clip-edit-effect", "children"),
-        Output("clip-edit-name", "style"),
-        Input("clip-edit-where", "value"),
-        Input("clip-edit-dialog", "opened"),
-        State("clip-shown", "data"),
+        Output(names.CLIP_EDIT_EFFECT, "children"),
+        Output(names.CLIP_EDIT_NAME, "style"),
+        Input(names.CLIP_EDIT_WHERE, "value"),
+        Input(names.CLIP_EDIT_DIALOG, "opened"),
+        State(names.CLIP_SHOWN, "data"),
         prevent_initial_call=True,
     )
     def say_effect(where, opened, shown):
@@ -183,16 +185,16 @@ def _open(app: Dash, workspace: Workspace) -> None:
 
 def _do(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("clip-edit-problem", "children", allow_duplicate=True),
-        Output("clip-edit-dialog", "opened", allow_duplicate=True),
-        Input("clip-edit-do", "n_clicks"),
-        State("clip-edit-asked", "data"),
-        State("clip-shown", "data"),
-        State("selection", "data"),
-        State("clip-edit-fps", "value"),
-        State("clip-edit-frame", "value"),
-        State("clip-edit-where", "value"),
-        State("clip-edit-name", "value"),
+        Output(names.CLIP_EDIT_PROBLEM, "children", allow_duplicate=True),
+        Output(names.CLIP_EDIT_DIALOG, "opened", allow_duplicate=True),
+        Input(names.CLIP_EDIT_DO, "n_clicks"),
+        State(names.CLIP_EDIT_ASKED, "data"),
+        State(names.CLIP_SHOWN, "data"),
+        State(SELECTION, "data"),
+        State(names.CLIP_EDIT_FPS, "value"),
+        State(names.CLIP_EDIT_FRAME, "value"),
+        State(names.CLIP_EDIT_WHERE, "value"),
+        State(names.CLIP_EDIT_NAME, "value"),
         prevent_initial_call=True,
     )
     def do(_clicks, asked, shown, selection, fps, frame, where, name):

@@ -11,12 +11,13 @@ from dash.development.base_component import Component
 from core.editing.curves import TRAVEL, ClipCurves
 from core.mocap.dataset import Dataset
 from core.poses.angles import JOINTS
-from webapp.features.clip import editing, table
+from webapp.features.clip import editing, names, table
 from webapp.features.clip.clips import CHARTS, KINDS, Choice, joint_words, offered_joints
 from webapp.features.clip.figures.curves import Panel
 from webapp.shell.buttons import sends, similar
 from webapp.shell.icons import icon
 from webapp.shell.messages import empty_state
+from webapp.shell.names import SELECTION
 from webapp.ui.page_head import page_head
 
 HINT = (
@@ -31,28 +32,28 @@ def page() -> Component:
         className="clip-page",
         children=[
             _head(),
-            html.Div(id="clip-nothing"),
+            html.Div(id=names.CLIP_NOTHING),
             html.Div(
-                id="clip-body",
+                id=names.CLIP_BODY,
                 className="hidden",
                 children=[
-                    html.Div(id="clip-facts", className="muted clip-facts"),
+                    html.Div(id=names.CLIP_FACTS, className="muted clip-facts"),
                     _choosers(),
-                    html.Div(id="clip-legend", className="clip-legend", **{"aria-label": "Values at the cursor"}),
+                    html.Div(id=names.CLIP_LEGEND, className="clip-legend", **{"aria-label": "Values at the cursor"}),
                     _chart(),
-                    html.Div(id="clip-range", className="clip-range"),
+                    html.Div(id=names.CLIP_RANGE, className="clip-range"),
                     html.Div([html.H2("Gait")], className="section-head section"),
-                    html.Div(id="clip-gait", className="card clip-gait"),
+                    html.Div(id=names.CLIP_GAIT, className="card clip-gait"),
                 ],
             ),
-            dcc.Store(id="clip-shown"),  # {"dataset", "version", "clip", "fps", "frames"}
-            dcc.Store(id="clip-choice"),  # the joints and channels that the chart shows
-            dcc.Store(id="clip-gait-table"),  # drawn by assets/clip_gait.js
-            dcc.Store(id="clip-gait-drawn"),  # these four only give clientside callbacks an output
-            dcc.Store(id="clip-drawn"),
-            dcc.Store(id="clip-marked"),
-            dcc.Store(id="clip-sought"),
-            dcc.Store(id="clip-seek"),  # {"clip", "frame"}: someone chose a moment in a list
+            dcc.Store(id=names.CLIP_SHOWN),  # {"dataset", "version", "clip", "fps", "frames"}
+            dcc.Store(id=names.CLIP_CHOICE),  # the joints and channels that the chart shows
+            dcc.Store(id=names.CLIP_GAIT_TABLE),  # drawn by assets/clip_gait.js
+            dcc.Store(id=names.CLIP_GAIT_DRAWN),  # these four only give clientside callbacks an output
+            dcc.Store(id=names.CLIP_DRAWN),
+            dcc.Store(id=names.CLIP_MARKED),
+            dcc.Store(id=names.CLIP_SOUGHT),
+            dcc.Store(id=names.CLIP_SEEK),  # {"clip", "frame"}: someone chose a moment in a list
             *editing.dialogs(),
             *table.dialogs(),
         ],
@@ -67,7 +68,7 @@ def _head() -> Component:
         return html.Span(button, title=label)
 
     picker = dmc.Select(
-        id="clip-picker",
+        id=names.CLIP_PICKER,
         className="clip-picker",
         placeholder="No clip",
         searchable=True,
@@ -78,7 +79,7 @@ def _head() -> Component:
         comboboxProps={"shadow": "md"},
         **{"aria-label": "Clip"},
     )
-    walk = [step("clip-previous", "Previous clip", "back"), picker, step("clip-next", "Next clip", "next")]
+    walk = [step(names.CLIP_PREVIOUS, "Previous clip", "back"), picker, step(names.CLIP_NEXT, "Next clip", "next")]
     return page_head(
         "Clip",
         html.Div([editing.menu(), table.button()], className="head-menus"),
@@ -94,16 +95,16 @@ def _choosers() -> Component:
     return html.Div(
         className="clip-choosers",
         children=[
-            segments("clip-chart", CHARTS, "Chart"),
-            html.Div(segments("clip-kind", KINDS, "Kind of angles"), id="clip-kind-box", className="hidden"),
+            segments(names.CLIP_CHART, CHARTS, "Chart"),
+            html.Div(segments(names.CLIP_KIND, KINDS, "Kind of angles"), id=names.CLIP_KIND_BOX, className="hidden"),
             html.Div(
-                dmc.ChipGroup(id="clip-channels", multiple=True, children=[], value=[]),
-                id="clip-channels-box",
+                dmc.ChipGroup(id=names.CLIP_CHANNELS, multiple=True, children=[], value=[]),
+                id=names.CLIP_CHANNELS_BOX,
                 className="hidden clip-channels-box",
             ),
             html.Div(
                 dmc.MultiSelect(
-                    id="clip-joints",
+                    id=names.CLIP_JOINTS,
                     data=[],
                     size="xs",
                     searchable=True,
@@ -113,7 +114,7 @@ def _choosers() -> Component:
                     comboboxProps={"shadow": "md"},
                     **{"aria-label": "Joints"},
                 ),
-                id="clip-joints-box",
+                id=names.CLIP_JOINTS_BOX,
                 className="hidden clip-joints-box",
             ),
         ],
@@ -132,13 +133,13 @@ def _chart() -> Component:
         **{"aria-hidden": "true"},
     )
     graph = dcc.Graph(
-        id="clip-graph",
+        id=names.CLIP_GRAPH,
         figure={"data": [], "layout": {"height": 380, "xaxis": {"visible": False}, "yaxis": {"visible": False}}},
         config={"displayModeBar": False, "doubleClick": False, "scrollZoom": False, "responsive": True},
     )
     box = html.Div(
         [graph, overlay],
-        id="clip-box",
+        id=names.CLIP_BOX,
         className="card clip-box",
         tabIndex="0",
         role="application",
@@ -169,9 +170,7 @@ def nothing(dataset: Dataset | None, clip: str | None) -> Component:
         state = empty_state("person", "No dataset yet", "Add recordings, or make the demo, in the library.", link)
     elif clip:
         hint = f"“{clip[:80]}” is not in {dataset.name}; it may have been removed. Choose another one above."
-        first = dmc.Button(
-            f"Show {dataset.names[0]}", variant="light", **sends("selection", {"clip": dataset.names[0]})
-        )
+        first = dmc.Button(f"Show {dataset.names[0]}", variant="light", **sends(SELECTION, {"clip": dataset.names[0]}))
         state = empty_state("warning", "There is no such clip", hint, first)
     else:
         state = empty_state("person", "No clip to show", "This dataset has no clips; add recordings in the library.")
@@ -200,14 +199,14 @@ def joint_options(curves: ClipCurves, chosen: Choice) -> list[dict[str, str]]:
     offered = offered_joints(curves, chosen.chart, chosen.kind)
     if chosen.chart == "angles" and chosen.kind == "file":
         return [{"value": name, "label": curves.clip.skeleton.names[int(name)]} for name in offered]
-    names = {TRAVEL: "Travel of the pelvis"}
-    return [{"value": name, "label": names.get(name, joint_words(name))} for name in offered]
+    words = {TRAVEL: "Travel of the pelvis"}
+    return [{"value": name, "label": words.get(name, joint_words(name))} for name in offered]
 
 
 def channel_chips(chosen: Choice) -> list[Component]:
     """A chip for every angle that the chosen joints have."""
-    names = dict.fromkeys(channel.name for joint in chosen.joints for channel in JOINTS[joint].channels)
-    return [dmc.Chip(name.capitalize(), value=name, size="xs", variant="outline") for name in names]
+    channels = dict.fromkeys(channel.name for joint in chosen.joints for channel in JOINTS[joint].channels)
+    return [dmc.Chip(name.capitalize(), value=name, size="xs", variant="outline") for name in channels]
 
 
 def legend(panels: Sequence[Panel]) -> list[Component]:
@@ -246,7 +245,7 @@ def range_bar(clip: str, fps: float, frames: int, start: int | None, end: int | 
         return [html.Span(hint, className="muted"), html.Div(className="spacer"), alike]
     said = f"{start / fps:.2f} to {end / fps:.2f} s"
     more = f"{(end - start) / fps:.2f} s, frames {start} to {end}"
-    whole = sends("selection", {"clip": clip})
+    whole = sends(SELECTION, {"clip": clip})
     return [
         html.Span(["Selected ", html.B(said, className="number")]),
         html.Span(more, className="muted number"),
@@ -259,7 +258,7 @@ def range_bar(clip: str, fps: float, frames: int, start: int | None, end: int | 
             "Make it a clip",
             size="compact-sm",
             variant="default",
-            **sends("clip-edit", {"action": "trim"}, every_time=True),
+            **sends(names.CLIP_EDIT, {"action": "trim"}, every_time=True),
         ),
         dmc.Button("Clear", size="compact-sm", variant="subtle", color="gray", **whole),
     ]

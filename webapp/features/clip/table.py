@@ -10,8 +10,10 @@ import dash_mantine_components as dmc
 from dash import Dash, Input, Output, State, html, no_update
 from dash.development.base_component import Component
 
+from webapp.features.clip import names
 from webapp.features.clip.routes import COLUMNS
 from webapp.shell.icons import icon
+from webapp.shell.names import SELECTION
 
 _JOINTS = {"shown": "Those of the chart", "all": "All"}
 _FRAMES = {"range": "The selected range", "all": "The whole clip"}
@@ -19,7 +21,7 @@ _FRAMES = {"range": "The selected range", "all": "The whole clip"}
 
 def button() -> Component:
     """Opens the dialog."""
-    return dmc.Button("Table", id="clip-table-open", variant="default", leftSection=icon("download", 16))
+    return dmc.Button("Table", id=names.CLIP_TABLE_OPEN, variant="default", leftSection=icon("download", 16))
 
 
 def dialogs() -> list[Component]:
@@ -32,17 +34,19 @@ def dialogs() -> list[Component]:
     checks = dmc.Stack([dmc.Checkbox(label=text, value=name) for name, text in COLUMNS.items()], gap=6, mt=4)
     return [
         dmc.Modal(
-            id="clip-table-dialog",
+            id=names.CLIP_TABLE_DIALOG,
             title="Download a table",
             children=[
-                dmc.CheckboxGroup(checks, id="clip-table-columns", label="Columns", value=["angles", "speeds", "feet"]),
-                radios("clip-table-joints", _JOINTS, "all", "Joints of angles, speeds and positions"),
-                radios("clip-table-frames", _FRAMES, "range", "Frames"),
-                html.Div(id="clip-table-what", className="muted clip-table-what", role="status"),
+                dmc.CheckboxGroup(
+                    checks, id=names.CLIP_TABLE_COLUMNS, label="Columns", value=["angles", "speeds", "feet"]
+                ),
+                radios(names.CLIP_TABLE_JOINTS, _JOINTS, "all", "Joints of angles, speeds and positions"),
+                radios(names.CLIP_TABLE_FRAMES, _FRAMES, "range", "Frames"),
+                html.Div(id=names.CLIP_TABLE_WHAT, className="muted clip-table-what", role="status"),
                 dmc.Group(
                     html.A(
                         [icon("download", 16), "Download CSV"],
-                        id="clip-table-link",
+                        id=names.CLIP_TABLE_LINK,
                         href="",
                         className="clip-download",
                     ),
@@ -74,22 +78,22 @@ def register(app: Dash) -> None:
     """The dialog and its link."""
 
     @app.callback(
-        Output("clip-table-dialog", "opened"), Input("clip-table-open", "n_clicks"), prevent_initial_call=True
+        Output(names.CLIP_TABLE_DIALOG, "opened"), Input(names.CLIP_TABLE_OPEN, "n_clicks"), prevent_initial_call=True
     )
     def open_dialog(clicks):
         return True if clicks else no_update
 
     @app.callback(
-        Output("clip-table-link", "href"),
-        Output("clip-table-what", "children"),
-        Input("clip-shown", "data"),
-        Input("selection", "data"),
-        Input("clip-table-columns", "value"),
-        Input("clip-table-joints", "value"),
-        Input("clip-table-frames", "value"),
-        State("clip-joints", "value"),
-        State("clip-kind", "value"),
-        Input("clip-table-dialog", "opened"),
+        Output(names.CLIP_TABLE_LINK, "href"),
+        Output(names.CLIP_TABLE_WHAT, "children"),
+        Input(names.CLIP_SHOWN, "data"),
+        Input(SELECTION, "data"),
+        Input(names.CLIP_TABLE_COLUMNS, "value"),
+        Input(names.CLIP_TABLE_JOINTS, "value"),
+        Input(names.CLIP_TABLE_FRAMES, "value"),
+        State(names.CLIP_JOINTS, "value"),
+        State(names.CLIP_KIND, "value"),
+        Input(names.CLIP_TABLE_DIALOG, "opened"),
     )
     def update(shown, selection, columns, which, frames, joints, kind, _opened):
         if not shown:

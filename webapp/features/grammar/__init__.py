@@ -1,6 +1,7 @@
 """Grammar: the actions of the recordings, what follows what, and new motion that keeps to it."""
 
-from webapp.shell.feature import Command, Feature, LinkKeys, SelectionKind, later
+from webapp.features.grammar import names
+from webapp.shell.feature import Command, Feature, SelectionKind, later, link_keys
 
 FEATURE = Feature(
     path="grammar",
@@ -8,11 +9,7 @@ FEATURE = Feature(
     symbol="branches",
     page=later("webapp.features.grammar.layout:page"),
     register=later("webapp.features.grammar.callbacks:register"),
-    keys=LinkKeys(
-        names=("show", "routine", "sentence", "pick", "up", "alt", "counts"),
-        of_dataset=("routine", "sentence", "pick", "up", "alt"),
-        patterns=dict.fromkeys(("routine", "pick", "up", "alt"), r"\d{1,6}"),
-    ),
+    keys=link_keys(names.View),
     methods={"grammar": "grammar"},
     routes=later("webapp.features.grammar.routes:blueprints"),
     commands={

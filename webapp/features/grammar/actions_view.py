@@ -8,8 +8,9 @@ from dash.development.base_component import Component
 
 from core.workspace import MotifNote, Workspace, WorkspaceError
 from core.workspace.notes import LONGEST_NAME
-from webapp.features.grammar import grammars
+from webapp.features.grammar import grammars, names
 from webapp.shell.icons import icon
+from webapp.shell.names import DATASET, SELECTION, VIEW
 
 ORDERS = (("id", "By number"), ("count", "Most frequent first"), ("seconds", "Longest first"), ("name", "By name"))
 CARRIED = "Carried over from an earlier result that has most of these frames."
@@ -23,7 +24,7 @@ def layout() -> Component:
             html.Div(
                 [
                     dmc.Select(
-                        id="action-order",
+                        id=names.ACTION_ORDER,
                         data=[{"value": value, "label": label} for value, label in ORDERS],
                         value="id",
                         size="xs",
@@ -31,7 +32,7 @@ def layout() -> Component:
                         allowDeselect=False,
                         **{"aria-label": "Order of the actions"},
                     ),
-                    html.Div(id="action-cards", className="action-cards"),
+                    html.Div(id=names.ACTION_CARDS, className="action-cards"),
                 ],
                 className="actions-all",
             ),
@@ -47,34 +48,34 @@ def _one() -> list[Component]:
                 html.Div(icon("play", 26), className="empty-icon"),
                 html.P("Choose an action to see all its occurrences play together.", className="muted"),
             ],
-            id="action-hint",
+            id=names.ACTION_HINT,
             className="selection-hint",
         ),
         html.Div(
-            id="action-detail",
+            id=names.ACTION_DETAIL,
             className="hidden",
             children=[
                 html.Div(
                     [
-                        html.H2(id="action-title"),
-                        html.Span(id="action-count", className="muted"),
+                        html.H2(id=names.ACTION_TITLE),
+                        html.Span(id=names.ACTION_COUNT, className="muted"),
                         html.Div(className="spacer"),
                         html.Button(
-                            [icon("play", 14), "Play all"], id="action-all", type="button", className="walk-button"
+                            [icon("play", 14), "Play all"], id=names.ACTION_ALL, type="button", className="walk-button"
                         ),
                     ],
                     className="section-head",
                 ),
                 dmc.TextInput(
-                    id="action-name",
+                    id=names.ACTION_NAME,
                     label="Name",
                     placeholder="side step",
                     debounce=True,
                     attributes={"input": {"maxLength": LONGEST_NAME, "autoComplete": "off"}},
                 ),
-                html.Div(id="action-name-status", className="muted notes-status", role="status"),
-                html.Div(id="occurrences", className="occurrences"),
-                dcc.Store(id="action-named"),  # the action that the field speaks of
+                html.Div(id=names.ACTION_NAME_STATUS, className="muted notes-status", role="status"),
+                html.Div(id=names.OCCURRENCES, className="occurrences"),
+                dcc.Store(id=names.ACTION_NAMED),  # the action that the field speaks of
             ],
         ),
     ]
@@ -84,13 +85,13 @@ def register(app: Dash, workspace: Workspace) -> None:
     """Fill the field with the name, and keep what is typed."""
 
     @app.callback(
-        Output("action-name", "value"),
-        Output("action-named", "data"),
-        Output("action-name-status", "children"),
-        Input("selection", "data"),
-        Input("action-name", "id"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(names.ACTION_NAME, "value"),
+        Output(names.ACTION_NAMED, "data"),
+        Output(names.ACTION_NAME_STATUS, "children"),
+        Input(SELECTION, "data"),
+        Input(names.ACTION_NAME, "id"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
     )
     def fill(selection, _field, name, view):
         action = (selection or {}).get("action")
@@ -101,12 +102,12 @@ def register(app: Dash, workspace: Workspace) -> None:
         return note.name, int(action), CARRIED if note.carried and note.name else ""
 
     @app.callback(
-        Output("action-name-status", "children", allow_duplicate=True),
-        Output("grammar-names", "data", allow_duplicate=True),
-        Input("action-name", "value"),
-        State("action-named", "data"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(names.ACTION_NAME_STATUS, "children", allow_duplicate=True),
+        Output(names.GRAMMAR_NAMES, "data", allow_duplicate=True),
+        Input(names.ACTION_NAME, "value"),
+        State(names.ACTION_NAMED, "data"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
         prevent_initial_call=True,
     )
     def save(text, action, name, view):

@@ -8,10 +8,11 @@ from dash import Dash, Input, Output, State, no_update
 from dash.dependencies import ClientsideFunction
 
 from core.workspace import Workspace
-from webapp.features.grammar import grammars, layout, views
+from webapp.features.grammar import grammars, layout, names, views
 from webapp.features.grammar.figures.tiles import tiles
 from webapp.features.grammar.layout import METHOD
 from webapp.shell import settings
+from webapp.shell.names import DATASET, REVISION, SELECTION
 from webapp.ui import method_page
 
 
@@ -24,11 +25,11 @@ def register(app: Dash, workspace: Workspace) -> None:
 
 def _show(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("grammar-result", "children"),
-        Output("grammar-menus", "children"),
-        Input("grammar-result-key", "data"),
-        State("dataset", "data"),
-        State("grammar-settings", "data"),
+        Output(names.GRAMMAR_RESULT, "children"),
+        Output(names.GRAMMAR_MENUS, "children"),
+        Input(names.METHOD.result_key, "data"),
+        State(DATASET, "data"),
+        State(names.METHOD.settings, "data"),
     )
     def show_result(key, name, view):
         found = grammars.learned(workspace, name, view) if key and name else None
@@ -40,29 +41,29 @@ def _show(app: Dash, workspace: Workspace) -> None:
         return layout.result(tiles(workspace.open(name), found)), [*menus, layout.downloads(query, copies)]
 
     @app.callback(
-        Output("grammar-data", "data"),
-        Input("grammar-result-key", "data"),
-        Input("grammar-names", "data"),
-        Input("revision", "data"),
-        State("dataset", "data"),
-        State("grammar-settings", "data"),
-        State("grammar-data", "data"),
+        Output(names.GRAMMAR_DATA, "data"),
+        Input(names.METHOD.result_key, "data"),
+        Input(names.GRAMMAR_NAMES, "data"),
+        Input(REVISION, "data"),
+        State(DATASET, "data"),
+        State(names.METHOD.settings, "data"),
+        State(names.GRAMMAR_DATA, "data"),
     )
     def gather(key, _names, _revision, name, view, before):
         found = grammars.learned(workspace, name, view) if key and name else None
         if found is None or settings.key_of(workspace, grammars.PAGE, name, view) != key:
             return no_update
         notes = grammars.notes_of(workspace, name, view) or {}
-        names = grammars.names_mark(workspace, name, view)
-        if before and (before["key"], before["names"], before["dataset"]) == (key, names, name):
+        mark = grammars.names_mark(workspace, name, view)
+        if before and (before["key"], before["names"], before["dataset"]) == (key, mark, name):
             return no_update
-        return grammars.page_data(workspace.open(name), found, key, notes) | {"names": names}
+        return grammars.page_data(workspace.open(name), found, key, notes) | {"names": mark}
 
     app.clientside_callback(
         ClientsideFunction("grammar", "draw"),
-        Output("grammar-drawn", "data"),
-        Input("grammar-data", "data"),
-        Input("selection", "data"),
-        Input("action-order", "value"),
-        Input("grammar-string", "id"),
+        Output(names.GRAMMAR_DRAWN, "data"),
+        Input(names.GRAMMAR_DATA, "data"),
+        Input(SELECTION, "data"),
+        Input(names.ACTION_ORDER, "value"),
+        Input(names.GRAMMAR_STRING, "id"),
     )

@@ -11,13 +11,15 @@ from dash.development.base_component import Component
 from core.errors import ParameterError
 from core.workspace import Job, Workspace, WorkspaceError
 from webapp import jobs
-from webapp.features.grammar import bakeoffs
+from webapp.features.grammar import bakeoffs, names
 from webapp.features.grammar.figures import bakeoff as figures
+from webapp.jobs.names import JOBS_FINISHED
 from webapp.jobs.running import running
 from webapp.shell import recipes
 from webapp.shell.buttons import copies, sends
 from webapp.shell.icons import icon
 from webapp.shell.messages import empty_state, notice
+from webapp.shell.names import DATASET, JOB_STARTED, NOTICES, STAGE_REQUEST, THEME, VIEW
 from webapp.ui import tables
 from webapp.ui.charts import CONFIG
 from webapp.ui.downloads import chart_menu, table_download
@@ -33,8 +35,11 @@ def layout() -> Component:
     """The place of the figures, or of what stands there until they are known."""
     return html.Div(
         [
-            html.Div(id="bakeoff-place"),
-            *(dcc.Store(id=f"bakeoff-{name}") for name in ("ask", "asked", "shown", "play")),
+            html.Div(id=names.BAKEOFF_PLACE),
+            *(
+                dcc.Store(id=store)
+                for store in (names.BAKEOFF_ASK, names.BAKEOFF_ASKED, names.BAKEOFF_SHOWN, names.BAKEOFF_PLAY)
+            ),
         ],
         className="bakeoff-view",
     )
@@ -44,31 +49,31 @@ def register(app: Dash, workspace: Workspace) -> None:
     """Ask, follow, show, play."""
 
     @app.callback(
-        Output("bakeoff-asked", "data"),
-        Input("bakeoff-ask", "data"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(names.BAKEOFF_ASKED, "data"),
+        Input(names.BAKEOFF_ASK, "data"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
         prevent_initial_call=True,
     )
     def ask(_clicked, name, view):
         try:
             job = jobs.start(workspace, bakeoffs.request(name, view))
         except (ParameterError, WorkspaceError) as error:
-            set_props("notices", {"sendNotifications": [notice("Cannot compare", str(error), "red")]})
+            set_props(NOTICES, {"sendNotifications": [notice("Cannot compare", str(error), "red")]})
             return no_update
-        set_props("job-started", {"data": job.id})
+        set_props(JOB_STARTED, {"data": job.id})
         return job.id
 
     @app.callback(
-        Output("bakeoff-place", "children"),
-        Output("bakeoff-shown", "data"),
-        Input("view", "data"),
-        Input("bakeoff-asked", "data"),
-        Input("jobs-finished", "data"),
-        Input("theme", "data"),
-        Input("bakeoff-place", "id"),
-        State("bakeoff-shown", "data"),
-        State("dataset", "data"),
+        Output(names.BAKEOFF_PLACE, "children"),
+        Output(names.BAKEOFF_SHOWN, "data"),
+        Input(VIEW, "data"),
+        Input(names.BAKEOFF_ASKED, "data"),
+        Input(JOBS_FINISHED, "data"),
+        Input(THEME, "data"),
+        Input(names.BAKEOFF_PLACE, "id"),
+        State(names.BAKEOFF_SHOWN, "data"),
+        State(DATASET, "data"),
     )
     def show(view, _asked, _finished, scheme, _place, shown, name):
         if (view or {}).get("show") != "compare" or not name:
@@ -84,10 +89,10 @@ def register(app: Dash, workspace: Workspace) -> None:
         return _result(*there, scheme, again), now
 
     @app.callback(
-        Output("stage-request", "data", allow_duplicate=True),
-        Input("bakeoff-play", "data"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(STAGE_REQUEST, "data", allow_duplicate=True),
+        Input(names.BAKEOFF_PLAY, "data"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
         prevent_initial_call=True,
     )
     def play(asked, name, view):
@@ -103,15 +108,15 @@ def _waiting(job: Job | None) -> Component:
         title, words = "Comparing failed", job.error
     elif job is not None and job.state == "cancelled":
         title, words = "Comparing was cancelled", "Nothing was kept of it."
-    asks = sends("bakeoff-ask", {"ask": True}, every_time=True)
+    asks = sends(names.BAKEOFF_ASK, {"ask": True}, every_time=True)
     return empty_state("branches", title, words, dmc.Button("Compare four ways", variant="light", **asks))
 
 
 def _result(result, key: str, scheme: str | None, again: dict[str, str]) -> list[Component]:
-    names = [clip.name for clip in result.clips]
-    plays = [_play("All side by side", {})] + [_play(figures.NAMES.get(n, n), {"only": n}) for n in names]
+    clips = [clip.name for clip in result.clips]
+    plays = [_play("All side by side", {})] + [_play(figures.NAMES.get(n, n), {"only": n}) for n in clips]
     grid = tables.grid(
-        "bakeoff-table",
+        names.BAKEOFF_TABLE,
         figures.columns(),
         figures.rows(result.contenders),
         "Four ways of making motion",
@@ -125,10 +130,10 @@ def _result(result, key: str, scheme: str | None, again: dict[str, str]) -> list
         html.Div(
             [
                 html.Div(
-                    [html.H3("How they compare"), chart_menu("bakeoff-chart", "four ways")], className="chart-head"
+                    [html.H3("How they compare"), chart_menu(names.BAKEOFF_CHART, "four ways")], className="chart-head"
                 ),
                 dcc.Graph(
-                    id="bakeoff-chart",
+                    id=names.BAKEOFF_CHART,
                     figure=figures.chart(result.contenders, scheme),
                     config=CONFIG,
                     style={"height": "470px"},
@@ -150,7 +155,7 @@ def _result(result, key: str, scheme: str | None, again: dict[str, str]) -> list
                     className="walk-button",
                     download="",
                 ),
-                table_download("bakeoff-table", "four ways"),
+                table_download(names.BAKEOFF_TABLE, "four ways"),
             ],
             className="section-head section",
         ),
@@ -163,5 +168,5 @@ def _play(label: str, value: dict[str, str]) -> Component:
         [icon("play", 14), label],
         type="button",
         className="walk-button",
-        **{"data-store": "bakeoff-play", "data-value": json.dumps(value), "data-stamp": "yes"},
+        **{"data-store": names.BAKEOFF_PLAY, "data-value": json.dumps(value), "data-stamp": "yes"},
     )

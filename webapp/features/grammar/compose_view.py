@@ -8,9 +8,10 @@ from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
 from core.workspace import Workspace, WorkspaceError
-from webapp.features.grammar import compositions
+from webapp.features.grammar import compositions, names
 from webapp.features.grammar.routines_view import tree_link
 from webapp.shell.icons import icon
+from webapp.shell.names import DATASET, SELECTION, VIEW
 
 
 def layout() -> Component:
@@ -19,24 +20,29 @@ def layout() -> Component:
         className="compose-view",
         children=[
             html.Div(_buttons(), className="compose-bar", role="group", **{"aria-label": "The new routine"}),
-            html.Div(id="compose-error", className="walk-error hidden", role="alert"),
-            html.P(id="compose-said", className="muted view-hint", role="status"),
-            html.Ol(id="compose-string", className="compose-string", **{"aria-label": "Actions of the new routine"}),
+            html.Div(id=names.COMPOSE_ERROR, className="walk-error hidden", role="alert"),
+            html.P(id=names.COMPOSE_SAID, className="muted view-hint", role="status"),
+            html.Ol(
+                id=names.COMPOSE_STRING, className="compose-string", **{"aria-label": "Actions of the new routine"}
+            ),
             html.Div(_chosen(), className="compose-bar", role="group", **{"aria-label": "The chosen part"}),
-            html.Div(id="compose-others", className="compose-others hidden"),
+            html.Div(id=names.COMPOSE_OTHERS, className="compose-others hidden"),
             html.Div(
-                html.Div(id="compose-tree", className="tree", role="group", **{"aria-label": "How it is built"}),
+                html.Div(id=names.COMPOSE_TREE, className="tree", role="group", **{"aria-label": "How it is built"}),
                 className="card tree-card",
             ),
             html.Div(
                 [
-                    html.Div(id="compose-meters", className="walk-meters hidden"),
+                    html.Div(id=names.COMPOSE_METERS, className="walk-meters hidden"),
                     html.Div(_save(), className="compose-save"),
                 ],
                 className="compose-foot",
             ),
-            html.Div(id="compose-warnings", className="walk-notes muted"),
-            *(dcc.Store(id=f"compose-{name}") for name in ("data", "drawn", "other-data", "other-drawn")),
+            html.Div(id=names.COMPOSE_WARNINGS, className="walk-notes muted"),
+            dcc.Store(id=names.COMPOSE_DATA),
+            dcc.Store(id=names.COMPOSE_DRAWN),
+            dcc.Store(id=names.COMPOSE_OTHER_DATA),
+            dcc.Store(id=names.COMPOSE_OTHER_DRAWN),
         ],
     )
 
@@ -44,9 +50,9 @@ def layout() -> Component:
 def _buttons() -> list[Component]:
     return [
         _button([icon("dice", 16), "New routine"], "new", "Another routine by chance"),
-        html.Label("at most", htmlFor="compose-most", className="compose-most"),
+        html.Label("at most", htmlFor=names.COMPOSE_MOST, className="compose-most"),
         dcc.Input(
-            id="compose-most",
+            id=names.COMPOSE_MOST,
             type="number",
             className="walk-number",
             value=compositions.USUAL_LENGTH,
@@ -60,9 +66,9 @@ def _buttons() -> list[Component]:
         html.Div(className="spacer"),
         _button([icon("play", 14), "Play"], "play", "Play the routine from its start"),
         html.A(
-            [icon("download", 14), "BVH"], id="compose-bvh", className="walk-button", title="Save the motion as BVH"
+            [icon("download", 14), "BVH"], id=names.COMPOSE_BVH, className="walk-button", title="Save the motion as BVH"
         ),
-        tree_link("compose-json", "JSON", "Save where every frame comes from, and the meters"),
+        tree_link(names.COMPOSE_JSON, "JSON", "Save where every frame comes from, and the meters"),
         *(
             html.Button(label, type="button", className="walk-button compose-recipe", **{"data-recipe": words})
             for label, words in (("Command", "Copy as commands"), ("Python", "Copy as Python"))
@@ -72,18 +78,18 @@ def _buttons() -> list[Component]:
 
 def _chosen() -> list[Component]:
     return [
-        html.Div(id="compose-chosen", className="compose-chosen muted", role="status"),
+        html.Div(id=names.COMPOSE_CHOSEN, className="compose-chosen muted", role="status"),
         html.Div(className="spacer"),
         _button([icon("plus", 14), "Larger"], "larger", "Take in more: the phrase around it"),
         _button([icon("minus", 14), "Smaller"], "smaller", "Take in less: the phrase within it"),
         _button([icon("dice", 14), "Four others"], "others", "Show four other ways for the chosen part, side by side"),
-        tree_link("compose-svg", "Tree", "Save the tree as a drawing (SVG)"),
+        tree_link(names.COMPOSE_SVG, "Tree", "Save the tree as a drawing (SVG)"),
         html.Button(
             [icon("download", 14), "PNG"],
             type="button",
             className="walk-button tree-png",
             title="Save the tree as a picture",
-            **{"data-link": "compose-svg"},
+            **{"data-link": names.COMPOSE_SVG},
         ),
     ]
 
@@ -91,14 +97,14 @@ def _chosen() -> list[Component]:
 def _save() -> list[Component]:
     return [
         dmc.TextInput(
-            id="compose-name",
+            id=names.COMPOSE_NAME,
             label="Keep it in the library",
             placeholder="a name",
             size="xs",
             attributes={"input": {"maxLength": 60, "autoComplete": "off"}},
         ),
-        html.Button([icon("check", 14), "Keep"], id="compose-save", type="button", className="walk-button"),
-        html.Div(id="compose-kept", className="muted", role="status"),
+        html.Button([icon("check", 14), "Keep"], id=names.COMPOSE_SAVE, type="button", className="walk-button"),
+        html.Div(id=names.COMPOSE_KEPT, className="muted", role="status"),
     ]
 
 
@@ -110,12 +116,12 @@ def register(app: Dash, workspace: Workspace) -> None:
     """The routine of the link and its alternatives are made on the server; all else happens in the browser."""
 
     @app.callback(
-        Output("compose-data", "data"),
-        Input("view", "data"),
-        Input("grammar-data", "data"),
-        Input("compose-tree", "id"),
-        State("dataset", "data"),
-        State("compose-data", "data"),
+        Output(names.COMPOSE_DATA, "data"),
+        Input(VIEW, "data"),
+        Input(names.GRAMMAR_DATA, "data"),
+        Input(names.COMPOSE_TREE, "id"),
+        State(DATASET, "data"),
+        State(names.COMPOSE_DATA, "data"),
     )
     def make(view, _data, _place, name, before):
         if not compositions.is_composing(view) or not name or not (view or {}).get("sentence"):
@@ -127,11 +133,11 @@ def register(app: Dash, workspace: Workspace) -> None:
         return no_update if data is None or data == before else data
 
     @app.callback(
-        Output("compose-other-data", "data"),
-        Input("view", "data"),
-        Input("compose-data", "data"),
-        State("dataset", "data"),
-        State("compose-other-data", "data"),
+        Output(names.COMPOSE_OTHER_DATA, "data"),
+        Input(VIEW, "data"),
+        Input(names.COMPOSE_DATA, "data"),
+        State(DATASET, "data"),
+        State(names.COMPOSE_OTHER_DATA, "data"),
     )
     def others(view, _data, name, before):
         if not compositions.is_composing(view) or not name or not (view or {}).get("alt"):
@@ -143,11 +149,11 @@ def register(app: Dash, workspace: Workspace) -> None:
         return no_update if data is None or data == before else data
 
     @app.callback(
-        Output("compose-kept", "children"),
-        Input("compose-save", "n_clicks"),
-        State("compose-name", "value"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(names.COMPOSE_KEPT, "children"),
+        Input(names.COMPOSE_SAVE, "n_clicks"),
+        State(names.COMPOSE_NAME, "value"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
         prevent_initial_call=True,
     )
     def keep(_clicks, text, name, view):
@@ -158,15 +164,15 @@ def register(app: Dash, workspace: Workspace) -> None:
 
     app.clientside_callback(
         ClientsideFunction("grammar", "compose"),
-        Output("compose-drawn", "data"),
-        Input("compose-data", "data"),
-        Input("view", "data"),
-        Input("grammar-data", "data"),
-        State("selection", "data"),
+        Output(names.COMPOSE_DRAWN, "data"),
+        Input(names.COMPOSE_DATA, "data"),
+        Input(VIEW, "data"),
+        Input(names.GRAMMAR_DATA, "data"),
+        State(SELECTION, "data"),
     )
     app.clientside_callback(
         ClientsideFunction("grammar", "others"),
-        Output("compose-other-drawn", "data"),
-        Input("compose-other-data", "data"),
-        Input("view", "data"),
+        Output(names.COMPOSE_OTHER_DRAWN, "data"),
+        Input(names.COMPOSE_OTHER_DATA, "data"),
+        Input(VIEW, "data"),
     )

@@ -8,7 +8,7 @@ import dash_mantine_components as dmc
 from dash import dcc, html
 from dash.development.base_component import Component
 
-from webapp.features.grammar import views
+from webapp.features.grammar import names, views
 from webapp.shell.icons import icon
 from webapp.ui import method_page
 from webapp.ui.method_page import MethodPage
@@ -52,7 +52,6 @@ METHOD = MethodPage(
     hint=HINT,
     labels=LABELS,
 )
-STORES = ("data", "names")
 
 
 def page() -> Component:
@@ -66,14 +65,15 @@ def page() -> Component:
                     html.H1("Grammar"),
                     html.Span("what follows what", className="muted"),
                     html.Div(className="spacer"),
-                    html.Div(id="grammar-menus", className="head-menus"),
+                    html.Div(id=names.GRAMMAR_MENUS, className="head-menus"),
                     method_page.run_button(METHOD),
                 ],
             ),
             method_page.settings_fold(METHOD),
             method_page.status_place(METHOD),
-            *(dcc.Store(id=f"grammar-{name}") for name in STORES),
-            html.Div(id="grammar-result"),
+            dcc.Store(id=names.GRAMMAR_DATA),
+            dcc.Store(id=names.GRAMMAR_NAMES),
+            html.Div(id=names.GRAMMAR_RESULT),
         ],
     )
 
@@ -93,10 +93,10 @@ def result(tiles: Sequence[tuple[str, str, str]]) -> Component:
                 ],
                 className="section-head section",
             ),
-            html.Div(id="grammar-string", className="card string", role="list", **{"aria-label": "Recordings"}),
+            html.Div(id=names.GRAMMAR_STRING, className="card string", role="list", **{"aria-label": "Recordings"}),
             html.Div([views.switch()], className="section-head section"),
             *views.panels(),
-            dcc.Store(id="grammar-drawn"),
+            dcc.Store(id=names.GRAMMAR_DRAWN),
         ]
     )
 

@@ -7,9 +7,10 @@ from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
 from core.workspace import Workspace
-from webapp.features.grammar import grammars
+from webapp.features.grammar import grammars, names
 from webapp.shell import settings
 from webapp.shell.icons import icon
+from webapp.shell.names import DATASET, VIEW
 
 
 def layout() -> Component:
@@ -22,34 +23,39 @@ def layout() -> Component:
                 "built, and a part of the tree to play it.",
                 className="muted view-hint",
             ),
-            html.Ol(id="routine-list", className="card routine-list", **{"aria-label": "Routines"}),
+            html.Ol(id=names.ROUTINE_LIST, className="card routine-list", **{"aria-label": "Routines"}),
             html.Div(
                 className="card tree-card",
                 children=[
                     html.Div(
                         [
-                            html.H3(id="routine-title"),
-                            html.Span(id="routine-count", className="muted"),
+                            html.H3(id=names.ROUTINE_TITLE),
+                            html.Span(id=names.ROUTINE_COUNT, className="muted"),
                             html.Div(className="spacer"),
                             html.Button(
-                                [icon("play", 14), "Play"], id="routine-play", type="button", className="walk-button"
+                                [icon("play", 14), "Play"],
+                                id=names.ROUTINE_PLAY,
+                                type="button",
+                                className="walk-button",
                             ),
-                            tree_link("routine-svg", "SVG", "Save the tree as a drawing"),
+                            tree_link(names.ROUTINE_SVG, "SVG", "Save the tree as a drawing"),
                             html.Button(
                                 [icon("download", 14), "PNG"],
                                 type="button",
                                 className="walk-button tree-png",
                                 title="Save the tree as a picture",
-                                **{"data-link": "routine-svg"},
+                                **{"data-link": names.ROUTINE_SVG},
                             ),
                         ],
                         className="tree-head",
                     ),
-                    html.Div(id="routine-tree", className="tree", role="group", **{"aria-label": "How it is built"}),
+                    html.Div(
+                        id=names.ROUTINE_TREE, className="tree", role="group", **{"aria-label": "How it is built"}
+                    ),
                 ],
             ),
-            dcc.Store(id="routine-data"),
-            dcc.Store(id="routine-drawn"),
+            dcc.Store(id=names.ROUTINE_DATA),
+            dcc.Store(id=names.ROUTINE_DRAWN),
         ],
     )
 
@@ -63,12 +69,12 @@ def register(app: Dash, workspace: Workspace) -> None:
     """The tree of the routine that the link names, drawn on the server."""
 
     @app.callback(
-        Output("routine-data", "data"),
-        Input("view", "data"),
-        Input("grammar-data", "data"),
-        Input("routine-tree", "id"),
-        State("dataset", "data"),
-        State("routine-data", "data"),
+        Output(names.ROUTINE_DATA, "data"),
+        Input(VIEW, "data"),
+        Input(names.GRAMMAR_DATA, "data"),
+        Input(names.ROUTINE_TREE, "id"),
+        State(DATASET, "data"),
+        State(names.ROUTINE_DATA, "data"),
     )
     def draw(view, _data, _place, name, before):
         if (view or {}).get("show") != "routines" or not name:
@@ -84,8 +90,8 @@ def register(app: Dash, workspace: Workspace) -> None:
 
     app.clientside_callback(
         ClientsideFunction("grammar", "routine"),
-        Output("routine-drawn", "data"),
-        Input("routine-data", "data"),
-        Input("grammar-data", "data"),
-        Input("view", "data"),
+        Output(names.ROUTINE_DRAWN, "data"),
+        Input(names.ROUTINE_DATA, "data"),
+        Input(names.GRAMMAR_DATA, "data"),
+        Input(VIEW, "data"),
     )

@@ -11,12 +11,14 @@ from core import analyses
 from core.errors import ParameterError
 from core.workspace import Workspace, WorkspaceError
 from webapp import jobs
-from webapp.features.grammar import action_counts, grammars
+from webapp.features.grammar import action_counts, grammars, names
 from webapp.features.grammar.figures import table as grammar_table
+from webapp.jobs.names import JOBS_FINISHED, JOBS_SEEN
 from webapp.jobs.running import running
 from webapp.shell import settings
 from webapp.shell.icons import icon
 from webapp.shell.messages import notice
+from webapp.shell.names import DATASET, JOB_STARTED, NOTICES, THEME, VIEW, VIEW_CHANGE
 from webapp.ui import method_page, tables
 from webapp.ui.charts import CONFIG, empty
 from webapp.ui.downloads import chart_menu, table_download
@@ -37,7 +39,7 @@ def layout() -> Component:
                 className="card tune-bar",
                 children=[
                     dmc.TextInput(
-                        id="tune-counts",
+                        id=names.TUNE_COUNTS,
                         label="Numbers of actions to compare",
                         debounce=500,
                         size="sm",
@@ -45,31 +47,38 @@ def layout() -> Component:
                         attributes={"input": {"autoComplete": "off"}},
                     ),
                     html.Button(
-                        [icon("sweep", 14), "Compare them"], id="tune-run", type="button", className="walk-button tall"
+                        [icon("sweep", 14), "Compare them"],
+                        id=names.TUNE_RUN,
+                        type="button",
+                        className="walk-button tall",
                     ),
-                    html.Div(id="tune-plan", className="muted number", role="status"),
+                    html.Div(id=names.TUNE_PLAN, className="muted number", role="status"),
                 ],
             ),
             html.P(EXPLAINED, className="muted tune-note"),
-            html.Div(id="tune-status"),
-            dcc.Store(id="tune-status-of"),
-            dcc.Store(id="tune-seen"),
+            html.Div(id=names.TUNE_STATUS),
+            dcc.Store(id=names.TUNE_STATUS_OF),
+            dcc.Store(id=names.TUNE_SEEN),
             html.Div(
-                id="tune-result",
+                id=names.TUNE_RESULT,
                 className="hidden",
                 children=[
                     html.Div(
                         [
-                            _chart("tune-quality", "How good the actions are", "actions quality"),
-                            _chart("tune-rules", "How many rules", "actions rules"),
+                            _chart(names.TUNE_QUALITY, "How good the actions are", "actions quality"),
+                            _chart(names.TUNE_RULES, "How many rules", "actions rules"),
                         ],
                         className="tune-charts",
                     ),
                     html.Div(
-                        [html.H2("All of them"), html.Div(className="spacer"), table_download("tune-table", "actions")],
+                        [
+                            html.H2("All of them"),
+                            html.Div(className="spacer"),
+                            table_download(names.TUNE_TABLE, "actions"),
+                        ],
                         className="section-head section",
                     ),
-                    html.Div(id="tune-table-place"),
+                    html.Div(id=names.TUNE_TABLE_PLACE),
                 ],
             ),
         ],
@@ -81,10 +90,10 @@ def _sliders() -> list[Component]:
         next(p for p in settings.parameters(grammars.PAGE) if p.name == name) for name in ("n_terminals", "weight")
     )
     return [
-        _slider("tune-actions", "Number of actions", 2, 60, 1, count.default, ""),
-        _slider("tune-weight", "Alike … repeated", 0, 1, 0.01, weight.default, "wide"),
+        _slider(names.TUNE_ACTIONS, "Number of actions", 2, 60, 1, count.default, ""),
+        _slider(names.TUNE_WEIGHT, "Alike … repeated", 0, 1, 0.01, weight.default, "wide"),
         html.Button(
-            [icon("spark", 14), "Learn with these"], id="tune-learn", type="button", className="walk-button tall"
+            [icon("spark", 14), "Learn with these"], id=names.TUNE_LEARN, type="button", className="walk-button tall"
         ),
     ]
 
@@ -92,7 +101,7 @@ def _sliders() -> list[Component]:
 def _slider(identity: str, label: str, low: float, high: float, step: float, value: float, kind: str) -> Component:
     return html.Div(
         [
-            html.Div(label, className="tune-label", id=f"{identity}-label"),
+            html.Div(label, className="tune-label", id=names.TUNE_LABELS[identity]),
             dmc.Slider(
                 id=identity,
                 min=low,
@@ -129,23 +138,23 @@ def register(app: Dash, workspace: Workspace) -> None:
 
 def _fill(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("tune-counts", "value"),
-        Output("tune-actions", "value"),
-        Output("tune-weight", "value"),
-        Input("view", "data"),
-        Input("tune-run", "id"),
+        Output(names.TUNE_COUNTS, "value"),
+        Output(names.TUNE_ACTIONS, "value"),
+        Output(names.TUNE_WEIGHT, "value"),
+        Input(VIEW, "data"),
+        Input(names.TUNE_RUN, "id"),
     )
     def fill(view, _there):
         values = analyses.normalise(settings.request_of(grammars.PAGE, "", view)).parameters
         return action_counts.counts_text(view), values["n_terminals"], values["weight"]
 
     @app.callback(
-        Output("tune-plan", "children"),
-        Output("tune-counts", "error"),
-        Input("tune-counts", "value"),
-        Input("tune-seen", "data"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(names.TUNE_PLAN, "children"),
+        Output(names.TUNE_COUNTS, "error"),
+        Input(names.TUNE_COUNTS, "value"),
+        Input(names.TUNE_SEEN, "data"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
     )
     def plan(text, _seen, name, view):
         try:
@@ -158,11 +167,11 @@ def _fill(app: Dash, workspace: Workspace) -> None:
 
 def _ask(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("tune-run", "disabled"),
-        Input("tune-run", "n_clicks"),
-        State("tune-counts", "value"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(names.TUNE_RUN, "disabled"),
+        Input(names.TUNE_RUN, "n_clicks"),
+        State(names.TUNE_COUNTS, "value"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
         prevent_initial_call=True,
     )
     def run(_clicks, text, name, view):
@@ -171,19 +180,19 @@ def _ask(app: Dash, workspace: Workspace) -> None:
             if not name:
                 raise WorkspaceError("Choose a dataset first; the library has none yet.")
             if any(point is None for point in action_counts.points(workspace, name, wanted)):
-                set_props("job-started", {"data": jobs.start(workspace, action_counts.request(name, wanted)).id})
-            set_props("view-change", {"data": {"counts": action_counts.counts_change(text)}})
+                set_props(JOB_STARTED, {"data": jobs.start(workspace, action_counts.request(name, wanted)).id})
+            set_props(VIEW_CHANGE, {"data": {"counts": action_counts.counts_change(text)}})
         except (ParameterError, WorkspaceError) as error:
-            set_props("notices", {"sendNotifications": [notice("Cannot compare these", str(error), "red")]})
+            set_props(NOTICES, {"sendNotifications": [notice("Cannot compare these", str(error), "red")]})
         return False
 
     @app.callback(
-        Output("tune-learn", "disabled"),
-        Input("tune-learn", "n_clicks"),
-        State("tune-actions", "value"),
-        State("tune-weight", "value"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(names.TUNE_LEARN, "disabled"),
+        Input(names.TUNE_LEARN, "n_clicks"),
+        State(names.TUNE_ACTIONS, "value"),
+        State(names.TUNE_WEIGHT, "value"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
         prevent_initial_call=True,
     )
     def learn(_clicks, count, weight, name, view):
@@ -195,23 +204,23 @@ def _ask(app: Dash, workspace: Workspace) -> None:
         try:
             method_page.ask(workspace, grammars.PAGE, name, values)
         except (ParameterError, WorkspaceError) as error:
-            set_props("notices", {"sendNotifications": [notice("Cannot learn with these", str(error), "red")]})
+            set_props(NOTICES, {"sendNotifications": [notice("Cannot learn with these", str(error), "red")]})
         return False
 
 
 def _follow(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("tune-status", "children"),
-        Output("tune-status-of", "data"),
-        Output("tune-seen", "data"),
-        Output("tune-result", "className"),
-        Input("view", "data"),
-        Input("dataset", "data"),
-        Input("jobs-seen", "data"),
-        Input("jobs-finished", "data"),
-        Input("tune-run", "id"),
-        State("tune-status-of", "data"),
-        State("tune-seen", "data"),
+        Output(names.TUNE_STATUS, "children"),
+        Output(names.TUNE_STATUS_OF, "data"),
+        Output(names.TUNE_SEEN, "data"),
+        Output(names.TUNE_RESULT, "className"),
+        Input(VIEW, "data"),
+        Input(DATASET, "data"),
+        Input(JOBS_SEEN, "data"),
+        Input(JOBS_FINISHED, "data"),
+        Input(names.TUNE_RUN, "id"),
+        State(names.TUNE_STATUS_OF, "data"),
+        State(names.TUNE_SEEN, "data"),
     )
     def look(view, name, _seen, _finished, _there, spoken, seen):
         if (view or {}).get("show") != "tune" or not name:
@@ -248,13 +257,13 @@ def _ended(job) -> Component | list:
 
 def _draw(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("tune-quality", "figure"),
-        Output("tune-rules", "figure"),
-        Output("tune-table-place", "children"),
-        Input("tune-seen", "data"),
-        Input("theme", "data"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(names.TUNE_QUALITY, "figure"),
+        Output(names.TUNE_RULES, "figure"),
+        Output(names.TUNE_TABLE_PLACE, "children"),
+        Input(names.TUNE_SEEN, "data"),
+        Input(THEME, "data"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
     )
     def draw(seen, scheme, name, view):
         if not seen or not name:
@@ -265,9 +274,9 @@ def _draw(app: Dash, workspace: Workspace) -> None:
             return (no_update,) * 3
         shown = analyses.normalise(settings.request_of(grammars.PAGE, name, view)).parameters["n_terminals"]
         table = tables.grid(
-            "tune-table", grammar_table.COLUMNS, grammar_table.rows(points), "Numbers of actions", row_height=34
+            names.TUNE_TABLE, grammar_table.COLUMNS, grammar_table.rows(points), "Numbers of actions", row_height=34
         )
         return grammar_table.quality(points, scheme, shown), grammar_table.counts(points, scheme, shown), table
 
-    for chart in ("tune-quality", "tune-rules"):
+    for chart in (names.TUNE_QUALITY, names.TUNE_RULES):
         app.clientside_callback(ClientsideFunction("grammar", "open"), Input(chart, "clickData"))

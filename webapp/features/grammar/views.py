@@ -11,7 +11,8 @@ from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
 from core.workspace import Workspace
-from webapp.features.grammar import actions_view, compare_view, compose_view, routines_view, tune_view
+from webapp.features.grammar import actions_view, compare_view, compose_view, names, routines_view, tune_view
+from webapp.shell.names import VIEW
 
 
 class Part(NamedTuple):
@@ -24,7 +25,7 @@ class Part(NamedTuple):
 
 
 def _rules() -> Component:
-    return html.Div(id="grammar-rules", className="grammar-rules", **{"aria-label": "Rules"})
+    return html.Div(id=names.GRAMMAR_RULES, className="grammar-rules", **{"aria-label": "Rules"})
 
 
 def _nothing(app: Dash, workspace: Workspace) -> None:
@@ -46,13 +47,13 @@ def register(app: Dash, workspace: Workspace) -> None:
     for part in PARTS:
         part.register(app, workspace)
     app.clientside_callback(
-        ClientsideFunction("views", "chosen"), Input("grammar-show", "value"), State("view", "data")
+        ClientsideFunction("views", "chosen"), Input(names.GRAMMAR_SHOW, "value"), State(VIEW, "data")
     )
     app.clientside_callback(
         ClientsideFunction("views", "show"),
-        Output("grammar-show", "value"),
-        Input("view", "data"),
-        Input("grammar-show", "id"),
+        Output(names.GRAMMAR_SHOW, "value"),
+        Input(VIEW, "data"),
+        Input(names.GRAMMAR_SHOW, "id"),
     )
 
 
@@ -64,7 +65,7 @@ def is_shown(view: Mapping[str, str] | None, value: str) -> bool:
 def switch() -> Component:
     """The control that chooses among the views."""
     return dmc.SegmentedControl(
-        id="grammar-show",
+        id=names.GRAMMAR_SHOW,
         data=[{"value": part.value, "label": part.label} for part in PARTS],
         value=PARTS[0].value,
         size="xs",

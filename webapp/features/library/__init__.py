@@ -1,6 +1,7 @@
 """Library: datasets, clips, the import report, labels, and what is brought in or taken out as files."""
 
-from webapp.shell.feature import Command, Feature, LinkKeys, later
+from webapp.features.library import names
+from webapp.shell.feature import Command, Feature, later, link_keys
 
 _ARGUMENTS = "webapp.features.library.arguments"
 _COMMANDS = "webapp.features.library.commands"
@@ -11,7 +12,7 @@ FEATURE = Feature(
     symbol="library",
     page=later("webapp.features.library.layout:page"),
     register=later("webapp.features.library.callbacks:register"),
-    keys=LinkKeys(names=("tab", "files")),
+    keys=link_keys(names.View),
     routes=later("webapp.features.library.routes:blueprints"),
     stores=later("webapp.features.library.feature_files:stores"),
     commands={

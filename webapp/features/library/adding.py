@@ -15,8 +15,11 @@ from core import analyses, requests
 from core.errors import MotionscapeError, ParameterError
 from core.workspace import Workspace, check_name
 from webapp import jobs
+from webapp.features.library import names
 from webapp.jobs import changes
+from webapp.jobs.names import JOB_POKE
 from webapp.shell.icons import icon
+from webapp.shell.names import AWAITED, DATASET, JOB_STARTED
 from webapp.shell.uploads import SUFFIXES, Limits
 
 NEW = "new"
@@ -27,21 +30,23 @@ HIDDEN = {"display": "none"}  # not by a class: the dialog's focus trap looks at
 def dialog(limits: Limits) -> Component:
     """Choose or drop files, see each arrive, say where they go, add them."""
     return dmc.Modal(
-        id="upload-dialog",
+        id=names.UPLOAD_DIALOG,
         title="Add recordings or labels",
         size="xl",
         keepMounted=True,
         closeOnClickOutside=False,
         children=[
             _drop_zone(limits),
-            html.Div(html.Div(id="upload-bar"), id="upload-progress", className="upload-progress hidden"),
-            html.Div(id="upload-summary", className="muted upload-summary", role="status", **{"aria-live": "polite"}),
-            html.Ul(id="upload-list", className="upload-list", tabIndex="0", **{"aria-label": "Files"}),
+            html.Div(html.Div(id=names.UPLOAD_BAR), id=names.UPLOAD_PROGRESS, className="upload-progress hidden"),
+            html.Div(
+                id=names.UPLOAD_SUMMARY, className="muted upload-summary", role="status", **{"aria-live": "polite"}
+            ),
+            html.Ul(id=names.UPLOAD_LIST, className="upload-list", tabIndex="0", **{"aria-label": "Files"}),
             html.Div(
                 className="upload-choices",
                 children=[
                     dmc.Select(
-                        id="upload-target",
+                        id=names.UPLOAD_TARGET,
                         label="Add to",
                         data=targets(()),
                         value=NEW,
@@ -49,37 +54,37 @@ def dialog(limits: Limits) -> Component:
                         searchable=True,
                         comboboxProps={"shadow": "md"},
                     ),
-                    dmc.TextInput(id="upload-name", label="Name of the dataset", placeholder="Walks in the park"),
+                    dmc.TextInput(id=names.UPLOAD_NAME, label="Name of the dataset", placeholder="Walks in the park"),
                     html.Div(
-                        id="upload-labels-box",
+                        id=names.UPLOAD_LABELS_BOX,
                         style=HIDDEN,
                         children=[
-                            html.Label("Labels there now", className="choice-label", id="upload-labels-label"),
+                            html.Label("Labels there now", className="choice-label", id=names.UPLOAD_LABELS_LABEL),
                             dmc.SegmentedControl(
-                                id="upload-labels",
+                                id=names.UPLOAD_LABELS,
                                 data=[{"value": "add", "label": "Keep"}, {"value": "replace", "label": "Replace"}],
                                 value="add",
                                 fullWidth=True,
-                                **{"aria-labelledby": "upload-labels-label"},
+                                **{"aria-labelledby": names.UPLOAD_LABELS_LABEL},
                             ),
                         ],
                     ),
                     html.Div(
                         dmc.NumberInput(
-                            id="upload-fps",
+                            id=names.UPLOAD_FPS,
                             label="AMC frames per second",
                             placeholder="120",
                             min=1,
                             max=1000,
                             debounce=False,
                         ),
-                        id="upload-fps-box",
+                        id=names.UPLOAD_FPS_BOX,
                         style=HIDDEN,
                     ),
-                    dmc.Button("Import", id="upload-import", disabled=True),
+                    dmc.Button("Import", id=names.UPLOAD_IMPORT, disabled=True),
                 ],
             ),
-            html.Div(id="upload-problem", className="form-problem", role="alert"),
+            html.Div(id=names.UPLOAD_PROBLEM, className="form-problem", role="alert"),
         ],
     )
 
@@ -87,7 +92,7 @@ def dialog(limits: Limits) -> Component:
 def _drop_zone(limits: Limits) -> Component:
     buttons = [("Choose files", "files"), ("Choose a folder", "folder")]
     return html.Div(
-        id="drop-zone",
+        id=names.DROP_ZONE,
         className="drop-zone",
         children=[
             icon("upload", 30),
@@ -110,9 +115,9 @@ def _drop_zone(limits: Limits) -> Component:
     )
 
 
-def targets(names: Sequence[str]) -> list[dict[str, Any]]:
-    """What the files can be added to: a new dataset, or one of ``names``."""
-    here = [{"value": f"{INTO}{name}", "label": name} for name in names]
+def targets(datasets: Sequence[str]) -> list[dict[str, Any]]:
+    """What the files can be added to: a new dataset, or one of ``datasets``."""
+    here = [{"value": f"{INTO}{name}", "label": name} for name in datasets]
     new = {"value": NEW, "label": "A new dataset"}
     return [new, {"group": "Datasets here", "items": here}] if here else [new]
 
@@ -161,38 +166,38 @@ def register(app: Dash, workspace: Workspace) -> None:
     _ask(app, workspace)
     app.clientside_callback(
         ClientsideFunction("upload", "closed"),
-        Output("upload", "data"),
-        Input("upload-dialog", "opened"),
-        State("uploaded", "data"),
+        Output(names.UPLOAD, "data"),
+        Input(names.UPLOAD_DIALOG, "opened"),
+        State(names.UPLOADED, "data"),
         prevent_initial_call=True,
     )
 
 
 def _open(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("upload-dialog", "opened"),
-        Output("upload-target", "data"),
-        Output("upload-target", "value"),
-        Input("upload-open", "n_clicks"),
-        Input({"type": "add", "at": ALL}, "n_clicks"),
-        Input("upload-into", "data"),
+        Output(names.UPLOAD_DIALOG, "opened"),
+        Output(names.UPLOAD_TARGET, "data"),
+        Output(names.UPLOAD_TARGET, "value"),
+        Input(names.UPLOAD_OPEN, "n_clicks"),
+        Input(names.ADD(ALL), "n_clicks"),
+        Input(names.UPLOAD_INTO, "data"),
         prevent_initial_call=True,
     )
     def open_dialog(clicked, others, asked):
-        if ctx.triggered_id != "upload-into" and not (clicked or any(others)):
+        if ctx.triggered_id != names.UPLOAD_INTO and not (clicked or any(others)):
             return no_update, no_update, no_update
-        names = [info.name for info in workspace.datasets()]
-        wanted = (asked or {}).get("dataset") if ctx.triggered_id == "upload-into" else None
-        return True, targets(names), f"{INTO}{wanted}" if wanted in names else NEW
+        datasets = [info.name for info in workspace.datasets()]
+        wanted = (asked or {}).get("dataset") if ctx.triggered_id == names.UPLOAD_INTO else None
+        return True, targets(datasets), f"{INTO}{wanted}" if wanted in datasets else NEW
 
 
 def _choose(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("upload-target", "value", allow_duplicate=True),
-        Output("upload-suggested", "data"),
-        Input("upload", "data"),
-        State("upload-target", "value"),
-        State("dataset", "data"),
+        Output(names.UPLOAD_TARGET, "value", allow_duplicate=True),
+        Output(names.UPLOAD_SUGGESTED, "data"),
+        Input(names.UPLOAD, "data"),
+        State(names.UPLOAD_TARGET, "value"),
+        State(DATASET, "data"),
         prevent_initial_call=True,
     )
     def name_upload(upload, target, chosen):
@@ -205,21 +210,21 @@ def _choose(app: Dash, workspace: Workspace) -> None:
 
     app.clientside_callback(
         ClientsideFunction("upload", "name"),
-        Output("upload-name", "value"),
-        Input("upload-suggested", "data"),
-        State("upload-name", "value"),
+        Output(names.UPLOAD_NAME, "value"),
+        Input(names.UPLOAD_SUGGESTED, "data"),
+        State(names.UPLOAD_NAME, "value"),
         prevent_initial_call=True,
     )
 
     @app.callback(
-        Output("upload-import", "disabled"),
-        Output("upload-import", "children"),
-        Output("upload-name", "style"),
-        Output("upload-labels-box", "style"),
-        Output("upload-fps-box", "style"),
-        Output("upload-problem", "children", allow_duplicate=True),
-        Input("upload", "data"),
-        Input("upload-target", "value"),
+        Output(names.UPLOAD_IMPORT, "disabled"),
+        Output(names.UPLOAD_IMPORT, "children"),
+        Output(names.UPLOAD_NAME, "style"),
+        Output(names.UPLOAD_LABELS_BOX, "style"),
+        Output(names.UPLOAD_FPS_BOX, "style"),
+        Output(names.UPLOAD_PROBLEM, "children", allow_duplicate=True),
+        Input(names.UPLOAD, "data"),
+        Input(names.UPLOAD_TARGET, "value"),
         prevent_initial_call=True,
     )
     def show_choices(upload, target):
@@ -238,16 +243,16 @@ def _choose(app: Dash, workspace: Workspace) -> None:
 
 def _ask(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("upload-problem", "children"),
-        Output("uploaded", "data"),
-        Output("upload-dialog", "opened", allow_duplicate=True),
-        Input("upload-import", "n_clicks"),
-        Input("upload-name", "n_submit"),
-        State("upload", "data"),
-        State("upload-target", "value"),
-        State("upload-name", "value"),
-        State("upload-labels", "value"),
-        State("upload-fps", "value"),
+        Output(names.UPLOAD_PROBLEM, "children"),
+        Output(names.UPLOADED, "data"),
+        Output(names.UPLOAD_DIALOG, "opened", allow_duplicate=True),
+        Input(names.UPLOAD_IMPORT, "n_clicks"),
+        Input(names.UPLOAD_NAME, "n_submit"),
+        State(names.UPLOAD, "data"),
+        State(names.UPLOAD_TARGET, "value"),
+        State(names.UPLOAD_NAME, "value"),
+        State(names.UPLOAD_LABELS, "value"),
+        State(names.UPLOAD_FPS, "value"),
         prevent_initial_call=True,
     )
     def add_upload(_clicks, _submits, upload, target, new, labels, fps):
@@ -259,9 +264,9 @@ def _ask(app: Dash, workspace: Workspace) -> None:
             if name:
                 changes.ask(workspace, request)
             else:
-                set_props("job-started", {"data": jobs.start(workspace, request).id})
-                set_props("awaited", {"data": request.dataset})
-            set_props("job-poke", {"data": time.time()})
+                set_props(JOB_STARTED, {"data": jobs.start(workspace, request).id})
+                set_props(AWAITED, {"data": request.dataset})
+            set_props(JOB_POKE, {"data": time.time()})
         except MotionscapeError as error:
             return str(error), no_update, no_update
         return None, upload.get("token"), False

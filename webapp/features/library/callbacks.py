@@ -11,10 +11,12 @@ from dash.dependencies import ClientsideFunction
 from core import analyses, requests
 from core.workspace import Workspace, WorkspaceError
 from webapp import jobs
-from webapp.features.library import adding, feature_files, layout
+from webapp.features.library import adding, feature_files, layout, names
 from webapp.features.library.figures import tables
 from webapp.jobs import changes
+from webapp.jobs.names import JOB_POKE
 from webapp.shell.messages import empty_state, notice
+from webapp.shell.names import DATASET, JOB_STARTED, NOTICES, REVISION, SELECTION, VIEW
 from webapp.ui.tables import grid
 
 
@@ -28,15 +30,15 @@ def register(app: Dash, workspace: Workspace) -> None:
 
 
 def _show(app: Dash, workspace: Workspace) -> None:
-    @app.callback(Output("dataset-cards", "children"), Input("revision", "data"), Input("dataset", "data"))
+    @app.callback(Output(names.DATASET_CARDS, "children"), Input(REVISION, "data"), Input(DATASET, "data"))
     def show_cards(_revision, chosen):
         return layout.dataset_cards(workspace.datasets(), chosen)
 
     @app.callback(
-        Output("dataset-detail", "children"),
-        Input("dataset", "data"),
-        Input("revision", "data"),
-        State("view", "data"),
+        Output(names.DATASET_DETAIL, "children"),
+        Input(DATASET, "data"),
+        Input(REVISION, "data"),
+        State(VIEW, "data"),
     )
     def show_detail(name, _revision, view):
         if not name:
@@ -48,39 +50,39 @@ def _show(app: Dash, workspace: Workspace) -> None:
         tab, files = _looked_at(view)
         shown = {
             "clips": grid(
-                "clips-table", tables.clip_columns(dataset), tables.clip_rows(dataset), "Clips", **tables.CHOICE
+                names.CLIPS_TABLE, tables.clip_columns(dataset), tables.clip_rows(dataset), "Clips", **tables.CHOICE
             ),
-            "report": grid("report-table", tables.REPORT_COLUMNS, [], "Import report"),
-            "rows": dcc.Store(id="report-rows", data=tables.report_rows(dataset.report.files)),
+            "report": grid(names.REPORT_TABLE, tables.REPORT_COLUMNS, [], "Import report"),
+            "rows": dcc.Store(id=names.REPORT_ROWS, data=tables.report_rows(dataset.report.files)),
         }
         return layout.detail(name, shown, dataset.report, tab, files)
 
     app.clientside_callback(
         ClientsideFunction("library", "filter"),
-        Output("report-table", "rowData"),
-        Input("report-filter", "value"),
-        Input("report-rows", "data"),
+        Output(names.REPORT_TABLE, "rowData"),
+        Input(names.REPORT_FILTER, "value"),
+        Input(names.REPORT_ROWS, "data"),
     )
     app.clientside_callback(
         ClientsideFunction("library", "look"),
-        Input("dataset-tabs", "value"),
-        Input("report-filter", "value"),
-        State("view", "data"),
+        Input(names.DATASET_TABS, "value"),
+        Input(names.REPORT_FILTER, "value"),
+        State(VIEW, "data"),
     )
     app.clientside_callback(
         ClientsideFunction("library", "show"),
-        Output("dataset-tabs", "value"),
-        Output("report-filter", "value"),
-        Input("view", "data"),
-        State("report-filter", "data"),
+        Output(names.DATASET_TABS, "value"),
+        Output(names.REPORT_FILTER, "value"),
+        Input(VIEW, "data"),
+        State(names.REPORT_FILTER, "data"),
         prevent_initial_call=True,
     )
     app.clientside_callback(
         ClientsideFunction("tables", "mark"),
-        Output("clips-marked", "data"),
-        Input("selection", "data"),
-        Input("clips-table", "rowData"),
-        State("clips-table", "id"),
+        Output(names.CLIPS_MARKED, "data"),
+        Input(SELECTION, "data"),
+        Input(names.CLIPS_TABLE, "rowData"),
+        State(names.CLIPS_TABLE, "id"),
     )
 
 
@@ -91,22 +93,22 @@ def _looked_at(view: Mapping[str, str] | None) -> tuple[str, str]:
 
 
 def _act(app: Dash, workspace: Workspace) -> None:
-    @app.callback(Input("dataset-action", "data"), prevent_initial_call=True)
+    @app.callback(Input(names.DATASET_ACTION, "data"), prevent_initial_call=True)
     def act(request):
         try:
             perform(workspace, request or {})
         except WorkspaceError as error:
             _say(notice("That did not work", str(error), "red"))
-        set_props("job-poke", {"data": time.time()})
+        set_props(JOB_POKE, {"data": time.time()})
 
     @app.callback(
-        Output("rename-dialog", "opened"),
-        Output("rename-problem", "children"),
-        Input("rename-save", "n_clicks"),
-        Input("rename-name", "n_submit"),
-        State("rename-old", "data"),
-        State("rename-name", "value"),
-        State("dataset", "data"),
+        Output(names.RENAME_DIALOG, "opened"),
+        Output(names.RENAME_PROBLEM, "children"),
+        Input(names.RENAME_SAVE, "n_clicks"),
+        Input(names.RENAME_NAME, "n_submit"),
+        State(names.RENAME_OLD, "data"),
+        State(names.RENAME_NAME, "value"),
+        State(DATASET, "data"),
         prevent_initial_call=True,
     )
     def rename(_clicks, _submits, old, new, chosen):
@@ -115,21 +117,21 @@ def _act(app: Dash, workspace: Workspace) -> None:
         except WorkspaceError as error:
             return no_update, str(error)
         if chosen == old:
-            set_props("dataset", {"data": info.name})
-        set_props("job-poke", {"data": time.time()})
+            set_props(DATASET, {"data": info.name})
+        set_props(JOB_POKE, {"data": time.time()})
         return False, None
 
     @app.callback(
-        Output("trash-dialog", "opened"),
-        Output("trash-list", "children"),
-        Input("trash-open", "n_clicks"),
-        Input("revision", "data"),
+        Output(names.TRASH_DIALOG, "opened"),
+        Output(names.TRASH_LIST, "children"),
+        Input(names.TRASH_OPEN, "n_clicks"),
+        Input(REVISION, "data"),
         prevent_initial_call=True,
     )
     def show_trash(_clicks, _revision):
-        return True if ctx.triggered_id == "trash-open" else no_update, layout.trash_list(workspace.trashed())
+        return True if ctx.triggered_id == names.TRASH_OPEN else no_update, layout.trash_list(workspace.trashed())
 
-    @app.callback(Input({"type": "demo", "at": ALL}, "n_clicks"), prevent_initial_call=True)
+    @app.callback(Input(names.DEMO(ALL), "n_clicks"), prevent_initial_call=True)
     def open_demo(clicks):
         if any(clicks):
             _ask(workspace, analyses.Request(analyses.DEMO, "demo"))
@@ -140,28 +142,28 @@ def perform(workspace: Workspace, request: Mapping[str, object]) -> None:
     """Does what a button of a dataset's card or of the trash asks for; raises WorkspaceError."""
     action, name = (str(request.get(key) or "") for key in ("action", "dataset"))
     if action == "rename":
-        set_props("rename-old", {"data": name})
-        set_props("rename-name", {"value": name})
-        set_props("rename-problem", {"children": None})
-        set_props("rename-dialog", {"opened": True})
+        set_props(names.RENAME_OLD, {"data": name})
+        set_props(names.RENAME_NAME, {"value": name})
+        set_props(names.RENAME_PROBLEM, {"children": None})
+        set_props(names.RENAME_DIALOG, {"opened": True})
     elif action == "trash":
         _say(changes.undo_notice("Dataset deleted", f"{name} is in the trash.", {"restore": workspace.trash(name)}))
     elif action == "empty":
         gone = workspace.empty_trash()
-        set_props("trash-list", {"children": layout.trash_list(workspace.trashed())})
+        set_props(names.TRASH_LIST, {"children": layout.trash_list(workspace.trashed())})
         _say(notice("Trash emptied", f"{gone} dataset{'s' if gone != 1 else ''} deleted for good."))
 
 
 def _choose_clips(app: Dash, workspace: Workspace) -> None:
-    @app.callback(Output("clips-chosen", "children"), Input("clips-table", "selectedRows"))
+    @app.callback(Output(names.CLIPS_CHOSEN, "children"), Input(names.CLIPS_TABLE, "selectedRows"))
     def show_chosen(rows):
         return layout.clips_chosen(len(rows or ()))
 
     @app.callback(
-        Output("clips-table", "selectedRows"),
-        Input("clips-action", "data"),
-        State("clips-table", "selectedRows"),
-        State("dataset", "data"),
+        Output(names.CLIPS_TABLE, "selectedRows"),
+        Input(names.CLIPS_ACTION, "data"),
+        State(names.CLIPS_TABLE, "selectedRows"),
+        State(DATASET, "data"),
         prevent_initial_call=True,
     )
     def act_on_clips(request, rows, name):
@@ -179,9 +181,9 @@ def _choose_clips(app: Dash, workspace: Workspace) -> None:
 def _ask(workspace: Workspace, request: analyses.Request) -> None:
     """Enters a job and has the bar look at once; raises WorkspaceError, ParameterError."""
     job = jobs.start(workspace, request)
-    set_props("job-started", {"data": job.id})
-    set_props("job-poke", {"data": time.time()})
+    set_props(JOB_STARTED, {"data": job.id})
+    set_props(JOB_POKE, {"data": time.time()})
 
 
 def _say(message: dict) -> None:
-    set_props("notices", {"sendNotifications": [message]})
+    set_props(NOTICES, {"sendNotifications": [message]})

@@ -12,14 +12,17 @@ from core import analyses
 from core.errors import ParameterError
 from core.workspace import Workspace, WorkspaceError
 from webapp import jobs
+from webapp.features.library import names
+from webapp.jobs.names import JOBS_FINISHED
 from webapp.shell.messages import notice
+from webapp.shell.names import JOB_STARTED, NOTICES
 
 
 def stores() -> list[Component]:
     """For the frame of the app: features may be done when one has gone to another page."""
     return [
-        dcc.Store(id="features-asked"),  # {"dataset": name, "suffix": ".npz"} that someone waits for
-        dcc.Store(id="features-ready"),  # address of the download
+        dcc.Store(id=names.FEATURES_ASKED),  # {"dataset": name, "suffix": ".npz"} that someone waits for
+        dcc.Store(id=names.FEATURES_READY),  # address of the download
     ]
 
 
@@ -27,10 +30,10 @@ def register(app: Dash, workspace: Workspace) -> None:
     """Start what is missing; hand over what is there."""
 
     @app.callback(
-        Output("features-ready", "data"),
-        Input("features-asked", "data"),
-        Input("jobs-finished", "data"),
-        State("features-asked", "data"),
+        Output(names.FEATURES_READY, "data"),
+        Input(names.FEATURES_ASKED, "data"),
+        Input(JOBS_FINISHED, "data"),
+        State(names.FEATURES_ASKED, "data"),
         prevent_initial_call=True,
     )
     def give(_asked, _finished, asked):
@@ -39,21 +42,21 @@ def register(app: Dash, workspace: Workspace) -> None:
         request = analyses.Request(str(asked.get("dataset")), "features")
         try:
             if analyses.stored(workspace, request) is not None:
-                set_props("features-asked", {"data": None})
+                set_props(names.FEATURES_ASKED, {"data": None})
                 address = f"/api/features/{quote(request.dataset, safe='')}{asked.get('suffix')}"
                 return {"address": address, "at": asked.get("at")}
             job = workspace.jobs.latest(analyses.key(workspace, request))
             if asked.get("job") is None:
                 job = jobs.start(workspace, request)
-                set_props("job-started", {"data": job.id})
-                set_props("features-asked", {"data": asked | {"job": job.id}})
+                set_props(JOB_STARTED, {"data": job.id})
+                set_props(names.FEATURES_ASKED, {"data": asked | {"job": job.id}})
             elif job is None or not job.alive:
-                set_props("features-asked", {"data": None})
+                set_props(names.FEATURES_ASKED, {"data": None})
                 if job is not None and job.state == "failed":
                     raise WorkspaceError(job.error)
         except (ParameterError, WorkspaceError) as error:
-            set_props("features-asked", {"data": None})
-            set_props("notices", {"sendNotifications": [notice("Cannot give the features", str(error), "red")]})
+            set_props(names.FEATURES_ASKED, {"data": None})
+            set_props(NOTICES, {"sendNotifications": [notice("Cannot give the features", str(error), "red")]})
         return no_update
 
-    app.clientside_callback(ClientsideFunction("downloads", "fetch"), Input("features-ready", "data"))
+    app.clientside_callback(ClientsideFunction("downloads", "fetch"), Input(names.FEATURES_READY, "data"))

@@ -12,10 +12,12 @@ from dash.development.base_component import Component
 from core.mocap.reports import ImportReport
 from core.workspace import DatasetInfo
 from core.workspace.datasets import is_version
-from webapp.features.library import adding
+from webapp.features.library import adding, names
+from webapp.jobs.names import UNDO
 from webapp.shell.buttons import sends
 from webapp.shell.icons import icon
 from webapp.shell.messages import empty_state
+from webapp.shell.names import DATASET_CHOICE
 from webapp.shell.uploads import Limits
 from webapp.ui.page_head import page_head
 
@@ -30,20 +32,22 @@ def page() -> Component:
         children=[
             page_head(
                 "Library",
-                dmc.Button("Trash", id="trash-open", variant="subtle", color="gray", leftSection=icon("restore", 16)),
-                dmc.Button("Add recordings", id="upload-open", leftSection=icon("upload", 16)),
+                dmc.Button(
+                    "Trash", id=names.TRASH_OPEN, variant="subtle", color="gray", leftSection=icon("restore", 16)
+                ),
+                dmc.Button("Add recordings", id=names.UPLOAD_OPEN, leftSection=icon("upload", 16)),
             ),
-            html.Div(id="dataset-cards"),
-            html.Div(id="dataset-detail"),
+            html.Div(id=names.DATASET_CARDS),
+            html.Div(id=names.DATASET_DETAIL),
             adding.dialog(limits),
             _rename_dialog(),
-            dmc.Modal(id="trash-dialog", title="Trash", size="lg", children=html.Div(id="trash-list")),
-            dcc.Store(id="dataset-action"),  # {"action": "rename" | "trash" | "empty", "dataset"}
-            dcc.Store(id="clips-action"),  # {"action": "remove" | "clear"}
-            dcc.Store(id="upload-into"),  # {"dataset": name}: open the dialog for it
-            dcc.Store(id="upload", data={}),  # written by assets/upload.js
-            dcc.Store(id="upload-suggested"),  # a name for what is sent; "" where nothing is
-            dcc.Store(id="uploaded"),  # the token whose import was asked for
+            dmc.Modal(id=names.TRASH_DIALOG, title="Trash", size="lg", children=html.Div(id=names.TRASH_LIST)),
+            dcc.Store(id=names.DATASET_ACTION),  # {"action": "rename" | "trash" | "empty", "dataset"}
+            dcc.Store(id=names.CLIPS_ACTION),  # {"action": "remove" | "clear"}
+            dcc.Store(id=names.UPLOAD_INTO),  # {"dataset": name}: open the dialog for it
+            dcc.Store(id=names.UPLOAD, data={}),  # written by assets/upload.js
+            dcc.Store(id=names.UPLOAD_SUGGESTED),  # a name for what is sent; "" where nothing is
+            dcc.Store(id=names.UPLOADED),  # the token whose import was asked for
         ],
     )
 
@@ -51,10 +55,8 @@ def page() -> Component:
 def dataset_cards(datasets: Sequence[DatasetInfo], chosen: str | None) -> Component:
     """All datasets as cards; an invitation where there are none."""
     if not datasets:
-        demo = dmc.Button("Open the demo", id={"type": "demo", "at": "empty"}, leftSection=icon("spark", 16))
-        add = dmc.Button(
-            "Add recordings", id={"type": "add", "at": "empty"}, variant="default", leftSection=icon("upload", 16)
-        )
+        demo = dmc.Button("Open the demo", id=names.DEMO("empty"), leftSection=icon("spark", 16))
+        add = dmc.Button("Add recordings", id=names.ADD("empty"), variant="default", leftSection=icon("upload", 16))
         return html.Div(
             empty_state(
                 "person",
@@ -94,7 +96,7 @@ def _card(info: DatasetInfo, chosen: bool) -> Component:
                     html.Span(facts, className="muted number"),
                     html.Span(pills, className="dataset-doubts"),
                 ],
-                **sends("dataset-choice", {"dataset": info.name}, every_time=True),
+                **sends(DATASET_CHOICE, {"dataset": info.name}, every_time=True),
                 **{"aria-current": "true" if chosen else "false"},
             ),
             _card_menu(info.name),
@@ -121,28 +123,28 @@ def _card_menu(name: str) -> Component:
                     dmc.MenuItem(
                         "Add recordings or labels",
                         leftSection=icon("upload", 16),
-                        **sends("upload-into", {"dataset": name}, every_time=True),
+                        **sends(names.UPLOAD_INTO, {"dataset": name}, every_time=True),
                     ),
                     dmc.MenuItem(
                         "Rename",
                         leftSection=icon("edit", 16),
-                        **sends("dataset-action", {"action": "rename", "dataset": name}, every_time=True),
+                        **sends(names.DATASET_ACTION, {"action": "rename", "dataset": name}, every_time=True),
                     ),
                     dmc.MenuItem(
                         "Features (npz)",
                         leftSection=icon("download", 16),
-                        **sends("features-asked", {"dataset": name, "suffix": ".npz"}, every_time=True),
+                        **sends(names.FEATURES_ASKED, {"dataset": name, "suffix": ".npz"}, every_time=True),
                     ),
                     dmc.MenuItem(
                         "Features (Parquet)",
                         leftSection=icon("download", 16),
-                        **sends("features-asked", {"dataset": name, "suffix": ".parquet"}, every_time=True),
+                        **sends(names.FEATURES_ASKED, {"dataset": name, "suffix": ".parquet"}, every_time=True),
                     ),
                     dmc.MenuItem(
                         "Delete",
                         color="red",
                         leftSection=icon("trash", 16),
-                        **sends("dataset-action", {"action": "trash", "dataset": name}, every_time=True),
+                        **sends(names.DATASET_ACTION, {"action": "trash", "dataset": name}, every_time=True),
                     ),
                 ]
             ),
@@ -164,7 +166,7 @@ def detail(name: str, tables: dict[str, Component], report: ImportReport, tab: s
     chips = report_chips(report)
     chosen = files if files in {chip["value"] for chip in chips} else "all"
     return dmc.Tabs(
-        id="dataset-tabs",
+        id=names.DATASET_TABS,
         value=tab,
         className="section dataset-tabs",
         keepMounted=True,
@@ -173,13 +175,13 @@ def detail(name: str, tables: dict[str, Component], report: ImportReport, tab: s
                 [
                     dmc.TabsTab(f"Clips of {name}", value="clips", className="clips-tab"),
                     dmc.TabsTab("Import report", value="report", rightSection=badge),
-                    html.Div(id="clips-chosen", className="clips-chosen"),
+                    html.Div(id=names.CLIPS_CHOSEN, className="clips-chosen"),
                 ]
             ),
-            dmc.TabsPanel([tables["clips"], dcc.Store(id="clips-marked")], value="clips", pt="sm"),
+            dmc.TabsPanel([tables["clips"], dcc.Store(id=names.CLIPS_MARKED)], value="clips", pt="sm"),
             dmc.TabsPanel(
                 [
-                    dmc.SegmentedControl(id="report-filter", data=chips, value=chosen, size="xs", mb="xs"),
+                    dmc.SegmentedControl(id=names.REPORT_FILTER, data=chips, value=chosen, size="xs", mb="xs"),
                     *(dmc.Text(message, size="sm", c="dimmed", mb="xs") for message in report.messages),
                     tables["report"],
                     tables["rows"],
@@ -215,14 +217,14 @@ def clips_chosen(chosen: int) -> Component | None:
                 color="red",
                 variant="light",
                 leftSection=icon("trash", 14),
-                **sends("clips-action", {"action": "remove"}, every_time=True),
+                **sends(names.CLIPS_ACTION, {"action": "remove"}, every_time=True),
             ),
             dmc.Button(
                 "Clear",
                 size="compact-sm",
                 variant="subtle",
                 color="gray",
-                **sends("clips-action", {"action": "clear"}, every_time=True),
+                **sends(names.CLIPS_ACTION, {"action": "clear"}, every_time=True),
             ),
         ],
         gap=8,
@@ -232,13 +234,13 @@ def clips_chosen(chosen: int) -> Component | None:
 
 def _rename_dialog() -> Component:
     return dmc.Modal(
-        id="rename-dialog",
+        id=names.RENAME_DIALOG,
         title="Rename dataset",
         children=[
-            dcc.Store(id="rename-old"),
-            dmc.TextInput(id="rename-name", label="New name", **{"data-autofocus": True}),
-            html.Div(id="rename-problem", className="form-problem", role="alert"),
-            dmc.Group(dmc.Button("Rename", id="rename-save"), justify="flex-end", mt="md"),
+            dcc.Store(id=names.RENAME_OLD),
+            dmc.TextInput(id=names.RENAME_NAME, label="New name", **{"data-autofocus": True}),
+            html.Div(id=names.RENAME_PROBLEM, className="form-problem", role="alert"),
+            dmc.Group(dmc.Button("Rename", id=names.RENAME_SAVE), justify="flex-end", mt="md"),
         ],
     )
 
@@ -264,7 +266,7 @@ def trash_list(trashed: Sequence[DatasetInfo]) -> Component:
                     "Restore",
                     size="compact-sm",
                     variant="default",
-                    **sends("undo", {"restore": info.id}, every_time=True),
+                    **sends(UNDO, {"restore": info.id}, every_time=True),
                 ),
             ],
         )
@@ -275,6 +277,6 @@ def trash_list(trashed: Sequence[DatasetInfo]) -> Component:
         color="red",
         variant="light",
         size="compact-sm",
-        **sends("dataset-action", {"action": "empty"}, every_time=True),
+        **sends(names.DATASET_ACTION, {"action": "empty"}, every_time=True),
     )
     return html.Div([html.Ul(rows, className="trash-list"), dmc.Group(empty, justify="flex-end", mt="md")])

@@ -1,1 +1,127 @@
-"""Ids of the page, and what its stores hold."""
+"""Ids of the Library page, what its stores hold, and the keys of its links."""
+
+from typing import Any, Literal, NotRequired, TypedDict
+
+from webapp.shell.identifiers import Id, Pattern, Store
+from webapp.shell.names import Name
+
+
+class View(TypedDict, total=False):
+    """The tab, and the files of the report, that one looks at."""
+
+    tab: str
+    files: str
+
+
+class DatasetAction(TypedDict):
+    """What is to be done with a data set, or with the trash."""
+
+    action: Literal["rename", "trash", "empty"]
+    dataset: NotRequired[Name]
+    at: NotRequired[float]
+
+
+class ClipsAction(TypedDict):
+    """What is to be done with the clips that are chosen in the table."""
+
+    action: Literal["remove", "clear"]
+    at: NotRequired[float]
+
+
+class UploadInto(TypedDict):
+    """The data set that the dialog is opened for."""
+
+    dataset: Name
+    at: NotRequired[float]
+
+
+class Upload(TypedDict, total=False):
+    """What has arrived of the files of an upload, and of which kinds they are."""
+
+    token: Name | None
+    received: int
+    total: int
+    done: bool
+    name: Name
+    recordings: int
+    labels: int
+    amc: int
+    archives: int
+
+
+class ReportRow(TypedDict):
+    """A file of the import report."""
+
+    key: str
+    verdict: Literal["ok", "warning", "error"]
+    added: bool  # with the newest addition
+    name: str
+    path: str
+    messages: str
+    selection: NotRequired[dict[str, str]]
+
+
+class FeaturesAsked(TypedDict):
+    """Features of a data set that someone waits for."""
+
+    dataset: Name
+    suffix: Literal[".npz", ".parquet"]
+    job: NotRequired[int]
+    at: NotRequired[float]
+
+
+class Download(TypedDict):
+    """Where a file that is ready is downloaded from."""
+
+    address: str
+    at: float | None
+
+
+DATASET_CARDS = Id("dataset-cards")
+DATASET_DETAIL = Id("dataset-detail")
+DATASET_TABS = Id("dataset-tabs")
+DATASET_ACTION = Store("dataset-action", DatasetAction)
+DEMO = Pattern("demo", "at")
+ADD = Pattern("add", "at")
+
+CLIPS_TABLE = Id("clips-table")
+CLIPS_CHOSEN = Id("clips-chosen")
+CLIPS_ACTION = Store("clips-action", ClipsAction)
+CLIPS_MARKED = Store("clips-marked", Any)
+
+REPORT_TABLE = Id("report-table")
+REPORT_FILTER = Id("report-filter")
+REPORT_ROWS = Store("report-rows", list[ReportRow])
+
+RENAME_DIALOG = Id("rename-dialog")
+RENAME_OLD = Store("rename-old", Name)
+RENAME_NAME = Id("rename-name")
+RENAME_PROBLEM = Id("rename-problem")
+RENAME_SAVE = Id("rename-save")
+TRASH_OPEN = Id("trash-open")
+TRASH_DIALOG = Id("trash-dialog")
+TRASH_LIST = Id("trash-list")
+
+UPLOAD_OPEN = Id("upload-open")
+UPLOAD_DIALOG = Id("upload-dialog")
+DROP_ZONE = Id("drop-zone")
+UPLOAD_BAR = Id("upload-bar")
+UPLOAD_PROGRESS = Id("upload-progress")
+UPLOAD_SUMMARY = Id("upload-summary")
+UPLOAD_LIST = Id("upload-list")
+UPLOAD_TARGET = Id("upload-target")
+UPLOAD_NAME = Id("upload-name")
+UPLOAD_LABELS = Id("upload-labels")
+UPLOAD_LABELS_BOX = Id("upload-labels-box")
+UPLOAD_LABELS_LABEL = Id("upload-labels-label")
+UPLOAD_FPS = Id("upload-fps")
+UPLOAD_FPS_BOX = Id("upload-fps-box")
+UPLOAD_IMPORT = Id("upload-import")
+UPLOAD_PROBLEM = Id("upload-problem")
+UPLOAD = Store("upload", Upload)
+UPLOAD_INTO = Store("upload-into", UploadInto)
+UPLOAD_SUGGESTED = Store("upload-suggested", Name)  # a name for what is sent; "" where nothing is
+UPLOADED = Store("uploaded", Name)  # the token whose import was started
+
+FEATURES_ASKED = Store("features-asked", FeaturesAsked)
+FEATURES_READY = Store("features-ready", Download)

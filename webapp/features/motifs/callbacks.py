@@ -15,6 +15,7 @@ from webapp.features.motifs import layout, stability_marks, views
 from webapp.features.motifs.figures import graph as graph_figure
 from webapp.features.motifs.graph_drawing import graph_elements
 from webapp.shell import recipes, results
+from webapp.shell.identifiers import Pattern
 from webapp.shell.messages import notice
 from webapp.ui import tables
 from webapp.ui.parameter_form import parameter_form, read_form, summary
@@ -33,7 +34,7 @@ def _ask(app: Dash, workspace: Workspace) -> None:
     @app.callback(Output("motif-form", "children"), Output("settings-summary", "children"), Input("parameters", "data"))
     def show_form(parameters):
         values = results.motif_request("", parameters).parameters
-        form = parameter_form(analyses.parameters(results.MOTIFS), values, "parameter")
+        form = parameter_form(analyses.parameters(results.MOTIFS), values, Pattern("parameter", "name"))
         return form, summary(results.not_default(values))
 
     @app.callback(

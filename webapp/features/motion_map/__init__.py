@@ -1,6 +1,7 @@
 """Map: all postures on one plane, and searches by postures and paths."""
 
-from webapp.shell.feature import Command, Feature, LinkKeys, later
+from webapp.features.motion_map import names
+from webapp.shell.feature import Command, Feature, later, link_keys
 
 FEATURE = Feature(
     path="map",
@@ -8,15 +9,7 @@ FEATURE = Feature(
     symbol="map",
     page=later("webapp.features.motion_map.layout:page"),
     register=later("webapp.features.motion_map.callbacks:register"),
-    keys=LinkKeys(
-        names=("keys", "drawn", "within", "pace", "way", "colour", "click", "below", "region"),
-        of_dataset=("keys", "drawn", "region"),
-        patterns={
-            "keys": r"\d{1,4}-\d{1,4}(,\d{1,4}-\d{1,4})*",
-            "drawn": r"[\d.]{1,8}-[\d.]{1,8}(,[\d.]{1,8}-[\d.]{1,8})+",
-            "region": r"\d{1,6}",
-        },
-    ),
+    keys=link_keys(names.View),
     methods={"map": "map"},
     routes=later("webapp.features.motion_map.routes:blueprints"),
     commands={

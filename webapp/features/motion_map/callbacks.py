@@ -16,11 +16,12 @@ from core.motifs.graph import MotifGraph
 from core.motion_map import layers
 from core.motion_map.motion_map import MotionMap
 from core.workspace import Workspace, WorkspaceError
-from webapp.features.motion_map import layout, panels
+from webapp.features.motion_map import layout, names, panels
 from webapp.features.motion_map.figures import heatmap as figures
 from webapp.features.motion_map.maps import other_maps
 from webapp.shell import results, settings
 from webapp.shell.messages import notice
+from webapp.shell.names import DATASET, GRAPH_KEY, NOTICES, PARAMETERS, REVISION, SELECTION, THEME, VIEW
 from webapp.shell.results import find_motifs
 from webapp.ui import method_page, tables
 
@@ -71,14 +72,14 @@ def facts_of(motion_map: MotionMap, dataset: Dataset) -> dict[str, Any]:
 
 def _show(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("map-known", "data"),
-        Output("map-result", "className"),
-        Output("map-menus", "children"),
-        Output("map-more", "children"),
-        Input("map-result-key", "data"),
-        Input("revision", "data"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(names.MAP_KNOWN, "data"),
+        Output(names.MAP_RESULT, "className"),
+        Output(names.MAP_MENUS, "children"),
+        Output(names.MAP_MORE, "children"),
+        Input(names.METHOD.result_key, "data"),
+        Input(REVISION, "data"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
     )
     def show(key, _revision, name, view):
         shown = opened(workspace, name, view) if key else None
@@ -93,26 +94,26 @@ def _show(app: Dash, workspace: Workspace) -> None:
         note = layout.laid_note(float(motion_map.fits.max())) if motion_map.parameters.get("model") else []
         return known, "", layout.menus(key, earlier, copies), note
 
-    @app.callback(Input("map-extend", "data"), State("dataset", "data"), prevent_initial_call=True)
+    @app.callback(Input(names.MAP_EXTEND, "data"), State(DATASET, "data"), prevent_initial_call=True)
     def extend(asked, name):
         try:
             method_page.ask(workspace, "map", name, {"model": str((asked or {}).get("model", ""))})
         except (ParameterError, WorkspaceError) as error:
-            set_props("notices", {"sendNotifications": [notice("Cannot lay the clips on that map", str(error), "red")]})
+            set_props(NOTICES, {"sendNotifications": [notice("Cannot lay the clips on that map", str(error), "red")]})
 
 
 def _draw(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("map-graph", "figure"),
-        Output("map-legend", "children"),
-        Output("map-said", "children"),
-        Input("map-known", "data"),
-        Input("map-look", "data"),
-        Input("theme", "data"),
-        Input("graph-key", "data"),
-        State("dataset", "data"),
-        State("view", "data"),
-        State("parameters", "data"),
+        Output(names.MAP_GRAPH, "figure"),
+        Output(names.MAP_LEGEND, "children"),
+        Output(names.MAP_SAID, "children"),
+        Input(names.MAP_KNOWN, "data"),
+        Input(names.MAP_LOOK, "data"),
+        Input(THEME, "data"),
+        Input(GRAPH_KEY, "data"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
+        State(PARAMETERS, "data"),
     )
     def draw(known, look, scheme, _graph, name, view, parameters):
         shown = opened(workspace, name, view) if known else None
@@ -131,13 +132,13 @@ def _draw(app: Dash, workspace: Workspace) -> None:
         )
 
     @app.callback(
-        Output("map-lit", "data"),
-        Input("selection", "data"),
-        Input("map-known", "data"),
-        Input("graph-key", "data"),
-        State("dataset", "data"),
-        State("view", "data"),
-        State("parameters", "data"),
+        Output(names.MAP_LIT, "data"),
+        Input(SELECTION, "data"),
+        Input(names.MAP_KNOWN, "data"),
+        Input(GRAPH_KEY, "data"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
+        State(PARAMETERS, "data"),
     )
     def light(selection, known, _graph, name, view, parameters):
         shown = opened(workspace, name, view) if known else None
@@ -147,34 +148,36 @@ def _draw(app: Dash, workspace: Workspace) -> None:
 
 
 def _below(app: Dash, workspace: Workspace) -> None:
-    where = (State("dataset", "data"), State("view", "data"), State("parameters", "data"))
+    where = (State(DATASET, "data"), State(VIEW, "data"), State(PARAMETERS, "data"))
 
     def seen(known: Any, look: Any, panel: str, name: str, view: Any) -> tuple[MotionMap, Dataset] | None:
         return opened(workspace, name, view) if known and (look or {}).get("below") == panel else None
 
     @app.callback(
-        Output("map-multiples", "children"),
-        Input("map-known", "data"),
-        Input("map-look", "data"),
-        Input("theme", "data"),
+        Output(names.MAP_MULTIPLES, "children"),
+        Input(names.MAP_KNOWN, "data"),
+        Input(names.MAP_LOOK, "data"),
+        Input(THEME, "data"),
         *where,
     )
     def multiples(known, look, scheme, name, view, _parameters):
         shown = seen(known, look, "labels", name, view)
         return panels.multiples(*shown, scheme) if shown else []
 
-    @app.callback(Output("map-clips-place", "children"), Input("map-known", "data"), Input("map-look", "data"), *where)
+    @app.callback(
+        Output(names.MAP_CLIPS_PLACE, "children"), Input(names.MAP_KNOWN, "data"), Input(names.MAP_LOOK, "data"), *where
+    )
     def clips(known, look, name, view, _parameters):
         shown = seen(known, look, "clips", name, view)
         if not shown:
             return []
-        return tables.grid("map-clips", panels.clip_columns(), panels.clip_rows(*shown), "Clips on the map")
+        return tables.grid(names.MAP_CLIPS, panels.clip_columns(), panels.clip_rows(*shown), "Clips on the map")
 
     @app.callback(
-        Output("map-region", "children"),
-        Input("map-known", "data"),
-        Input("map-look", "data"),
-        Input("graph-key", "data"),
+        Output(names.MAP_REGION, "children"),
+        Input(names.MAP_KNOWN, "data"),
+        Input(names.MAP_LOOK, "data"),
+        Input(GRAPH_KEY, "data"),
         *where,
     )
     def region(known, look, _graph, name, view, parameters):
@@ -188,35 +191,36 @@ def _browser(app: Dash) -> None:
     """What the browser does alone."""
     app.clientside_callback(
         ClientsideFunction("map", "load"),
-        Output("map-loaded", "data"),
-        Input("map-known", "data"),
-        State("view", "data"),
+        Output(names.MAP_LOADED, "data"),
+        Input(names.MAP_KNOWN, "data"),
+        State(VIEW, "data"),
     )
-    app.clientside_callback(ClientsideFunction("map", "view"), Output("map-shown", "data"), Input("view", "data"))
+    app.clientside_callback(ClientsideFunction("map", "view"), Output(names.MAP_SHOWN, "data"), Input(VIEW, "data"))
     app.clientside_callback(
-        ClientsideFunction("map", "drawn"), Output("map-drawn", "data"), Input("map-graph", "figure")
+        ClientsideFunction("map", "drawn"), Output(names.MAP_DRAWN, "data"), Input(names.MAP_GRAPH, "figure")
     )
-    app.clientside_callback(ClientsideFunction("map", "lit"), Input("map-lit", "data"))
+    app.clientside_callback(ClientsideFunction("map", "lit"), Input(names.MAP_LIT, "data"))
     app.clientside_callback(
-        ClientsideFunction("map", "selection"), Output("map-marked", "data"), Input("selection", "data")
+        ClientsideFunction("map", "selection"), Output(names.MAP_MARKED, "data"), Input(SELECTION, "data")
     )
     app.clientside_callback(
-        ClientsideFunction("map", "look"), Output("map-look", "data"), Input("view", "data"), State("map-look", "data")
+        ClientsideFunction("map", "look"),
+        Output(names.MAP_LOOK, "data"),
+        Input(VIEW, "data"),
+        State(names.MAP_LOOK, "data"),
     )
-    app.clientside_callback(ClientsideFunction("views", "chosen"), Input("map-below", "value"), State("view", "data"))
+    app.clientside_callback(ClientsideFunction("views", "chosen"), Input(names.MAP_BELOW, "value"), State(VIEW, "data"))
     app.clientside_callback(
         ClientsideFunction("views", "show"),
-        Output("map-below", "value"),
-        Input("view", "data"),
-        Input("map-below", "id"),
+        Output(names.MAP_BELOW, "value"),
+        Input(VIEW, "data"),
+        Input(names.MAP_BELOW, "id"),
     )
-    for name in ("colour", "click", "pace", "way"):
-        app.clientside_callback(
-            ClientsideFunction("map", "chosen"), Input(f"map-{name}", "value"), State("view", "data")
-        )
+    for control in names.MAP_CONTROLS.values():
+        app.clientside_callback(ClientsideFunction("map", "chosen"), Input(control, "value"), State(VIEW, "data"))
         app.clientside_callback(
             ClientsideFunction("map", "choice"),
-            Output(f"map-{name}", "value"),
-            Input("view", "data"),
-            State(f"map-{name}", "id"),
+            Output(control, "value"),
+            Input(VIEW, "data"),
+            State(control, "id"),
         )

@@ -9,6 +9,7 @@ import dash_mantine_components as dmc
 from dash import dcc, html
 from dash.development.base_component import Component
 
+from webapp.features.motion_map import names
 from webapp.features.motion_map.figures.heatmap import COLOURINGS
 from webapp.features.motion_map.maps import OtherMap
 from webapp.shell.buttons import sends
@@ -53,26 +54,30 @@ def page() -> Component:
                 children=[
                     html.H1("Map"),
                     html.Div(className="spacer"),
-                    html.Div(id="map-menus", className="head-menus"),
+                    html.Div(id=names.MAP_MENUS, className="head-menus"),
                     method_page.run_button(METHOD),
                 ],
             ),
             method_page.settings_fold(METHOD),
             method_page.status_place(METHOD),
-            html.Div(id="map-more"),
+            html.Div(id=names.MAP_MORE),
             html.Div(
-                id="map-result",
+                id=names.MAP_RESULT,
                 className="hidden",
                 children=[
                     html.Div([_map_card(), _side()], className="map-body section"),
-                    html.Div(_switch("below", "What to look at", BELOW), className="section-head section"),
+                    html.Div(_below(), className="section-head section"),
                     *_panels(),
                 ],
             ),
-            *(
-                dcc.Store(id=f"map-{name}")
-                for name in ("known", "look", "lit", "extend", "loaded", "shown", "drawn", "marked")
-            ),
+            dcc.Store(id=names.MAP_KNOWN),
+            dcc.Store(id=names.MAP_LOOK),
+            dcc.Store(id=names.MAP_LIT),
+            dcc.Store(id=names.MAP_EXTEND),
+            dcc.Store(id=names.MAP_LOADED),
+            dcc.Store(id=names.MAP_SHOWN),
+            dcc.Store(id=names.MAP_DRAWN),
+            dcc.Store(id=names.MAP_MARKED),
         ],
     )
 
@@ -80,25 +85,25 @@ def page() -> Component:
 def _map_card() -> Component:
     colours = [{"value": value, "label": name} for value, (name, _) in COLOURINGS.items()]
     colour = dmc.Select(
-        id="map-colour", data=colours, value="height", size="xs", w=160, allowDeselect=False,
+        id=names.MAP_CONTROLS["colour"], data=colours, value="height", size="xs", w=160, allowDeselect=False,
         **{"aria-label": "Colour the map by"},
     )  # fmt: skip
     click = dmc.SegmentedControl(
-        id="map-click",
+        id=names.MAP_CONTROLS["click"],
         data=[{"value": value, "label": label} for value, label in CLICKS],
         value="keys",
         size="xs",
         **{"aria-label": "What a click on the map does"},
     )
     bar = html.Div([colour, click, html.Div(className="spacer"), _save()], className="map-bar")
-    graph = dcc.Graph(id="map-graph", figure=empty(), config={**CONFIG, "staticPlot": True}, responsive=True)
-    plot = html.Div(graph, id="map-plot", className="map-plot")
+    graph = dcc.Graph(id=names.MAP_GRAPH, figure=empty(), config={**CONFIG, "staticPlot": True}, responsive=True)
+    plot = html.Div(graph, id=names.MAP_PLOT, className="map-plot")
     return html.Div(
         [
             bar,
             plot,
-            html.Div(id="map-legend", className="map-legend"),
-            html.Div(id="map-said", className="muted map-said"),
+            html.Div(id=names.MAP_LEGEND, className="map-legend"),
+            html.Div(id=names.MAP_SAID, className="muted map-said"),
         ],
         className="card map-card",
     )
@@ -118,7 +123,7 @@ def _side() -> Component:
     return html.Div(
         className="card map-side",
         children=[
-            html.Div(id="map-preview", className="map-preview", **{"aria-live": "polite"}),
+            html.Div(id=names.MAP_PREVIEW, className="map-preview", **{"aria-live": "polite"}),
             html.Div(
                 className="map-block",
                 children=[
@@ -132,7 +137,7 @@ def _side() -> Component:
                         ],
                         className="map-line",
                     ),
-                    html.Div(id="map-keys", className="map-keys", role="list", **{"aria-label": "Keys in order"}),
+                    html.Div(id=names.MAP_KEYS, className="map-keys", role="list", **{"aria-label": "Keys in order"}),
                 ],
             ),
             html.Div(
@@ -140,9 +145,9 @@ def _side() -> Component:
                 children=[
                     html.Div(
                         [
-                            html.Span("Keys reach", id="map-reach-label"),
-                            html.Div(id="map-reach-box", className="map-slider-box"),
-                            html.Span(id="map-reach-value", className="number muted"),
+                            html.Span("Keys reach", id=names.MAP_REACH_LABEL),
+                            html.Div(id=names.MAP_REACH_BOX, className="map-slider-box"),
+                            html.Span(id=names.MAP_REACH_VALUE, className="number muted"),
                         ],
                         className="map-line",
                     ),
@@ -155,11 +160,11 @@ def _side() -> Component:
                     ),
                     html.Div(
                         [
-                            html.Span(id="map-count", className="map-count number", role="status"),
+                            html.Span(id=names.MAP_COUNT, className="map-count number", role="status"),
                             html.Div(className="spacer"),
                             html.Button(
                                 [icon("play", 14), "Play the best"],
-                                id="map-play-all",
+                                id=names.MAP_PLAY_ALL,
                                 className="soft-button map-all",
                                 title="Play up to 12 hits together",
                                 disabled=True,
@@ -184,37 +189,37 @@ def _do(action: str, symbol: str, label: str) -> Component:
 def _pick(name: str, choices: Sequence[tuple[str, str]], label: str) -> Component:
     data = [{"value": value or "any", "label": said} for value, said in choices]
     return dmc.Select(
-        id=f"map-{name}", data=data, value="any", size="xs", allowDeselect=False, className="map-pick",
+        id=names.MAP_CONTROLS[name], data=data, value="any", size="xs", allowDeselect=False, className="map-pick",
         **{"aria-label": label},
     )  # fmt: skip
 
 
-def _switch(key: str, label: str, choices: Sequence[tuple[str, str]]) -> Component:
+def _below() -> Component:
     return dmc.SegmentedControl(
-        id=f"map-{key}",
-        data=[{"value": value, "label": said} for value, said in choices],
-        value=choices[0][0],
+        id=names.MAP_BELOW,
+        data=[{"value": value, "label": label} for value, label in BELOW],
+        value=BELOW[0][0],
         size="xs",
         className="view-switch",
-        attributes={"root": {"data-key": key}},
-        **{"aria-label": label},
+        attributes={"root": {"data-key": "below"}},
+        **{"aria-label": "What to look at"},
     )
 
 
 def _panels() -> list[Component]:
     content: Mapping[str, Component] = {
-        "hits": html.Div(id="map-hits", className="card map-hits", role="list", **{"aria-label": "Hits"}),
-        "labels": html.Div(id="map-multiples", className="map-multiples"),
+        "hits": html.Div(id=names.MAP_HITS, className="card map-hits", role="list", **{"aria-label": "Hits"}),
+        "labels": html.Div(id=names.MAP_MULTIPLES, className="map-multiples"),
         "clips": html.Div(
             [
                 html.Div(
-                    [html.Div(className="spacer"), table_download("map-clips", "clips on the map")],
+                    [html.Div(className="spacer"), table_download(names.MAP_CLIPS, "clips on the map")],
                     className="table-bar",
                 ),
-                html.Div(id="map-clips-place"),
+                html.Div(id=names.MAP_CLIPS_PLACE),
             ]
         ),
-        "region": html.Div(id="map-region", className="card map-region-panel"),
+        "region": html.Div(id=names.MAP_REGION, className="card map-region-panel"),
     }
     return [
         html.Div(
@@ -261,7 +266,7 @@ def others_menu(others: Sequence[OtherMap]) -> list[Component]:
                 html.Div(other.dataset, className="menu-title"),
                 html.Div(f"{other.said}, {other.when}", className="muted menu-note"),
             ],
-            **sends("map-extend", {"model": other.key}, every_time=True),
+            **sends(names.MAP_EXTEND, {"model": other.key}, every_time=True),
         )
         for other in others
     ]
@@ -290,5 +295,5 @@ def laid_note(worst: float) -> list[Component]:
 
 
 def _note(words: str, label: str, value: Mapping[str, str]) -> Component:
-    button = dmc.Button(label, variant="light", size="xs", **sends("map-extend", value, every_time=True))
+    button = dmc.Button(label, variant="light", size="xs", **sends(names.MAP_EXTEND, value, every_time=True))
     return html.Div([icon("info", 16), html.Span(words), button], className="card map-note section")

@@ -15,9 +15,11 @@ from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
 from core.motion_map import layers
 from core.motion_map.motion_map import MotionMap
+from webapp.features.motion_map import names
 from webapp.features.motion_map.figures import heatmap as figures
 from webapp.features.motion_map.layout import BAD_FIT
 from webapp.shell.buttons import sends
+from webapp.shell.names import SELECTION
 from webapp.ui.charts import CONFIG, tall, themed
 from webapp.ui.downloads import chart_menu
 from webapp.ui.tables import NUMBER, SECONDS, column, decimals
@@ -38,10 +40,11 @@ def multiples(motion_map: MotionMap, dataset: Dataset, scheme: str | None) -> li
         ]
     figure = multiples_figure(motion_map, dataset, scheme)
     head = html.Div(
-        [html.Div(className="spacer"), chart_menu("map-multiples-graph", "labels on the map")], className="table-bar"
+        [html.Div(className="spacer"), chart_menu(names.MAP_MULTIPLES_GRAPH, "labels on the map")],
+        className="table-bar",
     )
     graph = dcc.Graph(
-        id="map-multiples-graph",
+        id=names.MAP_MULTIPLES_GRAPH,
         figure=figure,
         config={**CONFIG, "staticPlot": True},
         style=tall(figure),
@@ -52,22 +55,22 @@ def multiples(motion_map: MotionMap, dataset: Dataset, scheme: str | None) -> li
 def multiples_figure(motion_map: MotionMap, dataset: Dataset, scheme: str | None) -> go.Figure:
     """A heatmap of seconds per label, each on a scale of its own, the U-matrix faint behind nothing."""
     groups = figures.label_segments(dataset)
-    names = list(groups)[:MOST_LABELS]
-    seconds = layers.seconds_on_nodes(motion_map, [groups[name] for name in names])
-    rows = -(-len(names) // COLUMNS)
-    titles = [f"{name} ({total:.0f} s)" for name, total in zip(names, seconds.sum(axis=(1, 2)), strict=True)]
+    labels = list(groups)[:MOST_LABELS]
+    seconds = layers.seconds_on_nodes(motion_map, [groups[name] for name in labels])
+    rows = -(-len(labels) // COLUMNS)
+    titles = [f"{name} ({total:.0f} s)" for name, total in zip(labels, seconds.sum(axis=(1, 2)), strict=True)]
     figure = make_subplots(rows, COLUMNS, subplot_titles=titles, horizontal_spacing=0.02, vertical_spacing=0.13 / rows)
     scale = figures.SCALES["dark" if scheme == "dark" else "light"]
     ground, tone = scale[0][1], "#8fb3f3" if scheme == "dark" else "#2f62b8"
     for k, values in enumerate(seconds):
         share = np.sqrt(values / max(values.max(), 1e-9))  # the root: rare postures can be seen as well
         heat = go.Heatmap(
-            z=share.T, zmin=0, zmax=1, colorscale=[[0, ground], [1, tone]], showscale=False, name=names[k]
+            z=share.T, zmin=0, zmax=1, colorscale=[[0, ground], [1, tone]], showscale=False, name=labels[k]
         )
         figure.add_trace(heat, k // COLUMNS + 1, k % COLUMNS + 1)
     figure = themed(figure, scheme, height=190 * rows + 40, margin={"l": 8, "r": 8, "t": 30, "b": 8})
     figure.update_xaxes(visible=False, constrain="domain")
-    for k in range(len(names)):
+    for k in range(len(labels)):
         axis = "" if k == 0 else str(k + 1)
         figure.update_layout({f"yaxis{axis}": {"visible": False, "scaleanchor": f"x{axis}", "autorange": "reversed"}})
     return figure.update_annotations(font_size=12)
@@ -140,7 +143,7 @@ def _motifs(motion_map: MotionMap, graph: MotifGraph | None, nodes: np.ndarray) 
     buttons = [_choice(f"Motif {m}", f"{len(found[m])} of {sizes[m]} motions", {"motif": m}) for m in order[:60]]
     all_of_them = {"motifs": "-".join(map(str, order[:300]))}
     together = html.Button(
-        "Mark them in the motif graph", className="soft-button", **sends("selection", all_of_them, page="motifs")
+        "Mark them in the motif graph", className="soft-button", **sends(SELECTION, all_of_them, page="motifs")
     )
     return html.Div([html.Div(buttons, className="map-region-groups"), together])
 
@@ -149,5 +152,5 @@ def _choice(name: str, said: str, selection: dict[str, Any]) -> Component:
     return html.Button(
         [html.Span(name), html.Span(said, className="muted number")],
         className="soft-button map-choice",
-        **sends("selection", selection),
+        **sends(SELECTION, selection),
     )

@@ -1,6 +1,7 @@
 """Search: motions like a query, and what people and labels say of what is found."""
 
-from webapp.shell.feature import Command, Feature, LinkKeys, later
+from webapp.features.search import names
+from webapp.shell.feature import Command, Feature, later, link_keys
 
 FEATURE = Feature(
     path="search",
@@ -8,14 +9,7 @@ FEATURE = Feature(
     symbol="search",
     page=later("webapp.features.search.page:page"),
     register=later("webapp.features.search.page:register"),
-    keys=LinkKeys(
-        names=(
-            *("query", "parts", "level", "route", "label", "named", "lasting", "top"),  # see searching.py
-            *("hit", "look", "study", "asks", "measure"),
-        ),
-        of_dataset=("query", "hit", "label", "named", "asks"),
-        free_text=("query", "hit", "label", "named", "asks"),
-    ),
+    keys=link_keys(names.View),
     methods={"search": "search", "ranking": "ranking"},
     routes=later("webapp.features.search.routes:blueprints"),
     commands={

@@ -14,16 +14,28 @@ from dash.development.base_component import Component
 from core.errors import MotionscapeError
 from core.mocap.dataset import Dataset
 from core.workspace import Workspace, WorkspaceError
-from webapp.features.search import recipes, searching, uploaded
+from webapp.features.search import names, recipes, searching, uploaded
 from webapp.features.search.figures import hits as figures
 from webapp.features.search.layout import METHOD
 from webapp.features.search.queries import Piece, write_query
 from webapp.features.search.searching import PAGE
+from webapp.jobs.names import JOBS_SEEN
 from webapp.jobs.running import running
 from webapp.shell import results, settings
 from webapp.shell.buttons import copies
 from webapp.shell.errors import sentence
 from webapp.shell.icons import icon
+from webapp.shell.names import (
+    DATASET,
+    GRAPH_KEY,
+    JOB_STARTED,
+    PARAMETERS,
+    REVISION,
+    SELECTION,
+    THEME,
+    VIEW,
+    VIEW_CHANGE,
+)
 from webapp.ui import method_page
 
 
@@ -34,17 +46,19 @@ def register(app: Dash, workspace: Workspace) -> None:
     _search(app, workspace)
     _menus(app, workspace)
     _upload(app, workspace)
-    app.clientside_callback(ClientsideFunction("views", "chosen"), Input("search-look", "value"), State("view", "data"))
+    app.clientside_callback(
+        ClientsideFunction("views", "chosen"), Input(names.SEARCH_LOOK, "value"), State(VIEW, "data")
+    )
     app.clientside_callback(
         ClientsideFunction("views", "show"),
-        Output("search-look", "value"),
-        Input("view", "data"),
-        Input("search-look", "id"),
+        Output(names.SEARCH_LOOK, "value"),
+        Input(VIEW, "data"),
+        Input(names.SEARCH_LOOK, "id"),
     )
 
 
 def _choices(app: Dash, workspace: Workspace) -> None:
-    @app.callback(Output("search-clips", "data"), Input("dataset", "data"), Input("revision", "data"))
+    @app.callback(Output(names.SEARCH_CLIPS, "data"), Input(DATASET, "data"), Input(REVISION, "data"))
     def list_clips(name, _revision):
         try:
             dataset = workspace.open(name) if name else None
@@ -64,11 +78,11 @@ def _choices(app: Dash, workspace: Workspace) -> None:
         }
 
     @app.callback(
-        Output("search-motifs", "data"),
-        Input("graph-key", "data"),
-        Input("search-motif", "id"),
-        State("dataset", "data"),
-        State("parameters", "data"),
+        Output(names.SEARCH_MOTIFS, "data"),
+        Input(GRAPH_KEY, "data"),
+        Input(names.SEARCH_MOTIF, "id"),
+        State(DATASET, "data"),
+        State(PARAMETERS, "data"),
     )
     def list_motifs(_key, _place, name, parameters):
         try:
@@ -88,12 +102,12 @@ def _choices(app: Dash, workspace: Workspace) -> None:
 
 def _search(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("search-found", "data"),
-        Input("view", "data"),
-        Input("search-result-key", "data"),
-        Input("dataset", "data"),
-        Input("revision", "data"),
-        State("search-found", "data"),
+        Output(names.SEARCH_FOUND, "data"),
+        Input(VIEW, "data"),
+        Input(names.METHOD.result_key, "data"),
+        Input(DATASET, "data"),
+        Input(REVISION, "data"),
+        State(names.SEARCH_FOUND, "data"),
     )
     def search(view, key, name, revision, before):
         asked = searching.asked_of(view) | {"index": key, "dataset": name, "revision": revision}
@@ -106,17 +120,17 @@ def _search(app: Dash, workspace: Workspace) -> None:
 
     app.clientside_callback(
         ClientsideFunction("search", "draw"),
-        Output("search-drawn", "data"),
-        Input("search-found", "data"),
-        Input("view", "data"),
-        Input("search-clips", "data"),
-        Input("search-motifs", "data"),
-        Input("theme", "data"),
-        State("search-presets", "data"),
-        State("search-parts", "data"),
-        State("search-engines", "data"),
-        State("search-result-key", "data"),
-        State("selection", "data"),
+        Output(names.SEARCH_DRAWN, "data"),
+        Input(names.SEARCH_FOUND, "data"),
+        Input(VIEW, "data"),
+        Input(names.SEARCH_CLIPS, "data"),
+        Input(names.SEARCH_MOTIFS, "data"),
+        Input(THEME, "data"),
+        State(names.SEARCH_PRESETS, "data"),
+        State(names.SEARCH_PARTS, "data"),
+        State(names.SEARCH_ENGINES, "data"),
+        State(names.METHOD.result_key, "data"),
+        State(SELECTION, "data"),
     )
 
 
@@ -153,11 +167,11 @@ def found_data(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] |
 
 def _menus(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("search-menus", "children"),
-        Input("search-found", "data"),
-        State("search-result-key", "data"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(names.SEARCH_MENUS, "children"),
+        Input(names.SEARCH_FOUND, "data"),
+        State(names.METHOD.result_key, "data"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
     )
     def show_menus(found, key, name, view):
         if not key or not name:
@@ -183,9 +197,9 @@ def _download(workspace: Workspace, name: str, view: Mapping[str, str], level: s
 
 def _upload(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("search-upload-job", "data"),
-        Output("search-upload-status", "children"),
-        Input("search-upload", "data"),
+        Output(names.SEARCH_UPLOAD_JOB, "data"),
+        Output(names.SEARCH_UPLOAD_STATUS, "children"),
+        Input(names.SEARCH_UPLOAD, "data"),
         prevent_initial_call=True,
     )
     def read(upload):
@@ -195,14 +209,14 @@ def _upload(app: Dash, workspace: Workspace) -> None:
             job = uploaded.start(workspace, str(upload.get("name") or "recording"), str(upload["token"]))
         except MotionscapeError as error:
             return None, [_problem(sentence(error))]
-        set_props("job-started", {"data": job.id})
+        set_props(JOB_STARTED, {"data": job.id})
         return {"job": job.id}, [running(job, f"Reading {upload.get('name')}", "upload")]
 
     @app.callback(
-        Output("search-upload-job", "data", allow_duplicate=True),
-        Output("search-upload-status", "children", allow_duplicate=True),
-        Input("jobs-seen", "data"),
-        Input("search-upload-job", "data"),
+        Output(names.SEARCH_UPLOAD_JOB, "data", allow_duplicate=True),
+        Output(names.SEARCH_UPLOAD_STATUS, "children", allow_duplicate=True),
+        Input(JOBS_SEEN, "data"),
+        Input(names.SEARCH_UPLOAD_JOB, "data"),
         prevent_initial_call=True,
     )
     def took(_seen, reading):
@@ -217,7 +231,7 @@ def _upload(app: Dash, workspace: Workspace) -> None:
         except WorkspaceError as error:
             return None, [_problem(sentence(error))]
         piece = Piece(clip.name, 0, clip.n_frames, dataset=uploaded.name_of(job))
-        set_props("view-change", {"data": {"query": write_query([piece]), "hit": ""}})
+        set_props(VIEW_CHANGE, {"data": {"query": write_query([piece]), "hit": ""}})
         return None, []
 
 

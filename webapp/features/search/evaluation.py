@@ -16,12 +16,14 @@ from core.mocap.clip import Label
 from core.mocap.dataset import Dataset
 from core.rankings import CHANCE, KNOWN, Evaluation, evaluate
 from core.workspace import Workspace, WorkspaceError
+from webapp.features.search import names
 from webapp.features.search.engines import ENGINES
 from webapp.features.search.figures import ranking as figures
 from webapp.shell import settings
 from webapp.shell.errors import sentence
 from webapp.shell.icons import icon
 from webapp.shell.messages import empty_state
+from webapp.shell.names import DATASET, REVISION, THEME, VIEW, VIEW_CHANGE
 from webapp.ui import method_page
 from webapp.ui.charts import CONFIG, tall
 from webapp.ui.downloads import chart_menu
@@ -64,7 +66,7 @@ def layout() -> Component:
                     html.Div(
                         [
                             html.Span("Compare", className="search-label"),
-                            dmc.ChipGroup(chips, id="ranking-engines", multiple=True, value=[]),
+                            dmc.ChipGroup(chips, id=names.RANKING_ENGINES, multiple=True, value=[]),
                         ],
                         className="study-line ranking-engines",
                         role="group",
@@ -76,8 +78,10 @@ def layout() -> Component:
             ),
             html.Div(settings_fold(METHOD), className="section"),
             status_place(METHOD),
-            html.Div(id="ranking-result"),
-            dcc.Store(id="ranking-engines-of", data={"key": "ranking-engines", "names": list(KNOWN), "usual": usual}),
+            html.Div(id=names.RANKING_RESULT),
+            dcc.Store(
+                id=names.RANKING_ENGINES_OF, data={"key": f"{PAGE}-engines", "names": list(KNOWN), "usual": usual}
+            ),
         ],
         className="study",
     )
@@ -93,38 +97,38 @@ def register(app: Dash, workspace: Workspace) -> None:
 def _choose(app: Dash) -> None:
     app.clientside_callback(
         ClientsideFunction("settings", "list"),
-        Output("ranking-engines", "value"),
-        Input("ranking-settings", "data"),
-        State("ranking-engines-of", "data"),
+        Output(names.RANKING_ENGINES, "value"),
+        Input(names.RANKING.settings, "data"),
+        State(names.RANKING_ENGINES_OF, "data"),
     )
     app.clientside_callback(
         ClientsideFunction("settings", "listed"),
-        Input("ranking-engines", "value"),
-        State("view", "data"),
-        State("ranking-engines-of", "data"),
+        Input(names.RANKING_ENGINES, "value"),
+        State(VIEW, "data"),
+        State(names.RANKING_ENGINES_OF, "data"),
         prevent_initial_call=True,
     )
 
     @app.callback(
-        Input("ranking-regime", "value"),
-        Input("ranking-confused", "value"),
-        State("view", "data"),
+        Input(names.RANKING_REGIME, "value"),
+        Input(names.RANKING_CONFUSED, "value"),
+        State(VIEW, "data"),
         prevent_initial_call=True,
     )
     def choose_measure(regime, engine, view):
         text = f"{regime}:{engine}"
         if regime and engine and text != (view or {}).get("measure"):
-            set_props("view-change", {"data": {"measure": text}})
+            set_props(VIEW_CHANGE, {"data": {"measure": text}})
 
 
 def _show(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("ranking-result", "children"),
-        Input("ranking-result-key", "data"),
-        Input("view", "data"),
-        Input("theme", "data"),
-        Input("revision", "data"),
-        State("dataset", "data"),
+        Output(names.RANKING_RESULT, "children"),
+        Input(names.RANKING.result_key, "data"),
+        Input(VIEW, "data"),
+        Input(THEME, "data"),
+        Input(REVISION, "data"),
+        State(DATASET, "data"),
     )
     def show(key, view, scheme, _revision, name):
         if (view or {}).get("look") != "evaluate":
@@ -170,7 +174,7 @@ def result(dataset: Dataset, found: Evaluation, view: Mapping[str, str] | None, 
     head = html.Div(
         [
             dmc.SegmentedControl(
-                id="ranking-regime",
+                id=names.RANKING_REGIME,
                 data=[{"value": value, "label": figures.REGIMES[value]} for value in regimes],
                 value=regime,
                 size="xs",
@@ -186,7 +190,7 @@ def result(dataset: Dataset, found: Evaluation, view: Mapping[str, str] | None, 
         className="section-head section",
     )
     confused = dmc.Select(
-        id="ranking-confused",
+        id=names.RANKING_CONFUSED,
         data=[{"value": name, "label": NAMES.get(name, name)} for name in engines],
         value=engine,
         size="xs",
@@ -204,9 +208,9 @@ def result(dataset: Dataset, found: Evaluation, view: Mapping[str, str] | None, 
             className="card study-figures",
         ),
         _chart(
-            "ranking-curves", "Precision and recall", figures.curves_chart(found.engines, regime, NAMES, scheme), []
+            names.RANKING_CURVES, "Precision and recall", figures.curves_chart(found.engines, regime, NAMES, scheme), []
         ),
-        _chart("ranking-confusion", "What is taken for what", figures.confusion_chart(scores, scheme), [confused]),
+        _chart(names.RANKING_CONFUSION, "What is taken for what", figures.confusion_chart(scores, scheme), [confused]),
     ]
 
 

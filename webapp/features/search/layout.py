@@ -7,6 +7,7 @@ from dash import dcc, html
 from dash.development.base_component import Component
 
 from core.poses.body_parts import PRESETS
+from webapp.features.search import names
 from webapp.features.search.engines import ENGINES
 from webapp.features.search.figures.hits import body
 from webapp.features.search.searching import PAGE
@@ -39,7 +40,7 @@ def page(panels: dict[str, Component]) -> Component:
                     html.H1("Search"),
                     _views(panels),
                     html.Div(className="spacer"),
-                    html.Div(id="search-menus", className="head-menus"),
+                    html.Div(id=names.SEARCH_MENUS, className="head-menus"),
                     run_button(METHOD),
                 ],
             ),
@@ -58,7 +59,7 @@ def page(panels: dict[str, Component]) -> Component:
 
 def _views(panels: dict[str, Component]) -> Component:
     return dmc.SegmentedControl(
-        id="search-look",
+        id=names.SEARCH_LOOK,
         data=[{"value": value, "label": label} for value, label in VIEWS.items() if value in ("search", *panels)],
         value="search",
         size="xs",
@@ -72,9 +73,9 @@ def _search() -> Component:
         [
             html.Div(className="card search-query section", children=[_query(), _fold(), _wanted()]),
             status_place(METHOD),
-            html.Div(id="search-error", className="search-error hidden", role="alert"),
-            html.Div(id="search-hits-head", className="section-head section hidden"),
-            html.Div(id="search-hits", className="card search-hits hidden", role="list", **{"aria-label": "Hits"}),
+            html.Div(id=names.SEARCH_ERROR, className="search-error hidden", role="alert"),
+            html.Div(id=names.SEARCH_HITS_HEAD, className="section-head section hidden"),
+            html.Div(id=names.SEARCH_HITS, className="card search-hits hidden", role="list", **{"aria-label": "Hits"}),
             *_stores(),
         ]
     )
@@ -85,15 +86,15 @@ def _query() -> Component:
     return html.Div(
         className="search-from",
         children=[
-            html.Div(id="search-sources", className="search-sources"),
-            html.Datalist(id="search-clip-names"),
+            html.Div(id=names.SEARCH_SOURCES, className="search-sources"),
+            html.Datalist(id=names.SEARCH_CLIP_NAMES),
             html.Div(
                 className="search-choose",
                 role="group",
                 children=[
                     _button("From the Stage", "stage", "Look for what the Stage shows, from its start to its end"),
                     html.Select(
-                        id="search-motif", className="search-select hidden", **{"aria-label": "Look for a motif"}
+                        id=names.SEARCH_MOTIF, className="search-select hidden", **{"aria-label": "Look for a motif"}
                     ),
                     _button(
                         [icon("upload", 14), "Upload a file"],
@@ -107,8 +108,8 @@ def _query() -> Component:
                 ],
                 **{"aria-label": "Where the query comes from", "data-suffixes": ",".join(SUFFIXES)},
             ),
-            html.Div(id="search-upload-status", className="search-upload", role="status"),
-            html.Div(id="search-warning", className="search-warning hidden", role="status"),
+            html.Div(id=names.SEARCH_UPLOAD_STATUS, className="search-upload", role="status"),
+            html.Div(id=names.SEARCH_WARNING, className="search-warning hidden", role="status"),
         ],
     )
 
@@ -116,11 +117,15 @@ def _query() -> Component:
 def _fold() -> Component:
     """Opens and closes what counts, and says in a line what is chosen there."""
     return html.Button(
-        [icon("chevron", 14), html.B("What counts"), html.Span(id="search-counts-says", className="muted ellipsis")],
-        id="search-counts",
+        [
+            icon("chevron", 14),
+            html.B("What counts"),
+            html.Span(id=names.SEARCH_COUNTS_SAYS, className="muted ellipsis"),
+        ],
+        id=names.SEARCH_COUNTS,
         type="button",
         className="search-fold",
-        **{"aria-expanded": "true", "aria-controls": "search-wanted"},
+        **{"aria-expanded": "true", "aria-controls": names.SEARCH_WANTED},
     )
 
 
@@ -128,12 +133,12 @@ def _wanted() -> Component:
     """What counts: parts of the body (assets/search_body.js), kind of hits, path, filters (search_options.js)."""
     engines = [{"value": value, "label": label} for value, label in ENGINES.items()]
     return html.Div(
-        id="search-wanted",
+        id=names.SEARCH_WANTED,
         className="search-wanted",
         children=[
-            html.Div(id="search-body", className="search-body"),
-            html.Div(id="search-options", className="search-options"),
-            dcc.Store(id="search-engines", data=engines),
+            html.Div(id=names.SEARCH_BODY, className="search-body"),
+            html.Div(id=names.SEARCH_OPTIONS, className="search-options"),
+            dcc.Store(id=names.SEARCH_ENGINES, data=engines),
         ],
     )
 
@@ -146,14 +151,14 @@ def _button(label, action: str, tip: str, more: str = "") -> Component:
 
 def _stores() -> list[Component]:
     return [
-        dcc.Store(id="search-presets", data={name: dict(weights) for name, weights in PRESETS.items()}),
-        dcc.Store(id="search-parts", data=body()),
-        dcc.Store(id="search-clips"),  # the clips and labels there are to choose from
-        dcc.Store(id="search-motifs"),  # the motifs there are
-        dcc.Store(id="search-found"),  # the query and its hits; drawn by assets/search.js
-        dcc.Store(id="search-drawn"),
-        dcc.Store(id="search-listed"),
-        dcc.Store(id="search-upload"),  # {"token", "name"}: a recording has arrived
-        dcc.Store(id="search-upload-job"),  # {"job"}: it is being read
-        dcc.Store(id="search-upload-done"),
+        dcc.Store(id=names.SEARCH_PRESETS, data={name: dict(weights) for name, weights in PRESETS.items()}),
+        dcc.Store(id=names.SEARCH_PARTS, data=body()),
+        dcc.Store(id=names.SEARCH_CLIPS),  # the clips and labels there are to choose from
+        dcc.Store(id=names.SEARCH_MOTIFS),  # the motifs there are
+        dcc.Store(id=names.SEARCH_FOUND),  # the query and its hits; drawn by assets/search.js
+        dcc.Store(id=names.SEARCH_DRAWN),
+        dcc.Store(id=names.SEARCH_LISTED),
+        dcc.Store(id=names.SEARCH_UPLOAD),  # {"token", "name"}: a recording has arrived
+        dcc.Store(id=names.SEARCH_UPLOAD_JOB),  # {"job"}: it is being read
+        dcc.Store(id=names.SEARCH_UPLOAD_DONE),
     ]

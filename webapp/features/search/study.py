@@ -17,14 +17,16 @@ from core.evaluation.agreement import agreement, win_rates
 from core.mocap.dataset import Dataset
 from core.workspace import Workspace, WorkspaceError
 from webapp import jobs
-from webapp.features.search import searching, study_rounds
+from webapp.features.search import names, searching, study_rounds
 from webapp.features.search.engines import ENGINES
 from webapp.features.search.figures import agreement as figures
 from webapp.features.search.queries import write_hit
+from webapp.jobs.names import JOBS_FINISHED
 from webapp.shell import settings
 from webapp.shell.errors import sentence
 from webapp.shell.icons import icon
 from webapp.shell.messages import empty_state, notice
+from webapp.shell.names import DATASET, JOB_STARTED, NOTICES, THEME, VIEW, VIEW_CHANGE
 from webapp.ui.charts import CONFIG, tall
 from webapp.ui.downloads import chart_menu
 from webapp.ui.tables import clock, strip_address
@@ -39,7 +41,7 @@ HINT = (
 def layout() -> Component:
     """The panel; assets/search_study.js draws its setup, pairs and duels."""
     modes = dmc.SegmentedControl(
-        id="search-study",
+        id=names.SEARCH_STUDY,
         data=[{"value": value, "label": label} for value, label in MODES.items()],
         value="rate",
         size="xs",
@@ -47,19 +49,19 @@ def layout() -> Component:
         **{"aria-label": "What to do"},
     )
     panels = [
-        _panel("rate", html.Div(id="study-rate", className="card study-card")),
-        _panel("vote", html.Div(id="study-vote", className="card study-card")),
-        _panel("results", html.Div(id="study-results")),
+        _panel("rate", html.Div(id=names.STUDY_RATE, className="card study-card")),
+        _panel("vote", html.Div(id=names.STUDY_VOTE, className="card study-card")),
+        _panel("results", html.Div(id=names.STUDY_RESULTS)),
     ]
-    stores = ("data", "drawn", "answer", "kept", "wish")
+    stores = (names.STUDY_DATA, names.STUDY_DRAWN, names.STUDY_ANSWER, names.STUDY_KEPT, names.STUDY_WISH)
     return html.Div(
         [
             html.P(HINT, className="muted study-hint"),
-            html.Div(id="study-setup", className="card study-setup"),
+            html.Div(id=names.STUDY_SETUP, className="card study-setup"),
             html.Div([modes], className="section-head section"),
             *panels,
-            *(dcc.Store(id=f"study-{name}") for name in stores),
-            dcc.Store(id="study-person", storage_type="local"),  # {"id", "name"} of who answers in this browser
+            *(dcc.Store(id=store) for store in stores),
+            dcc.Store(id=names.STUDY_PERSON, storage_type="local"),  # {"id", "name"} of who answers in this browser
         ],
         className="study",
     )
@@ -75,31 +77,31 @@ def register(app: Dash, workspace: Workspace) -> None:
     _show(app, workspace)
     _take(app, workspace)
     app.clientside_callback(
-        ClientsideFunction("views", "chosen"), Input("search-study", "value"), State("view", "data")
+        ClientsideFunction("views", "chosen"), Input(names.SEARCH_STUDY, "value"), State(VIEW, "data")
     )
     app.clientside_callback(
         ClientsideFunction("views", "show"),
-        Output("search-study", "value"),
-        Input("view", "data"),
-        Input("search-study", "id"),
+        Output(names.SEARCH_STUDY, "value"),
+        Input(VIEW, "data"),
+        Input(names.SEARCH_STUDY, "id"),
     )
     app.clientside_callback(
         ClientsideFunction("study", "draw"),
-        Output("study-drawn", "data"),
-        Input("study-data", "data"),
-        Input("view", "data"),
-        State("study-person", "data"),
+        Output(names.STUDY_DRAWN, "data"),
+        Input(names.STUDY_DATA, "data"),
+        Input(VIEW, "data"),
+        State(names.STUDY_PERSON, "data"),
     )
 
 
 def _show(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("study-data", "data"),
-        Input("view", "data"),
-        Input("dataset", "data"),
-        Input("study-person", "data"),
-        Input("jobs-finished", "data"),
-        State("study-data", "data"),
+        Output(names.STUDY_DATA, "data"),
+        Input(VIEW, "data"),
+        Input(DATASET, "data"),
+        Input(names.STUDY_PERSON, "data"),
+        Input(JOBS_FINISHED, "data"),
+        State(names.STUDY_DATA, "data"),
     )
     def gather(view, name, person, finished, before):
         view = view or {}
@@ -118,11 +120,11 @@ def _show(app: Dash, workspace: Workspace) -> None:
             return {"asked": asked, "error": sentence(error)}
 
     @app.callback(
-        Output("study-results", "children"),
-        Input("view", "data"),
-        Input("dataset", "data"),
-        Input("study-kept", "data"),
-        Input("theme", "data"),
+        Output(names.STUDY_RESULTS, "children"),
+        Input(VIEW, "data"),
+        Input(DATASET, "data"),
+        Input(names.STUDY_KEPT, "data"),
+        Input(THEME, "data"),
     )
     def show_results(view, name, _kept, scheme):
         if (view or {}).get("look") != "agree" or (view or {}).get("study") != "results" or not name:
@@ -159,11 +161,11 @@ def study_data(workspace: Workspace, dataset: Dataset, view: Mapping[str, str], 
 
 def _take(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("study-kept", "data"),
-        Input("study-answer", "data"),
-        State("dataset", "data"),
-        State("view", "data"),
-        State("study-person", "data"),
+        Output(names.STUDY_KEPT, "data"),
+        Input(names.STUDY_ANSWER, "data"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
+        State(names.STUDY_PERSON, "data"),
         prevent_initial_call=True,
     )
     def keep(given, name, view, person):
@@ -177,16 +179,16 @@ def _take(app: Dash, workspace: Workspace) -> None:
                 take(workspace, dataset, view, answer | {"person": str(answer.get("person") or who)[:80]})
             except MotionscapeError as error:
                 message = notice("An answer was not kept", sentence(error), "red")
-                set_props("notices", {"sendNotifications": [message]})
+                set_props(NOTICES, {"sendNotifications": [message]})
         return {"kept": [answer.get("id") for answer in answers]}
 
-    app.clientside_callback(ClientsideFunction("study", "kept"), Input("study-kept", "data"))
+    app.clientside_callback(ClientsideFunction("study", "kept"), Input(names.STUDY_KEPT, "data"))
 
     @app.callback(
-        Output("study-kept", "data", allow_duplicate=True),
-        Input("study-wish", "data"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(names.STUDY_KEPT, "data", allow_duplicate=True),
+        Input(names.STUDY_WISH, "data"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
         prevent_initial_call=True,
     )
     def grant(wish, name, view):
@@ -196,17 +198,17 @@ def _take(app: Dash, workspace: Workspace) -> None:
         try:
             if wish.get("build") in ENGINES:
                 asked = settings.request_of(searching.PAGE, name, study_rounds.with_engine(view, wish["build"]))
-                set_props("job-started", {"data": jobs.start(workspace, analyses.normalise(asked)).id})
+                set_props(JOB_STARTED, {"data": jobs.start(workspace, analyses.normalise(asked)).id})
             elif wish.get("draw"):
                 drawn = study_rounds.draw_queries(workspace.open(name), int(wish["draw"]))
                 both = dict.fromkeys([*study_rounds.queries_of(view), *drawn])
-                set_props("view-change", {"data": {"asks": ",".join(map(write_hit, both))}})
+                set_props(VIEW_CHANGE, {"data": {"asks": ",".join(map(write_hit, both))}})
             elif wish.get("clear"):
                 gone = workspace.ratings.clear(workspace.info(name).id)
-                set_props("notices", {"sendNotifications": [notice("Forgotten", f"{gone} answers were removed.")]})
+                set_props(NOTICES, {"sendNotifications": [notice("Forgotten", f"{gone} answers were removed.")]})
                 return {"at": wish.get("at")}
         except (WorkspaceError, ParameterError) as error:
-            set_props("notices", {"sendNotifications": [notice("That did not work", str(error), "red")]})
+            set_props(NOTICES, {"sendNotifications": [notice("That did not work", str(error), "red")]})
         return no_update
 
 
@@ -245,8 +247,8 @@ def results(workspace: Workspace, name: str, scheme: str | None) -> list[Compone
     if ratings:
         found = agreement(ratings)
         ranks = figures.rank_chart(found, ENGINES, scheme)
-        chart = dcc.Graph(id="study-chart", figure=ranks, config=CONFIG, style=tall(ranks))
-        bar = [html.H2("Rank against rank"), html.Div(className="spacer"), chart_menu("study-chart", "ranks")]
+        chart = dcc.Graph(id=names.STUDY_CHART, figure=ranks, config=CONFIG, style=tall(ranks))
+        bar = [html.H2("Rank against rank"), html.Div(className="spacer"), chart_menu(names.STUDY_CHART, "ranks")]
         shown += [
             html.Div(figures.means_table(found, ENGINES), className="card study-figures"),
             html.Div(figures.correlations_table(found, ENGINES), className="card study-figures section"),

@@ -22,6 +22,7 @@ from webapp.features.sweeps.figures.drawing import fixed
 from webapp.features.sweeps.figures.measures import MEASURES, PAIRS, pairs_of
 from webapp.features.sweeps.reading import Form
 from webapp.shell import links, results
+from webapp.shell.identifiers import Pattern
 from webapp.shell.messages import notice
 from webapp.ui import tables
 from webapp.ui.parameter_form import parameter_form, read_form, summary
@@ -99,7 +100,7 @@ def _fill(app: Dash, workspace: Workspace) -> None:
         without = {x_name, y_name, "seed"}
         said = results.not_default({name: value for name, value in values.items() if name not in without})
         shown = [parameter for parameter in analyses.parameters(results.MOTIFS) if parameter.name not in without]
-        return parameter_form(shown, values, "sweep-base"), summary(said)
+        return parameter_form(shown, values, Pattern("sweep-base", "name")), summary(said)
 
     @app.callback(
         Output("sweep-plan", "children"),

@@ -21,6 +21,7 @@ from webapp.features.motifs.figures.drawing import graph_svg
 from webapp.features.motifs.figures.placement import place_boxes, spread
 from webapp.features.motifs.layout import metric_tiles, motion_list, selection_panel
 from webapp.shell import playback, results, theme
+from webapp.shell.identifiers import Pattern
 from webapp.ui import tables
 from webapp.ui.parameter_form import parameter_form, read_form, summary
 
@@ -232,7 +233,7 @@ def test_the_form_takes_what_fits_and_says_what_does_not():
 
 
 def test_every_parameter_has_a_control_and_help():
-    text = str(parameter_form(PARAMETERS, {}, "parameter"))
+    text = str(parameter_form(PARAMETERS, {}, Pattern("parameter", "name")))
     for parameter in PARAMETERS:
         assert f"'name': '{parameter.name}'" in text and parameter.help.strip()[:20] in text
 
