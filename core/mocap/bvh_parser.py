@@ -153,9 +153,9 @@ class _Hierarchy:
             raise self.error(
                 f"CHANNELS in {quoted(joint.name)}", "one line of CHANNELS a joint, none in End Site", line
             )
-        if count_text != len(words) - 1:
-            count_text = quoted(words[0]) if words else "no count_text"
-            raise self.error(f"CHANNELS says {count_text} and names {max(len(words) - 1, 0)}", "as many as it says", line)
+        if count != len(words) - 1:
+            stated = quoted(words[0]) if words else "no count"
+            raise self.error(f"CHANNELS says {stated} and names {max(len(words) - 1, 0)}", "as many as it says", line)
         for word in words[1:]:
             if word.lower() not in _SPELLING:
                 raise self.error(f"channel {quoted(word)}", f"one of {', '.join(CHANNELS)}", line)
