@@ -110,11 +110,11 @@ def kept(workspace: Workspace, method: str, result_key: str) -> Any | None:
 def _is_of(workspace: Workspace, method: str, result_key: str) -> bool:
     """Whether what is stored under a key from outside can be a result of this method."""
     try:
-        found = workspace.results.get(result_key)
+        document_and_arrays = workspace.results.get(result_key)
     except ResultDamaged:
         return False
-    kind = str(found[0].get("format", "")).split("/") if found else []
-    return found is not None and (len(kind) < 2 or kind[1] not in METHODS or kind[1] == method)
+    kind = str(document_and_arrays[0].get("format", "")).split("/") if document_and_arrays else []
+    return document_and_arrays is not None and (len(kind) < 2 or kind[1] not in METHODS or kind[1] == method)
 
 
 def submit(workspace: Workspace, request: Request) -> Job:
@@ -225,10 +225,10 @@ def _computed(workspace: Workspace, dataset: Dataset, name: str, values: Mapping
 
 def _earlier(workspace: Workspace, method: str, result_key: str) -> Any:
     """The result that another goes on from. Raises AnalysisError where it is no longer there, or another method's."""
-    found = kept(workspace, method, result_key)
-    if found is None:
+    result = kept(workspace, method, result_key)
+    if result is None:
         raise AnalysisError(f"{METHODS[method].title}: the earlier result is no longer there; compute it anew.")
-    return found
+    return result
 
 
 def _made(workspace: Workspace, dataset: Dataset, method: str, values: Mapping[str, Any], report: Report) -> Any:
@@ -257,8 +257,8 @@ def _load(workspace: Workspace, method: str, result_key: str) -> Any | None:
     if (result := _results.get(place)) is not None:
         return result
     try:
-        found = workspace.results.get(result_key)
-        result = METHODS[method].unpack(*found) if found else None
+        document_and_arrays = workspace.results.get(result_key)
+        result = METHODS[method].unpack(*document_and_arrays) if document_and_arrays else None
     except ResultDamaged:
         return None
     except (ValueError, KeyError, TypeError, IndexError):  # whole, but not what this version writes

@@ -61,10 +61,10 @@ def _read(workspace: Workspace, dataset: Dataset, key: str, place: str) -> Figur
     if not workspace.results.has(key):
         return None
     with suppress(ResultDamaged):  # it has been set aside: count again
-        found = workspace.results.get(place)
-        if found is not None:
-            _known.put((workspace.path, place), found.document)
-            return found.document
+        stored = workspace.results.get(place)
+        if stored is not None:
+            _known.put((workspace.path, place), stored.document)
+            return stored.document
     try:
         graph = workspace.results.get(key)
         return keep_figures(workspace, key, from_json(graph.document), dataset) if graph else None

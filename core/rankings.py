@@ -129,8 +129,8 @@ def evaluate(rankings: Rankings, dataset: Dataset) -> Evaluation:
         )
     engines = {}
     for name in rankings.orders:
-        found = rankings.of(name)
-        engines[name] = score_rankings({query: found[query] for query in labelled_queries}, labels)
+        order = rankings.of(name)
+        engines[name] = score_rankings({query: order[query] for query in labelled_queries}, labels)
     return Evaluation(engines, len(labelled_queries))
 
 

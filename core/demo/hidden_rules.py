@@ -66,12 +66,12 @@ def accepts(sentence: Sequence[str], symbol: str = START) -> bool:
         """Where a phrase of kind ``left`` that begins at ``start`` may end."""
         if left not in GRAMMAR:
             return frozenset({start + 1} if start < len(words) and words[start] == left else ())
-        found: set[int] = set()
+        reached: set[int] = set()
         for _, right in GRAMMAR[left]:
             at = {start}
             for part in right:
                 at = {end for begin in at for end in ends(part, begin)}
-            found |= at
-        return frozenset(found)
+            reached |= at
+        return frozenset(reached)
 
     return len(words) in ends(symbol, 0)

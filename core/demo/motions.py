@@ -49,7 +49,7 @@ def sources() -> dict[str, tuple[np.ndarray, Motion]]:
     ):
         names, starts, differences = data["names"], data["starts"], data["rows"]
     rows = np.cumsum(differences, axis=0, dtype=np.int16)
-    found = {}
+    motions = {}
     for name, start, end in zip(names, starts, starts[1:], strict=False):
         row = rows[start:end].astype(np.float64)
         times = np.r_[0, np.cumsum(row[:-1, 0] * 1e-4)]
@@ -62,8 +62,8 @@ def sources() -> dict[str, tuple[np.ndarray, Motion]]:
             rotations.append(quat.from_rotvec(vector))
         pelvis = row[:, 1:4] * 1e-4
         pelvis[:, [0, 2]] -= pelvis[0, [0, 2]]
-        found[str(name)] = times, Motion(pelvis, quat.continuous(np.stack(rotations, axis=1)))
-    return found
+        motions[str(name)] = times, Motion(pelvis, quat.continuous(np.stack(rotations, axis=1)))
+    return motions
 
 
 @lru_cache(maxsize=64)

@@ -158,12 +158,12 @@ def stance_phases(clip: Clip, contacts: np.ndarray, positions: np.ndarray) -> np
 
 def _strikes(stances: np.ndarray) -> list[_Strike]:
     """All strikes in the order of time; a stance that the clip begins with has none."""
-    n, found = len(stances), []
+    n, strikes = len(stances), []
     for side in (0, 1):
-        found += [
+        strikes += [
             _Strike(int(start), int(end) if end < n else None, side) for start, end in runs(stances[:, side]) if start
         ]
-    return sorted(found, key=lambda strike: strike.frame)
+    return sorted(strikes, key=lambda strike: strike.frame)
 
 
 def _bouts(walker: _Walker, strikes: list[_Strike]) -> Iterable[list[_Strike]]:

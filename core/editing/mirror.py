@@ -70,13 +70,13 @@ def partners(skeleton: Skeleton) -> tuple[int, ...]:
     Raises AnalysisError where a joint of one side has no partner on the other.
     """
     anatomy = find_anatomy(skeleton)
-    found = [0]
+    order = [0]
     for j in range(1, skeleton.n_joints):
-        found.append(j if anatomy.side(j) == "centre" else _partner(skeleton, j, found[skeleton.parents[j]]))
-    hang_alike = all(found[skeleton.parents[j]] == skeleton.parents[k] for j, k in enumerate(found) if j)
-    if not hang_alike or any(found[k] != j for j, k in enumerate(found)):
+        order.append(j if anatomy.side(j) == "centre" else _partner(skeleton, j, order[skeleton.parents[j]]))
+    hang_alike = all(order[skeleton.parents[j]] == skeleton.parents[k] for j, k in enumerate(order) if j)
+    if not hang_alike or any(order[k] != j for j, k in enumerate(order)):
         raise AnalysisError("the joints on the left and on the right do not hang from one another in the same way")
-    return tuple(found)
+    return tuple(order)
 
 
 def _partner(skeleton: Skeleton, joint: int, above: int) -> int:
@@ -139,12 +139,12 @@ def _all_axes(clip: Clip, frames: BodyFrames) -> list[np.ndarray]:
     known = {find_anatomy(clip.skeleton).joints[name]: axes for name, axes in frames.axes.items()}
     step = max(1, clip.n_frames // 500)
     local = matrices(clip.rotations[::step])
-    found: list[np.ndarray] = []
+    normals: list[np.ndarray] = []
     for j, parent in enumerate(clip.skeleton.parents):
         if j in known or parent < 0:
-            found.append(known.get(j, np.eye(3)))
+            normals.append(known.get(j, np.eye(3)))
         else:
-            mean = (np.swapaxes(local[:, j], 1, 2) @ found[parent]).sum(0)
+            mean = (np.swapaxes(local[:, j], 1, 2) @ normals[parent]).sum(0)
             u, _, v = np.linalg.svd(mean)
-            found.append(u @ np.diag([1, 1, np.linalg.det(u @ v)]) @ v)
-    return found
+            normals.append(u @ np.diag([1, 1, np.linalg.det(u @ v)]) @ v)
+    return normals

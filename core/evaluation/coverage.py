@@ -40,18 +40,18 @@ def score_motifs(motifs: Sequence[Sequence[Segment]], labels: Iterable[Label]) -
         raise AnalysisError("there are no labels to compare the motifs with")
     actions = sorted({label.action for label in labels})
     truth = _frames_of_labels(labels, actions)
-    found = {clip: np.full(len(frames), -1) for clip, frames in truth.items()}
+    predicted = {clip: np.full(len(frames), -1) for clip, frames in truth.items()}
     one_label = []
     for number, motif in enumerate(motifs):
         majorities = set()
         for clip, start, end in (s for s in motif if s.clip in truth):
-            part, seen = found[clip][start:end], truth[clip][start:end]
+            part, seen = predicted[clip][start:end], truth[clip][start:end]
             part[part < 0] = number
             if (seen >= 0).any():
                 majorities.add(int(np.bincount(seen[seen >= 0]).argmax()))
         if majorities:
             one_label.append(len(majorities) == 1)
-    table, sizes = _confusion(truth, found, len(motifs), len(actions))
+    table, sizes = _confusion(truth, predicted, len(motifs), len(actions))
     in_motifs = table.sum()
     return MotifScores(
         coverage=float(in_motifs / max(sizes.sum(), 1)),

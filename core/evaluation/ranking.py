@@ -102,9 +102,9 @@ def clip_labels(dataset: Dataset) -> ClipLabels:
         action = min(action for action, n in frames[clip].items() if n == most)
         name, _, manner = action.partition("/")
         content[clip] = name.strip()
-        found = manner.strip() or _style_in_name(clip, content[clip])
-        if found:
-            style[clip] = found
+        style_name = manner.strip() or _style_in_name(clip, content[clip])
+        if style_name:
+            style[clip] = style_name
     return ClipLabels(content, style)
 
 
@@ -223,15 +223,15 @@ def _graded(
         return sum((float(2**g - 1) / math.log2(k + 2) for k, g in enumerate(gains)), 0.0)
 
     ideal = discounted(sorted(map(gain, database), reverse=True)[:FIRST])
-    found = {f"nDCG@{FIRST}": discounted(map(gain, listed[:FIRST])) / ideal}
+    measures = {f"nDCG@{FIRST}": discounted(map(gain, listed[:FIRST])) / ideal}
     place = {clip: k for k, clip in enumerate(listed)}
     alike, unlike = (
         np.array([place.get(c, len(database)) for c in database if labels.content[c] == own and as_query(c) == same])
         for same in (True, False)
     )
     if len(alike) and len(unlike):
-        found["styleAUC"] = float(((alike[:, None] < unlike) + 0.5 * (alike[:, None] == unlike)).mean())
-    return found
+        measures["styleAUC"] = float(((alike[:, None] < unlike) + 0.5 * (alike[:, None] == unlike)).mean())
+    return measures
 
 
 def _measure(values: Sequence[tuple[str, float]], seed: int) -> Measure:

@@ -60,15 +60,15 @@ def confusion(terminals: Sequence[Sequence[Segment]], labels: Iterable[Label]) -
     truth = {clip: np.full(end, -1) for clip, end in ends.items()}
     for label in labels:
         truth[label.clip][label.start : label.end] = actions.index(label.action)
-    found = {clip: np.full(end, -1) for clip, end in ends.items()}
+    labelling = {clip: np.full(end, -1) for clip, end in ends.items()}
     for k, segments in enumerate(terminals):
         for clip, start, end in segments:
-            if clip in found:
-                found[clip][start:end] = k
+            if clip in labelling:
+                labelling[clip][start:end] = k
     table = np.zeros((len(terminals), len(actions)), np.int64)
     for clip, is_action in truth.items():
-        both = (is_action >= 0) & (found[clip] >= 0)
-        np.add.at(table, (found[clip][both], is_action[both]), 1)
+        both = (is_action >= 0) & (labelling[clip] >= 0)
+        np.add.at(table, (labelling[clip][both], is_action[both]), 1)
     return table, int(sum((is_action >= 0).sum() for is_action in truth.values()))
 
 
@@ -78,11 +78,11 @@ def boundaries_of(terminals: Sequence[Sequence[Segment]]) -> dict[str, tuple[int
     for k, segments in enumerate(terminals):
         for segment in segments:
             pieces.setdefault(segment.clip, []).append((segment.start, k))
-    found = {}
+    boundaries = {}
     for clip, items in pieces.items():
         items.sort()
-        found[clip] = tuple(start for (_, before), (start, after) in pairwise(items) if before != after)
-    return found
+        boundaries[clip] = tuple(start for (_, before), (start, after) in pairwise(items) if before != after)
+    return boundaries
 
 
 def boundary_intervals(

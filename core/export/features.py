@@ -116,14 +116,14 @@ def feature_table(
 def labelled(table: FeatureTable, dataset: Dataset) -> FeatureTable:
     """The table with the labels that the data set has now: labels may change while the motion stays what it is."""
     actions = tuple(sorted({label.action for label in dataset.labels}))
-    found = np.full(len(table.frames), -1, np.int16)
+    labels = np.full(len(table.frames), -1, np.int16)
     place, number = {name: k for k, name in enumerate(table.clips)}, {action: k for k, action in enumerate(actions)}
     for label in dataset.labels:
         k = place[label.clip]
         rows = slice(table.clip_starts[k], table.clip_starts[k + 1])
         own = table.frames[rows]
-        found[rows][(own >= label.start) & (own < label.end)] = number[label.action]
-    return replace(table, actions=actions, labels=found)
+        labels[rows][(own >= label.start) & (own < label.end)] = number[label.action]
+    return replace(table, actions=actions, labels=labels)
 
 
 ANGLE_NAMES = tuple(f"{name} {channel.name}" for name, joint in JOINTS.items() for channel in joint.channels)
@@ -131,11 +131,11 @@ ANGLE_NAMES = tuple(f"{name} {channel.name}" for name, joint in JOINTS.items() f
 
 def _positions(clip: Clip) -> np.ndarray:
     world, known = joint_positions(clip), find_anatomy(clip.skeleton).joints
-    found = np.full((clip.n_frames, len(CANONICAL), 3), np.nan, np.float32)
+    positions = np.full((clip.n_frames, len(CANONICAL), 3), np.nan, np.float32)
     for place, name in enumerate(CANONICAL):
         if name in known:
-            found[:, place] = world[:, known[name]]
-    return found
+            positions[:, place] = world[:, known[name]]
+    return positions
 
 
 def _angles(clip: Clip, frames: BodyFrames) -> np.ndarray:

@@ -85,11 +85,11 @@ def align_contexts(sentences: Sequence[Sentence]) -> Hypotheses:
             for j in range(i, n + 1 if i else n):
                 context = (sentence[i - 1] if i else -1, sentence[j] if j < n else -1)
                 groups.setdefault(context, []).append((k, i, j))
-    found = []
+    links = []
     for kind, spans in enumerate(groups.values()):
         if len({sentences[k][i:j] for k, i, j in spans}) > 1:
-            found += [(*span, kind) for span in spans]
-    return Hypotheses(*np.array(sorted(found), np.int64).reshape(-1, 4).T)
+            links += [(*span, kind) for span in spans]
+    return Hypotheses(*np.array(sorted(links), np.int64).reshape(-1, 4).T)
 
 
 def links(a: Sentence, b: Sentence) -> list[tuple[int, int]]:
@@ -128,17 +128,17 @@ def _links(a: Int64Array, b: Int64Array, table: Int32Array) -> Int64Array:
                 table[i, j] = table[i + 1, j + 1] + 1
             else:
                 table[i, j] = max(table[i + 1, j], table[i, j + 1])
-    found = np.empty((table[0, 0], 2), np.int64)
+    pairs = np.empty((table[0, 0], 2), np.int64)
     i = j = k = 0
     while i < n and j < m:
         if a[i] == b[j]:
-            found[k, 0], found[k, 1] = i, j
+            pairs[k, 0], pairs[k, 1] = i, j
             i, j, k = i + 1, j + 1, k + 1
         elif table[i + 1, j] >= table[i, j + 1]:
             i += 1
         else:
             j += 1
-    return found
+    return pairs
 
 
 @njit()
@@ -157,12 +157,12 @@ def _align_with_later(symbols: Int64Array, begins: Int64Array, bases: Int64Array
     table = np.empty((len(a) + 1, longest + 1), np.int32)
     for other in range(k + 1, len(begins) - 1):
         b = symbols[begins[other] : begins[other + 1]]
-        found = _links(a, b, table)
-        if len(found) == 0:
+        aligned = _links(a, b, table)
+        if len(aligned) == 0:
             continue
         i = j = 0
-        for row in range(len(found) + 1):
-            to_i, to_j = (found[row, 0], found[row, 1]) if row < len(found) else (len(a), len(b))
+        for row in range(len(aligned) + 1):
+            to_i, to_j = (aligned[row, 0], aligned[row, 1]) if row < len(aligned) else (len(a), len(b))
             if i < to_i or j < to_j:
                 x = bases[k] + i * (len(a) + 1) + to_i
                 y = bases[other] + j * (len(b) + 1) + to_j

@@ -76,14 +76,14 @@ def alternate(
     best: Clustering | None = None
     least = np.inf
     for turn in range(turns):
-        found = clustering_of(spans, *_choose(space, spans, labels, k, weight, rng))
-        cost = _cost(space, found, weight, price)
+        clustering = clustering_of(spans, *_choose(space, spans, labels, k, weight, rng))
+        cost = _cost(space, clustering, weight, price)
         before, least = least, min(cost, least)
         if cost == least:
-            best = found
+            best = clustering
         if cost > (1 - _LITTLE) * before or turn == turns - 1:
             break
-        spans, labels = cut_by_medoids(space, spans[found.medoids], limits, price)
+        spans, labels = cut_by_medoids(space, spans[clustering.medoids], limits, price)
         if len(spans) < k:
             break
     assert best is not None  # there is at least one turn

@@ -22,13 +22,13 @@ def constituents(tree: Node, terminal: int) -> tuple[Path, ...]:
     if not tree.start <= terminal < tree.end:
         raise IndexError(f"the sentence has no terminal {terminal}")
     path: Path = ()
-    found = []
+    paths = []
     node = tree
     while not node.is_leaf:
-        found.append(path)
+        paths.append(path)
         child = next(k for k, part in enumerate(node.children) if part.start <= terminal < part.end)
         node, path = node.children[child], (*path, child)
-    return tuple(found[::-1])
+    return tuple(paths[::-1])
 
 
 def alternatives(
@@ -44,15 +44,15 @@ def alternatives(
     own = leaves(node)
     most = 2 * len(own) + 5 if max_terminals is None else max_terminals
     rng = np.random.default_rng(seed)
-    found: dict[tuple[int, ...], Node] = {}
+    trees: dict[tuple[int, ...], Node] = {}
     for _ in range(_TRIES * n):
-        if len(found) == n:
+        if len(trees) == n:
             break
         made = grammar.generate(rng, most, node.name)
         spelled = leaves(made)
-        if spelled != own and spelled not in found:
-            found[spelled] = made
-    return tuple(replace(tree, path, made) for made in found.values())
+        if spelled != own and spelled not in trees:
+            trees[spelled] = made
+    return tuple(replace(tree, path, made) for made in trees.values())
 
 
 def replace(tree: Node, path: Sequence[int], made: Node) -> Node:

@@ -66,23 +66,23 @@ def renamed(tree: Node, names: Mapping[str, str]) -> Node:
 
 def contexts_of(sentences: Sequence[Sentence], trees: Sequence[Node]) -> dict[str, set[tuple[int, int]]]:
     """Kind -> what stands before and after its constituents; END at the ends of a sentence."""
-    found: dict[str, set[tuple[int, int]]] = {}
+    contexts: dict[str, set[tuple[int, int]]] = {}
     for sentence, tree in zip(sentences, trees, strict=True):
         framed = (END, *sentence, END)
         for node in preorder(tree):
             if not node.is_leaf:
-                found.setdefault(node.name, set()).add((framed[node.start], framed[node.end + 1]))
-    return found
+                contexts.setdefault(node.name, set()).add((framed[node.start], framed[node.end + 1]))
+    return contexts
 
 
 def _words_of(sentences: Sequence[Sentence], trees: Sequence[Node]) -> dict[str, set[Sentence]]:
     """Kind -> what its constituents are."""
-    found: dict[str, set[Sentence]] = {}
+    words: dict[str, set[Sentence]] = {}
     for sentence, tree in zip(sentences, trees, strict=True):
         for node in preorder(tree):
             if not node.is_leaf:
-                found.setdefault(node.name, set()).add(sentence[node.start : node.end])
-    return found
+                words.setdefault(node.name, set()).add(sentence[node.start : node.end])
+    return words
 
 
 def alike(a: set[tuple[int, int]], b: set[tuple[int, int]]) -> bool:

@@ -22,9 +22,9 @@ def pose_distances(x: np.ndarray, y: np.ndarray) -> np.ndarray:
     # one product gives |x|^2 - 2 xy + |y|^2, each square beside a column of ones
     left = np.column_stack([-2 * x, np.einsum("nd,nd->n", x, x), np.ones(len(x), x.dtype)])
     right = np.column_stack([y, np.ones(len(y), y.dtype), np.einsum("md,md->m", y, y)])
-    found: np.ndarray = (left @ right.T).astype(np.float32, copy=False)
-    np.maximum(found, 0, out=found)
-    return found
+    squared: np.ndarray = (left @ right.T).astype(np.float32, copy=False)
+    np.maximum(squared, 0, out=squared)
+    return squared
 
 
 def best_cuts(

@@ -44,9 +44,9 @@ def encode(
         begin = min(own[0], last - 1)
         medoids.append((begin, min(max(own[1], begin + 1), last)))
     spans, labels = cut_by_medoids(space, np.array(medoids), limits_of(parameters, space.fps), only_from=len(models))
-    found: dict[str, list[tuple[int, Segment]]] = {clip.name: [] for clip in dataset.clips}
+    by_clip: dict[str, list[tuple[int, Segment]]] = {clip.name: [] for clip in dataset.clips}
     for (start, end), label in zip(spans.tolist(), labels.tolist(), strict=True):
         segment = space.segment(start, end)
         name = clips[int(segment.clip)].name
-        found[name].append((label, Segment(name, segment.start, segment.end)))
-    return {name: tuple(items) for name, items in found.items()}
+        by_clip[name].append((label, Segment(name, segment.start, segment.end)))
+    return {name: tuple(items) for name, items in by_clip.items()}

@@ -28,15 +28,15 @@ _ENDLESS = Least(np.inf, np.inf)
 
 def least(grammar: Grammar) -> dict[str, Least]:
     """Non-terminal -> its shortest derivation, in terminals, then in depth; endless ones have infinitely many."""
-    found = dict.fromkeys(grammar.nonterminals, _ENDLESS)
+    shortest = dict.fromkeys(grammar.nonterminals, _ENDLESS)
     changed = True
     while changed:
         changed = False
         for k, rule in enumerate(grammar.rules):
-            new = through(rule.right, found)._replace(rule=k)
-            if new[:2] < found[rule.left][:2]:
-                found[rule.left], changed = new, True
-    return found
+            new = through(rule.right, shortest)._replace(rule=k)
+            if new[:2] < shortest[rule.left][:2]:
+                shortest[rule.left], changed = new, True
+    return shortest
 
 
 def through(right: tuple[Symbol, ...], known: dict[str, Least]) -> Least:

@@ -65,8 +65,8 @@ def pam(distances: np.ndarray, k: int) -> np.ndarray:
     """Medoids ``(k,)`` of the least sum of distances ``(n, n)``, from the first ``k`` objects: the paper's PAM."""
     if k >= len(distances):
         return np.arange(len(distances))
-    found = kmedoids.fasterpam(distances, np.arange(k, dtype=np.uint64), n_cpu=1)
-    return np.array(found.medoids, np.int64)
+    clustering = kmedoids.fasterpam(distances, np.arange(k, dtype=np.uint64), n_cpu=1)
+    return np.array(clustering.medoids, np.int64)
 
 
 def _stretches(space: PoseSpace, grid: int, limits: tuple[int, int]) -> list[list[np.ndarray]]:
@@ -104,7 +104,7 @@ class _Stretch:
             self.distances = span_distances(space, np.array(candidates, np.int64))
 
     def _candidates(self) -> list[tuple[int, int]]:
-        found = []
+        candidates = []
         for places in self.places:
             whole = (int(places[0]), int(places[-1]))
             spans = {
@@ -113,13 +113,13 @@ class _Stretch:
                 for b in places[i + 1 :]
                 if self.limits[0] <= b - a <= self.limits[1]
             }
-            found += sorted(spans | {whole})
-        return found
+            candidates += sorted(spans | {whole})
+        return candidates
 
     def spans(self, genes: np.ndarray) -> np.ndarray:
         """Spans ``(n, 2)`` of genes ``(n_genes,)``: cuts that would make a segment too short are left out, and where a
         segment would be too long there is a cut at the last place that fits."""
-        found, first = [], 0
+        spans, first = [], 0
         shortest, longest = self.limits
         for places, size in zip(self.places, self.sizes, strict=True):
             wanted = genes[first : first + size]
@@ -130,8 +130,8 @@ class _Stretch:
                 following = inner[i + 1] if i + 1 < size else end
                 if at - cuts[-1] >= shortest and (wanted[i] or following - cuts[-1] > longest):
                     cuts.append(at)
-            found += list(pairwise([*cuts, end]))
-        return np.array(found, np.int64)
+            spans += list(pairwise([*cuts, end]))
+        return np.array(spans, np.int64)
 
     def score(self, genes: np.ndarray) -> float:
         """F of genes ``(n_genes,)``; 0 where there are fewer segments than groups."""
@@ -150,9 +150,9 @@ class _Stretch:
         else:
             distances = span_distances(self.space, spans)
         medoids = pam(distances, self.k)
-        found = clustering_of(spans, medoids, distances[:, medoids])
-        repetition = found.lengths[medoids].sum() / self.poses
-        error = found.lengths @ found.distances / self.poses / self.space.largest
+        clustering = clustering_of(spans, medoids, distances[:, medoids])
+        repetition = clustering.lengths[medoids].sum() / self.poses
+        error = clustering.lengths @ clustering.distances / self.poses / self.space.largest
         return float(1 / max(self.weight * repetition + (1 - self.weight) * error, 1e-12))
 
 

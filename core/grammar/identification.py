@@ -56,7 +56,7 @@ def find_several(
     seconds: dict[str, float] = {}
     with timed("poses", seconds):
         space = space_of(dataset, parameters, report)
-    found = []
+    terminals_by_number = []
     for i, number in enumerate(numbers):
         chosen, own = replace(parameters, n_terminals=number), dict(seconds)
 
@@ -65,8 +65,8 @@ def find_several(
 
         with timed("search", own):
             clustering = search(space, chosen, progress)
-        found.append(terminals_of(space, clustering, chosen, dataset, own))
-    return tuple(found)
+        terminals_by_number.append(terminals_of(space, clustering, chosen, dataset, own))
+    return tuple(terminals_by_number)
 
 
 def space_of(dataset: Dataset, parameters: TerminalParameters, report: Report = silent) -> PoseSpace:
@@ -100,8 +100,8 @@ def _alternation(space: PoseSpace, parameters: TerminalParameters, report: Repor
     step = max(1, int(space.fps // _ROUGH_FPS))
     thin = space.thinned(step)
     coarse = thin.thinned(2)
-    found = [_refined(thin, coarse, 2, one, parameters, turns=1) for one in _beginnings(coarse, parameters, report)]
-    best = _recombined(thin, parameters, found, report)
+    refined = [_refined(thin, coarse, 2, one, parameters, turns=1) for one in _beginnings(coarse, parameters, report)]
+    best = _recombined(thin, parameters, refined, report)
     report("fine search", 0.0)
     return _refined(space, thin, step, best, parameters, turns=_FINE_TURNS)[0]
 
@@ -122,15 +122,15 @@ def _refined(
 
 def _beginnings(space: PoseSpace, parameters: TerminalParameters, report: Report) -> list[Clustering]:
     """What comes of each of ``starts`` random beginnings."""
-    k, limits, found = parameters.n_terminals, limits_of(parameters, space.fps), []
+    k, limits, beginnings = parameters.n_terminals, limits_of(parameters, space.fps), []
     for start in range(parameters.starts):
         report("random beginnings", start / parameters.starts)
         rng = np.random.default_rng([parameters.seed, start])
         spans = even_cuts(space, rng.uniform(1.3 * limits[0], 0.7 * limits[1]), limits)
         if len(spans) < k:
             spans = even_cuts(space, limits[0], limits)
-        found.append(alternate(space, k, parameters.weight, limits, rng, spans=spans, surplus=_SURPLUS)[0])
-    return found
+        beginnings.append(alternate(space, k, parameters.weight, limits, rng, spans=spans, surplus=_SURPLUS)[0])
+    return beginnings
 
 
 def _recombined(

@@ -53,11 +53,11 @@ class LearnedGrammar:
     @cached_property
     def segments(self) -> Mapping[int, tuple[Segment, ...]]:
         """Terminal -> the segments that stand for it in the sentences."""
-        found: dict[int, list[Segment]] = {}
+        segments_of: dict[int, list[Segment]] = {}
         for sentence in self.sentences:
             for terminal, segment in sentence.pieces:
-                found.setdefault(terminal, []).append(segment)
-        return {terminal: tuple(found[terminal]) for terminal in sorted(found)}
+                segments_of.setdefault(terminal, []).append(segment)
+        return {terminal: tuple(segments_of[terminal]) for terminal in sorted(segments_of)}
 
     def to_json(self) -> dict[str, Any]:
         """grammar.json; beyond the design's fields: ``right`` sides and trees name non-terminals by strings; ``start``,
@@ -86,8 +86,8 @@ def from_json(document: Mapping[str, Any]) -> LearnedGrammar:
     """The grammar back from :meth:`LearnedGrammar.to_json`. Raises FormatError for anything that is not such a
     document, or whose derivations do not give its sentences."""
     if not isinstance(document, Mapping) or document.get("format") != FORMAT:
-        found = document.get("format") if isinstance(document, Mapping) else type(document).__name__
-        raise FormatError(f"this is no grammar: found {found!r}, expected {FORMAT!r}")
+        format_name = document.get("format") if isinstance(document, Mapping) else type(document).__name__
+        raise FormatError(f"this is no grammar: found {format_name!r}, expected {FORMAT!r}")
     try:
         searched = document["terminal_search"]
         terminals = terminal_files.from_json({**document, "format": terminal_files.FORMAT, **searched})

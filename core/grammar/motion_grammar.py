@@ -72,10 +72,10 @@ class Grammar:
     @cached_property
     def choices(self) -> dict[str, tuple[int, ...]]:
         """Non-terminal -> indices of the rules that rewrite it."""
-        found: dict[str, list[int]] = {left: [] for left in self.nonterminals}
+        choices: dict[str, list[int]] = {left: [] for left in self.nonterminals}
         for k, rule in enumerate(self.rules):
-            found[rule.left].append(k)
-        return {left: tuple(indices) for left, indices in found.items()}
+            choices[rule.left].append(k)
+        return {left: tuple(indices) for left, indices in choices.items()}
 
     @cached_property
     def probabilities(self) -> np.ndarray:

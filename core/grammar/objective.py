@@ -42,10 +42,10 @@ def span_distances(space: PoseSpace, a: np.ndarray, b: np.ndarray | None = None)
 
     a, b: ``(n, 2)`` half-open intervals of poses.
     """
-    found = segment_distances(space.values, a, b)
+    distances = segment_distances(space.values, a, b)
     if space.mirrored is not None:
-        np.minimum(found, segment_distances(space.values, a, b, space.mirrored), out=found)
-    return found
+        np.minimum(distances, segment_distances(space.values, a, b, space.mirrored), out=distances)
+    return distances
 
 
 def clustering_of(spans: np.ndarray, medoids: np.ndarray, to_medoids: np.ndarray) -> Clustering:

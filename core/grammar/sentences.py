@@ -35,7 +35,7 @@ def maximal_repeats(strings: Sequence[String]) -> list[Repeat]:
     """All maximal repeats of at least two symbols, longest first: nodes of the suffix tree that also differ before."""
     suffixes = suffixes_of(strings)
     text, order, shared = suffixes.text, suffixes.order, suffixes.shared
-    found, open_at = [], [(0, 0)]  # (length, first row) of the intervals of rows that are open
+    intervals, open_at = [], [(0, 0)]  # (length, first row) of the intervals of rows that are open
     for row in range(1, len(order) + 1):
         length, begin = int(shared[row]) if row < len(order) else 0, row - 1
         while open_at[-1][0] > length:
@@ -43,10 +43,10 @@ def maximal_repeats(strings: Sequence[String]) -> list[Repeat]:
             starts = np.sort(order[begin:row])
             before = {int(text[s - 1]) if s else -len(text) - 1 for s in starts}
             if own > 1 and (len(before) > 1 or min(before) < 0):
-                found.append(Repeat(own, _places(starts, suffixes.begins)))
+                intervals.append(Repeat(own, _places(starts, suffixes.begins)))
         if open_at[-1][0] < length:
             open_at.append((length, begin))
-    return sorted(found, key=lambda repeat: (-repeat.length, repeat.places))
+    return sorted(intervals, key=lambda repeat: (-repeat.length, repeat.places))
 
 
 def protected_spans(strings: Sequence[String]) -> list[set[tuple[int, int]]]:
@@ -62,14 +62,14 @@ def protected_spans(strings: Sequence[String]) -> list[set[tuple[int, int]]]:
 
 def possible_cuts(strings: Sequence[String]) -> list[np.ndarray]:
     """Per string the places ``(k,)`` inside it where a cut splits no protected repeat."""
-    found = []
+    cuts = []
     for string, spans in zip(strings, protected_spans(strings), strict=True):
         free = np.ones(len(string) + 1, bool)
         free[[0, -1]] = False
         for start, end in spans:
             free[start + 1 : end] = False
-        found.append(np.flatnonzero(free))
-    return found
+        cuts.append(np.flatnonzero(free))
+    return cuts
 
 
 def best_cuts(

@@ -32,11 +32,11 @@ class _Rule:
         self.users: set[_Link] = set()
 
     def links(self) -> list[_Link]:
-        found, link = [], self.guard.after
+        symbols, link = [], self.guard.after
         while link is not self.guard:
-            found.append(link)
+            symbols.append(link)
             link = link.after
-        return found
+        return symbols
 
 
 class _Sequitur:

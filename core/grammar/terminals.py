@@ -38,11 +38,11 @@ class Terminals:
     @cached_property
     def occurrences(self) -> Mapping[str, tuple[tuple[int, Segment], ...]]:
         """Clip -> its segments in time order, each with the terminal it belongs to."""
-        found: dict[str, list[tuple[int, Segment]]] = {name: [] for name, _, _ in self.clips}
+        by_clip: dict[str, list[tuple[int, Segment]]] = {name: [] for name, _, _ in self.clips}
         for terminal, segments in enumerate(self.segments):
             for segment in segments:
-                found.setdefault(segment.clip, []).append((terminal, segment))
-        return {clip: tuple(sorted(items, key=lambda item: item[1].start)) for clip, items in found.items()}
+                by_clip.setdefault(segment.clip, []).append((terminal, segment))
+        return {clip: tuple(sorted(items, key=lambda item: item[1].start)) for clip, items in by_clip.items()}
 
     @cached_property
     def strings(self) -> Mapping[str, tuple[int, ...]]:
@@ -88,8 +88,8 @@ def from_json(document: Mapping[str, Any]) -> Terminals:
     document.
     """
     if not isinstance(document, Mapping) or document.get("format") != FORMAT:
-        found = document.get("format") if isinstance(document, Mapping) else type(document).__name__
-        raise FormatError(f"these are no terminals: found {found!r}, expected {FORMAT!r}")
+        format_name = document.get("format") if isinstance(document, Mapping) else type(document).__name__
+        raise FormatError(f"these are no terminals: found {format_name!r}, expected {FORMAT!r}")
     try:
         terminals = document["terminals"]
         return Terminals(

@@ -50,11 +50,11 @@ def find_duplicates(clips: Sequence[Clip], digests: Sequence[str], skips: Sequen
     digests: equal for equal motion; skips: frames in front of each clip to leave out. Clips are only compared with
     those of nearly the same duration.
     """
-    found: dict[int, set[int]] = {}
+    copies: dict[int, set[int]] = {}
 
     def join(a: int, b: int) -> None:
-        found.setdefault(a, set()).add(b)
-        found.setdefault(b, set()).add(a)
+        copies.setdefault(a, set()).add(b)
+        copies.setdefault(b, set()).add(a)
 
     first: dict[str, int] = {}
     for k, digest in enumerate(digests):
@@ -65,11 +65,11 @@ def find_duplicates(clips: Sequence[Clip], digests: Sequence[str], skips: Sequen
     signatures = [signature(clips[k], skips[k]) for k in order]
     usable = [k for k, s in zip(order, signatures, strict=True) if s is not None]
     if not usable:
-        return {k: sorted(others) for k, others in found.items()}
+        return {k: sorted(others) for k, others in copies.items()}
     table = np.array([s.ravel() for s in signatures if s is not None], np.float32)
     length = seconds[usable]
     ends = np.searchsorted(length, length * (1 + _SAME_LENGTH) + 0.1, side="right")
     for a, end in enumerate(ends):
         for b in np.flatnonzero(table[a + 1 : end] @ table[a] > _ALIKE):
             join(usable[a], usable[a + 1 + int(b)])
-    return {k: sorted(others) for k, others in found.items()}
+    return {k: sorted(others) for k, others in copies.items()}

@@ -135,14 +135,14 @@ def _limb_by_name(skeleton: Skeleton, parsed: list[ParsedName], side: str, limb:
     for j, (joint_side, part) in enumerate(parsed):
         if joint_side == side and not skeleton.end_sites[j]:
             first.setdefault(part, j)
-    found: dict[str, int] = {}
+    joints: dict[str, int] = {}
     for part in CHOOSING_ORDER[limb]:
-        name = next((n for n in LIMB_NAMES[limb][part] if n in first and first[n] not in found.values()), None)
+        name = next((n for n in LIMB_NAMES[limb][part] if n in first and first[n] not in joints.values()), None)
         if name is not None:
-            found[part] = first[name]
-    chain = [found[part] for part in LIMB_NAMES[limb] if part in found]
+            joints[part] = first[name]
+    chain = [joints[part] for part in LIMB_NAMES[limb] if part in joints]
     hangs = all(a in shape.ancestors(skeleton, b) for a, b in pairwise(chain))
-    return {part: found[part] for part in LIMB_NAMES[limb] if part in found} if hangs else {}
+    return {part: joints[part] for part in LIMB_NAMES[limb] if part in joints} if hangs else {}
 
 
 _Limbs = dict[tuple[str, str], dict[str, int]]  # by side and limb: part -> joint

@@ -11,10 +11,10 @@ from core.mocap.skeleton import Skeleton
 
 def ancestors(skeleton: Skeleton, joint: int) -> list[int]:
     """Indices from the joint's parent up to the root."""
-    found = []
+    chains = []
     while (joint := skeleton.parents[joint]) >= 0:
-        found.append(joint)
-    return found
+        chains.append(joint)
+    return chains
 
 
 def path(skeleton: Skeleton, top: int, bottom: int) -> list[int]:
@@ -77,9 +77,9 @@ def find_limbs(skeleton: Skeleton) -> dict[str, tuple[dict[str, int], dict[str, 
     legs = min(pairs, key=lambda pair: (depth[pair[0]], -below[pair[1]]))
     used = {j for top in legs[1:] for j in subtree(skeleton, top)}
     others = [pair for pair in pairs if pair != legs and pair[0] not in used]
-    found = {"leg": legs, **({"arm": max(others, key=lambda pair: below[pair[1]])} if others else {})}
+    chosen = {"leg": legs, **({"arm": max(others, key=lambda pair: below[pair[1]])} if others else {})}
     limbs = {}
-    for limb, (_, *tops) in found.items():
+    for limb, (_, *tops) in chosen.items():
         left, right = (_limb_joints(skeleton, top, limb) for top in tops)
         if left and right:
             limbs[limb] = left, right
@@ -131,9 +131,9 @@ def _limb_joints(skeleton: Skeleton, top: int, limb: str) -> dict[str, int]:
     # a clavicle may be as long as a forearm: of nearly equal pairs, the one further out
     k = int(np.flatnonzero(np.array(pairs) >= 0.85 * max(pairs))[-1])
     names = ("hip", "knee", "ankle", "toe") if limb == "leg" else ("shoulder", "elbow", "wrist")
-    found = dict(zip(names, keep[k:], strict=False))
-    if "toe" in found and skeleton.end_sites[found["toe"]]:
-        del found["toe"]
+    joints = dict(zip(names, keep[k:], strict=False))
+    if "toe" in joints and skeleton.end_sites[joints["toe"]]:
+        del joints["toe"]
     if limb == "arm" and k:
-        found = {"clavicle": keep[k - 1], **found}
-    return found
+        joints = {"clavicle": keep[k - 1], **joints}
+    return joints

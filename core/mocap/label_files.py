@@ -32,14 +32,14 @@ def find_label_files(folder: str | Path) -> tuple[LabelFile, ...]:
     Those with frames come first, those of whole clips (an index) behind them.
     """
     folder = Path(folder)
-    found = []
+    files = []
     for path in files_below(folder):
         if path.suffix.lower() == ".csv":
             named = path == folder / "labels.csv" or folder / "labels" in path.parents
             columns = _columns(path)
             if named or columns is not None:
-                found.append(LabelFile(path, "start_frame" not in (columns or ()), named))
-    return tuple(sorted(found, key=lambda file: (file.whole, file.path)))
+                files.append(LabelFile(path, "start_frame" not in (columns or ()), named))
+    return tuple(sorted(files, key=lambda file: (file.whole, file.path)))
 
 
 def _columns(path: Path) -> Mapping[str, int] | None:

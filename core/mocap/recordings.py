@@ -42,13 +42,13 @@ def name_recordings(source: Source, clips: Iterable[str] | str | None = None) ->
     A clip is called like its file, without format; where two are, both get their folder below ``source`` in front.
     Raises RecordingError as :func:`find_recordings`, and where a clip of ``clips`` does not exist.
     """
-    found = _find(source)
-    stems = [recording_format(path)[0] for path, _ in found]
+    paths = _find(source)
+    stems = [recording_format(path)[0] for path, _ in paths]
     names = list(stems)
     # Folder first; then, for 01_01.bvh beside 01_01.amc, the format as well; at last its place among the files.
     longer: tuple[Callable[[int], str], ...] = (
-        lambda k: "/".join((*found[k][1].parts, stems[k])),
-        lambda k: "/".join((*found[k][1].parts, found[k][0].name)),
+        lambda k: "/".join((*paths[k][1].parts, stems[k])),
+        lambda k: "/".join((*paths[k][1].parts, paths[k][0].name)),
         lambda k: f"{names[k]} ({k})",
     )
     for longer_name in longer:
@@ -56,7 +56,7 @@ def name_recordings(source: Source, clips: Iterable[str] | str | None = None) ->
         names = [longer_name(k) if count[name] > 1 else name for k, name in enumerate(names)]
     recordings = [
         Recording(path, name, "" if name == stem else f"another file is called {stem} too; this clip is called {name}")
-        for (path, _), name, stem in zip(found, names, stems, strict=True)
+        for (path, _), name, stem in zip(paths, names, stems, strict=True)
     ]
     return recordings if clips is None else _chosen(source, recordings, clips)
 
@@ -77,7 +77,7 @@ def _chosen(source: Source, recordings: list[Recording], clips: Iterable[str] | 
 def _find(source: Source) -> list[tuple[Path, Path]]:
     """Every recording and its folder relative to the source it was found in."""
     sources = [source] if isinstance(source, str | os.PathLike) else list(source)
-    found: dict[Path, Path] = {}
+    skeletons: dict[Path, Path] = {}
     for one in map(Path, sources):
         if not one.exists():
             raise RecordingError(one, "there is no such file or folder")
@@ -87,8 +87,8 @@ def _find(source: Source) -> list[tuple[Path, Path]]:
         if not one.is_dir() and not _is_recording(one):
             raise RecordingError(one, "not a recording", "a file .bvh, .bvh.gz, .amc or .amc.gz, or a folder")
         for path in here:
-            found.setdefault(path, path.parent.relative_to(one) if one.is_dir() else Path())
-    return list(found.items())
+            skeletons.setdefault(path, path.parent.relative_to(one) if one.is_dir() else Path())
+    return list(skeletons.items())
 
 
 def _is_recording(path: Path) -> bool:

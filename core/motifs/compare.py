@@ -77,8 +77,8 @@ class Comparison:
 
     def counts(self, side: str) -> dict[str, int]:
         """Change -> number of motifs of the first ("a") or second ("b") graph that it befell; KeyError for others."""
-        found = Counter(fate.change for fate in {"a": self.a, "b": self.b}[side])
-        return {change: found[change] for change in CHANGES}
+        numbers = Counter(fate.change for fate in {"a": self.a, "b": self.b}[side])
+        return {change: numbers[change] for change in CHANGES}
 
     def to_json(self) -> dict[str, Any]:
         """All but the table of shared seconds, as plain values."""

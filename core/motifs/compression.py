@@ -172,12 +172,12 @@ def errors(channels: Channels, before: np.ndarray, after: np.ndarray) -> tuple[f
 
 
 def _curve(motions: Motions, method: str) -> tuple[Point, ...]:
-    found = [(step, *rebuild(motions, method, step)) for step in _steps(motions, method)]
+    rebuilt = [(step, *rebuild(motions, method, step)) for step in _steps(motions, method)]
     if method != OWN_PCA:
-        return tuple(Point(step, n, *errors(motions.channels, motions.values, v)) for step, v, n in found)
+        return tuple(Point(step, n, *errors(motions.channels, motions.values, v)) for step, v, n in rebuilt)
     best: list[Point] = []  # two ways to grow: only the steps that no smaller one beats
     least = np.inf
-    for step, values, n in sorted(found, key=lambda entry: entry[2]):
+    for step, values, n in sorted(rebuilt, key=lambda entry: entry[2]):
         left = float(((values - motions.values) ** 2).sum())
         if left < 0.98 * least:
             point = Point(step, n, *errors(motions.channels, motions.values, values))

@@ -285,9 +285,9 @@ def join_leftovers(
     offers = []
     for number, motif in enumerate(motifs):
         for first, last in motif:
-            found = matcher.of(int(first), int(last), rule)
-            free = np.flatnonzero(cut[found.starts] >= found.ends)
-            offers += [(found.costs[q], number, found.starts[q], found.ends[q]) for q in free]
+            matches = matcher.of(int(first), int(last), rule)
+            free = np.flatnonzero(cut[matches.starts] >= matches.ends)
+            offers += [(matches.costs[q], number, matches.starts[q], matches.ends[q]) for q in free]
         report("joining", (number + 1) / len(motifs))
     grown = [list(map(tuple, motif)) for motif in motifs]
     for _, number, first, last in sorted(offers):

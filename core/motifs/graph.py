@@ -119,8 +119,8 @@ def dataset_head(dataset: Dataset | None) -> dict[str, Any]:
 def from_json(document: Mapping[str, Any]) -> MotifGraph:
     """The graph back from :meth:`MotifGraph.to_json`. Raises FormatError for anything that is not such a document."""
     if not isinstance(document, Mapping) or document.get("format") != FORMAT:
-        found = document.get("format") if isinstance(document, Mapping) else type(document).__name__
-        raise FormatError(f"not a motif graph: expected format {FORMAT}, found {found}")
+        format_name = document.get("format") if isinstance(document, Mapping) else type(document).__name__
+        raise FormatError(f"not a motif graph: expected format {FORMAT}, found {format_name}")
     try:
         return MotifGraph(
             motifs=tuple(_read_motif(motif) for motif in document["motifs"]),
@@ -138,11 +138,11 @@ def from_json(document: Mapping[str, Any]) -> MotifGraph:
 def succession_edges(motifs: tuple[Motif, ...]) -> tuple[Edge, ...]:
     """Edges from all pairs of motions that follow one another in a clip with no motion between."""
     motions = sorted((s, motif.id) for motif in motifs for s in motif.segments)
-    found: dict[tuple[int, int], list[Segment]] = {}
+    transitions: dict[tuple[int, int], list[Segment]] = {}
     for (a, source), (b, target) in pairwise(motions):
         if a.clip == b.clip:
-            found.setdefault((source, target), []).append(Segment(a.clip, a.end, b.start))
-    return tuple(Edge(s, t, len(found[s, t]), tuple(found[s, t])) for s, t in sorted(found))
+            transitions.setdefault((source, target), []).append(Segment(a.clip, a.end, b.start))
+    return tuple(Edge(s, t, len(transitions[s, t]), tuple(transitions[s, t])) for s, t in sorted(transitions))
 
 
 def _segment_json(segment: Segment) -> dict[str, Any]:

@@ -183,7 +183,7 @@ def _match_block(
     for j in range(len(stops)):
         columns = max(columns, stops[j] - firsts[j])
     totals, steps = np.empty((2, columns + 1), np.float32), np.empty((2, columns + 1), np.int32)
-    found, spans, values = 0, np.empty((4096, 4), np.int32), np.empty(4096, np.float32)
+    n_found, spans, values = 0, np.empty((4096, 4), np.int32), np.empty(4096, np.float32)
     for seed in range(begin, end):
         x = letters[seed]
         for q in range(pointers[x], pointers[x + 1]):
@@ -205,13 +205,13 @@ def _match_block(
                     break
                 if row + 1 < min_letters or middles[seed + row] - middles[seed] < min_frames:
                     continue
-                if found + high - low + 1 > len(values):
-                    spans, values = _grown(spans, values, found, high - low + 1)
-                found = _collect(
+                if n_found + high - low + 1 > len(values):
+                    spans, values = _grown(spans, values, n_found, high - low + 1)
+                n_found = _collect(
                     letters, middles, firsts, stops, distances, gamma, max_cost, min_frames,
-                    seed, start, row, low, high, totals, steps, found, spans, values,
+                    seed, start, row, low, high, totals, steps, n_found, spans, values,
                 )  # fmt: skip
-    return spans[:found], values[:found]
+    return spans[:n_found], values[:n_found]
 
 
 @njit(nogil=True)

@@ -94,30 +94,30 @@ def _plus_plus(x: Float32Array, kappa: int, draws: Float64Array) -> Float32Array
     centres = np.empty((kappa, x.shape[1]), np.float32)
     nearest, owner = np.full(n, np.inf, np.float32), np.zeros(n, np.int64)
     between = np.zeros(kappa, np.float32)
-    pick, found = min(int(draws[0] * n), n - 1), 0
-    while found < kappa:
+    pick, n_chosen = min(int(draws[0] * n), n - 1), 0
+    while n_chosen < kappa:
         for k in range(x.shape[1]):
-            centres[found, k] = x[pick, k]
-        for c in range(found):
+            centres[n_chosen, k] = x[pick, k]
+        for c in range(n_chosen):
             between[c] = _square(centres[c], x[pick]) * np.float32(0.25)
         total = 0.0
         for i in range(n):
-            if found == 0 or nearest[i] > between[owner[i]] * np.float32(0.9999):
+            if n_chosen == 0 or nearest[i] > between[owner[i]] * np.float32(0.9999):
                 square = _square(x[i], x[pick])
                 if square < nearest[i]:
-                    nearest[i], owner[i] = square, found
+                    nearest[i], owner[i] = square, n_chosen
             total += nearest[i]
-        found += 1
-        if found == kappa or total <= 0:
+        n_chosen += 1
+        if n_chosen == kappa or total <= 0:
             break
-        target, pick, passed = draws[found] * total, -1, 0.0
+        target, pick, passed = draws[n_chosen] * total, -1, 0.0
         for i in range(n):
             passed += nearest[i]
             if nearest[i] > 0:
                 pick = i
                 if passed > target:
                     break
-    return centres[:found]
+    return centres[:n_chosen]
 
 
 @njit(nogil=True)

@@ -173,13 +173,13 @@ def _copies(motif: Motif, poses: Poses, limit: float) -> list[Copies]:
     apart /= curves.shape[1]
     np.fill_diagonal(apart, 0)
     groups = fcluster(linkage(squareform((apart + apart.T) / 2, checks=False), "complete"), limit, "distance")
-    found = []
+    copies = []
     for group in np.unique(groups):
         members = np.flatnonzero(groups == group)
         if len(members) > 1:
             middle = members[np.argmin(apart[np.ix_(members, members)].sum(axis=0))]
-            found.append(Copies(motif.id, (int(middle), *(int(i) for i in members if i != middle))))
-    return found
+            copies.append(Copies(motif.id, (int(middle), *(int(i) for i in members if i != middle))))
+    return copies
 
 
 def _curves(motif: Motif, poses: Poses) -> np.ndarray:
@@ -257,16 +257,16 @@ def rare_postures(poses: Poses, number: int, report: Report = silent) -> tuple[R
     if bound.any():
         lonely[bound] = np.sqrt(np.maximum(_farthest_looked_at(index, values[bound]), 0))
     usual = max(float(np.median(lonely)), 1e-9)
-    found: list[RarePosture] = []
+    rare: list[RarePosture] = []
     taken: list[tuple[int, int]] = []
     for k in np.argsort(-lonely, kind="stable"):
-        if len(found) == number:
+        if len(rare) == number:
             break
         if all(clip[k] != c or abs(at[k] - a) > _APART * poses.fps for c, a in taken):
             taken.append((int(clip[k]), int(at[k])))
             frame = poses.frame_of(int(clip[k]), int(at[k] - poses.clip_starts[clip[k]]))
-            found.append(RarePosture(poses.clips[clip[k]], frame, float(lonely[k] / usual)))
-    return tuple(found)
+            rare.append(RarePosture(poses.clips[clip[k]], frame, float(lonely[k] / usual)))
+    return tuple(rare)
 
 
 def _farthest_looked_at(index: faiss.Index, values: np.ndarray) -> np.ndarray:

@@ -45,12 +45,12 @@ def sweep(
     without poses, and whatever ``report`` or ``on_point`` raises.
     """
     points = points_of(base, axes, seeds)
-    found: dict[int, Point] = {}
+    points_by_index: dict[int, Point] = {}
     for k, graph in graphs_of(dataset, points, report):
-        found[k] = Point(points[k], graph)
+        points_by_index[k] = Point(points[k], graph)
         if on_point is not None:
-            on_point(found[k])
-    return tuple(found[k] for k in range(len(points)))
+            on_point(points_by_index[k])
+    return tuple(points_by_index[k] for k in range(len(points)))
 
 
 def graphs_of(

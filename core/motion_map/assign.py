@@ -29,9 +29,9 @@ def assign_clips(motion_map: MotionMap, dataset: Dataset, report: Report = silen
     nodes, distances, velocities = [], [], []
     for k, clip in enumerate(clips):
         vectors, velocity = motion_map.vectors_of(resample(clip, motion_map.fps))
-        found = best_nodes(vectors, motion_map.weights)
-        nodes.append(found[0])
-        distances.append(found[1])
+        best = best_nodes(vectors, motion_map.weights)
+        nodes.append(best[0])
+        distances.append(best[1])
         velocities.append(velocity)
         report("runs", (k + 1) / len(clips))
     starts = np.concatenate([[0], np.cumsum([len(n) for n in nodes])]).astype(np.int64)

@@ -158,6 +158,6 @@ def _passes(runs: Runs, nodes: np.ndarray, distances: np.ndarray, allowed: np.nd
     n_nodes = int(max(runs.node.max(initial=0), nodes.max(initial=0))) + 1
     apart = np.full(n_nodes, np.inf)
     apart[nodes] = distances
-    found = apart[runs.node]
-    rows = np.flatnonzero(np.isfinite(found) & allowed)
-    return rows, found[rows]
+    distance_of_run = apart[runs.node]
+    rows = np.flatnonzero(np.isfinite(distance_of_run) & allowed)
+    return rows, distance_of_run[rows]

@@ -30,7 +30,7 @@ def seconds_on_nodes(motion_map: MotionMap, groups: Sequence[Sequence[Segment]])
     nodes, starts = frame_nodes(motion_map)
     place = {name: k for k, name in enumerate(motion_map.clips)}
     n_nodes = motion_map.grid[0] * motion_map.grid[1]
-    found = np.zeros((len(groups), n_nodes))
+    seconds = np.zeros((len(groups), n_nodes))
     for g, segments in enumerate(groups):
         inside = np.zeros(len(nodes), bool)
         for clip, start, end in segments:
@@ -40,8 +40,8 @@ def seconds_on_nodes(motion_map: MotionMap, groups: Sequence[Sequence[Segment]])
                 n = int(starts[k + 1] - starts[k])
                 low = min(round(start * scale), n)
                 inside[starts[k] + low : starts[k] + min(max(round(end * scale), low + 1), n)] = True
-        found[g] = np.bincount(nodes[inside], minlength=n_nodes)
-    return found.reshape(len(groups), *motion_map.grid) / motion_map.fps
+        seconds[g] = np.bincount(nodes[inside], minlength=n_nodes)
+    return seconds.reshape(len(groups), *motion_map.grid) / motion_map.fps
 
 
 def seconds_of_clips(motion_map: MotionMap) -> np.ndarray:
@@ -73,7 +73,7 @@ def passing(motion_map: MotionMap, nodes: np.ndarray, groups: Mapping[int, Seque
     flat, starts = frame_nodes(motion_map)
     touched = np.concatenate([[0], np.cumsum(on[flat])])
     place = {name: k for k, name in enumerate(motion_map.clips)}
-    found: dict[int, list[int]] = {}
+    passing_numbers: dict[int, list[int]] = {}
     for group, segments in groups.items():
         for number, (clip, start, end) in enumerate(segments):
             k = place.get(clip)
@@ -83,5 +83,5 @@ def passing(motion_map: MotionMap, nodes: np.ndarray, groups: Mapping[int, Seque
             low = min(int(starts[k]) + round(start * scale), last)
             high = min(max(int(starts[k]) + round(end * scale), low + 1), last)
             if touched[high] > touched[low]:
-                found.setdefault(group, []).append(number)
-    return found
+                passing_numbers.setdefault(group, []).append(number)
+    return passing_numbers

@@ -60,7 +60,7 @@ def follow(runs: Runs, ny: int, path: np.ndarray) -> list[PathHit]:
     ny: nodes down, as runs count nodes row by row.
     """
     nodes = np.column_stack(np.divmod(runs.node, ny)).astype(np.float64)
-    found: list[PathHit] = []
+    hits: list[PathHit] = []
     bounds = np.flatnonzero(np.diff(runs.clip)) + 1
     for rows in np.split(np.arange(len(nodes)), bounds) if len(nodes) else []:
         cost, first = _warped(nodes[rows], path)
@@ -69,8 +69,8 @@ def follow(runs: Runs, ny: int, path: np.ndarray) -> list[PathHit]:
             begin = int(first[last])
             if begin not in best or cost[last] < cost[best[begin]]:
                 best[begin] = last
-        found += _apart(runs, rows, {last: begin for begin, last in best.items()}, cost / len(path))
-    return sorted(found, key=lambda hit: (round(hit.distance, 9), hit.end - hit.start, hit.clip, hit.start))
+        hits += _apart(runs, rows, {last: begin for begin, last in best.items()}, cost / len(path))
+    return sorted(hits, key=lambda hit: (round(hit.distance, 9), hit.end - hit.start, hit.clip, hit.start))
 
 
 def _apart(runs: Runs, rows: np.ndarray, spans: dict[int, int], cost: np.ndarray) -> list[PathHit]:

@@ -20,12 +20,12 @@ def borders(heights: np.ndarray) -> np.ndarray:
     """
     nx, ny = heights.shape
     padded = np.pad(heights, 1, constant_values=np.inf)  # nothing is higher than what lies outside
-    found = np.zeros((nx, ny), bool)
+    is_border = np.zeros((nx, ny), bool)
     for a, b in _LINES:
         before = padded[1 - a : nx + 1 - a, 1 - b : ny + 1 - b]
         after = padded[1 + a : nx + 1 + a, 1 + b : ny + 1 + b]
-        found |= (heights > before) & (heights > after)
-    return found
+        is_border |= (heights > before) & (heights > after)
+    return is_border
 
 
 def find_regions(weights: np.ndarray) -> np.ndarray:
@@ -35,10 +35,10 @@ def find_regions(weights: np.ndarray) -> np.ndarray:
     leak); then border nodes join, nearest model vector first, the region of a neighbour, until all have one. A map of
     borders only is one region. weights: model vectors ``(nx, ny, d)``.
     """
-    found, n = label(~borders(u_matrix(weights)))
+    components, n = label(~borders(u_matrix(weights)))
     if n == 0:
         return np.zeros(weights.shape[:2], int)
-    regions = found - 1
+    regions = components - 1
     _join_borders(regions, weights)
     order: dict[int, int] = {}
     for region in regions.ravel():

@@ -81,9 +81,9 @@ def principal_axes(samples: np.ndarray, n: int) -> tuple[np.ndarray, np.ndarray]
     """
     part = samples[:: max(1, len(samples) // 5000)].astype(np.float64)
     axes = np.zeros((n, part.shape[1]))
-    found = min(n, *part.shape)
+    rank = min(n, *part.shape)
     if np.ptp(part, axis=0).any():
-        axes[:found] = PCA(found, svd_solver="covariance_eigh").fit(part).components_
+        axes[:rank] = PCA(rank, svd_solver="covariance_eigh").fit(part).components_
     axes *= np.where(axes.sum(axis=1, keepdims=True) < 0, -1, 1)
     return part.mean(axis=0).astype(np.float32), axes.T.astype(np.float32)
 

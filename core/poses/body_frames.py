@@ -160,12 +160,14 @@ def _limb(
     thigh, shank = _unit(sample.at(lower) - sample.at(upper)), _unit(sample.at(end) - sample.at(lower))
     across = bends * np.cross(thigh, shank)
     bent = (np.linalg.norm(across, axis=1) > np.sin(_BENT)) & np.isfinite(across).all(1)
-    found = bent.sum() >= _FEWEST
+    enough = bent.sum() >= _FEWEST
     for name, along in ((upper, thigh), (lower, shank)):
-        side = sample.local(name, across)[bent] if found else sample.local(name, _axis(sample, axes, trunk, 2))[upright]
+        side = (
+            sample.local(name, across)[bent] if enough else sample.local(name, _axis(sample, axes, trunk, 2))[upright]
+        )
         up = -_mean(sample.local(name, along))
-        axes[name] = _frame(up=up, right=_without_flips(side) if found else _mean(side))
-    return {lower} if found else set()
+        axes[name] = _frame(up=up, right=_without_flips(side) if enough else _mean(side))
+    return {lower} if enough else set()
 
 
 def _without_flips(sides: np.ndarray) -> np.ndarray:

@@ -80,10 +80,10 @@ def part_joints(anatomy: Anatomy) -> dict[str, tuple[int, ...]]:
         while above > 0 and above not in owner:
             owner[above] = owner[joint]
             above = parents[above]
-    found: dict[str, list[int]] = {leaf: [] for leaf in LEAVES}
+    joints_of: dict[str, list[int]] = {leaf: [] for leaf in LEAVES}
     for joint in anatomy.posture_joints:
-        found[owner.get(joint, "torso")].append(joint)
-    return {leaf: tuple(joints) for leaf, joints in found.items()}
+        joints_of[owner.get(joint, "torso")].append(joint)
+    return {leaf: tuple(joints) for leaf, joints in joints_of.items()}
 
 
 def normalise_weights(weights: Mapping[str, float]) -> dict[str, float]:

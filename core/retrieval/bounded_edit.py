@@ -59,8 +59,8 @@ class BoundedEdit:
                 composed.codes, self.store.codes, starts, ends, self.store.fps
             )
         order = np.argsort(apart, kind="stable")[:top]
-        found = zip(among[order].tolist(), (1 - apart[order]).tolist(), strict=True)
-        return [Hit(self._wholes[clip], score) for clip, score in found]
+        ranked = zip(among[order].tolist(), (1 - apart[order]).tolist(), strict=True)
+        return [Hit(self._wholes[clip], score) for clip, score in ranked]
 
     def rank_intervals(
         self, query: Query, weights: Mapping[str, float], *, among: np.ndarray, top: int, root_path: float
@@ -100,13 +100,13 @@ def _ranked_distances(metric: Metric, query_motion: Motions, others: Motions) ->
         return metric.distances(query_motion, others)
     rough = metric.rough(query_motion, others)
     near = np.argpartition(rough, RERANKED)[:RERANKED]
-    found = np.empty(len(rough))
-    found[near] = metric.distances(query_motion, others[near])
-    last, edge = found[near].max(), rough[near].max()
+    distances = np.empty(len(rough))
+    distances[near] = metric.distances(query_motion, others[near])
+    last, edge = distances[near].max(), rough[near].max()
     rest = np.ones(len(rough), bool)
     rest[near] = False
-    found[rest] = last + (1 - min(last, 1.0)) * (1 - edge / np.maximum(rough[rest], 1e-9))
-    return found
+    distances[rest] = last + (1 - min(last, 1.0)) * (1 - edge / np.maximum(rough[rest], 1e-9))
+    return distances
 
 
 def _part_of(composed: Composed, within: tuple[int, int] | None) -> Segment | None:

@@ -44,13 +44,13 @@ def compose(store: FrameStore, query: Query, weights: Mapping[str, float]) -> Co
         raise AnalysisError(f"{query.name}: no body with the parts that have a weight is recognised in its skeleton")
     kept = {leaf: weight / total for leaf, weight in kept.items()}
     leading, codes, _ = max(coded, key=lambda entry: _leads(entry[0], kept))
-    found = codes.copy()
+    composed = codes.copy()
     for part, other, _ in coded:
         if part is not leading:
-            found[:, :N_COLUMNS] = _laid_along(found, _share(codes, leading, kept), other, part, kept)
+            composed[:, :N_COLUMNS] = _laid_along(composed, _share(codes, leading, kept), other, part, kept)
     rate = store.fps / leading.clip.fps
     at = np.rint(np.arange(leading.end - leading.start) * rate).astype(np.int64)
-    return Composed(found, kept, leading, np.minimum(at, len(found) - 1))
+    return Composed(composed, kept, leading, np.minimum(at, len(composed) - 1))
 
 
 def _encoded(store: FrameStore, part: QueryPart, weights: Mapping[str, float]) -> tuple[np.ndarray, tuple[str, ...]]:

@@ -125,37 +125,37 @@ class _Pose:
         """The leaves whose joints are there."""
         need = {"head": ("head",), "torso": (), "arm": ("shoulder", "elbow", "wrist"), "hand": ("elbow", "wrist")}
         need |= {"leg": ("hip", "knee", "ankle"), "foot": ("knee", "ankle")}
-        found = []
+        features = []
         for leaf in LEAVES:
             side, _, part = leaf.rpartition("_")
             if all((f"{side}_{name}" if side else name) in self.joints for name in need[part]):
-                found.append(leaf)
-        return tuple(found)
+                features.append(leaf)
+        return tuple(features)
 
     def raw_axes(self) -> dict[str, np.ndarray]:
         """Joint -> ``(n, 2, 3)``: the two directions its frame is made of, in its own coordinates."""
-        found: dict[str, np.ndarray] = {}
+        blocks: dict[str, np.ndarray] = {}
         top = next((name for name in ("neck", "head") if name in self.joints), None)
         if not {"left_hip", "right_hip", "left_shoulder", "right_shoulder"} <= set(self.joints) or top is None:
             return {}
         hips, shoulders = self._bone("right_hip", "left_hip"), self._bone("right_shoulder", "left_shoulder")
-        found["pelvis"] = self._seen("pelvis", hips, self._bone("pelvis", top))
-        found["chest"] = self._seen("chest", shoulders, self._bone("chest" if top == "head" else "pelvis", top))
+        blocks["pelvis"] = self._seen("pelvis", hips, self._bone("pelvis", top))
+        blocks["chest"] = self._seen("chest", shoulders, self._bone("chest" if top == "head" else "pelvis", top))
         if "head" in self.joints:
-            found["head"] = self._seen("head", shoulders, self._bone("pelvis", top))
+            blocks["head"] = self._seen("head", shoulders, self._bone("pelvis", top))
         for side in ("left", "right"):
             for upper, middle, lower, tip in (("shoulder", "elbow", "wrist", None), ("hip", "knee", "ankle", "toe")):
                 names = [f"{side}_{name}" for name in (upper, middle, lower)]
                 if not set(names) <= set(self.joints):
                     continue
                 above, along = self._bone(*names[:2]), self._bone(*names[1:])
-                found[names[1]] = self._seen(names[1], along, above)
+                blocks[names[1]] = self._seen(names[1], along, above)
                 tip = f"{side}_{tip}"
                 points = self._bone(names[2], tip) if tip in self.joints else along
                 if np.linalg.norm(points, axis=1).max() < 1e-4:
                     points = along
-                found[names[2]] = self._seen(names[2], points, above)
-        return found
+                blocks[names[2]] = self._seen(names[2], points, above)
+        return blocks
 
     def leaf(self, leaf: str, frames: Mapping[str, np.ndarray]) -> np.ndarray:
         """Unit vectors of a leaf, ``(n, 3)`` or ``(n, 6)``, in the frame of what it hangs from."""
@@ -209,13 +209,13 @@ class _Pose:
 def _matrices(q: np.ndarray) -> np.ndarray:
     """Unit quaternions ``(n, 4)`` as matrices ``(n, 3, 3)``."""
     w, x, y, z = np.ascontiguousarray(q.T)
-    found = np.empty((len(q), 3, 3))
-    found[:, 0, 0], found[:, 1, 1] = 1 - 2 * (y * y + z * z), 1 - 2 * (x * x + z * z)
-    found[:, 2, 2] = 1 - 2 * (x * x + y * y)
-    found[:, 0, 1], found[:, 1, 0] = 2 * (x * y - w * z), 2 * (x * y + w * z)
-    found[:, 0, 2], found[:, 2, 0] = 2 * (x * z + w * y), 2 * (x * z - w * y)
-    found[:, 1, 2], found[:, 2, 1] = 2 * (y * z - w * x), 2 * (y * z + w * x)
-    return found
+    matrices = np.empty((len(q), 3, 3))
+    matrices[:, 0, 0], matrices[:, 1, 1] = 1 - 2 * (y * y + z * z), 1 - 2 * (x * x + z * z)
+    matrices[:, 2, 2] = 1 - 2 * (x * x + y * y)
+    matrices[:, 0, 1], matrices[:, 1, 0] = 2 * (x * y - w * z), 2 * (x * y + w * z)
+    matrices[:, 0, 2], matrices[:, 2, 0] = 2 * (x * z + w * y), 2 * (x * z - w * y)
+    matrices[:, 1, 2], matrices[:, 2, 1] = 2 * (y * z - w * x), 2 * (y * z + w * x)
+    return matrices
 
 
 def _unit(vectors: np.ndarray) -> np.ndarray:

@@ -58,11 +58,11 @@ def locate(store: FrameStore, query: Composed, among: np.ndarray, top: int, root
     query_motion = metric.motions(store, query.codes, np.array([0]), np.array([len(query.codes)]))
 
     def apart(windows: _Windows) -> np.ndarray:
-        found = metric.distances(query_motion, metric.motions(store, store.codes, windows.start, windows.end))
+        distance = metric.distances(query_motion, metric.motions(store, store.codes, windows.start, windows.end))
         if root_path > 0:
             paths = path_distances(query.codes, store.codes, windows.start, windows.end, store.fps)
-            found = (1 - root_path) * found + root_path * paths
-        return found
+            distance = (1 - root_path) * distance + root_path * paths
+        return distance
 
     windows = _coarse(store, query, metric, among, max(POOL, 8 * top))
     distances = apart(windows)
@@ -83,13 +83,13 @@ def _coarse(store: FrameStore, query: Composed, metric: Metric, among: np.ndarra
     offsets = np.concatenate([[0], np.cumsum(-(-frames // stride))])
     table = _table(store.codes, store.starts, among, offsets, keys, metric.scales, np.float32(metric.cap), stride)
     score, length = _score_windows(table, frames, offsets, times, n, np.array(TEMPOS), stride)
-    found = _minima(score, offsets, max(1, n // (3 * stride)))
-    if len(found) > most:
-        found = found[np.argpartition(score[found], most)[:most]]
-    place = np.searchsorted(offsets, found, side="right") - 1
+    minima = _minima(score, offsets, max(1, n // (3 * stride)))
+    if len(minima) > most:
+        minima = minima[np.argpartition(score[minima], most)[:most]]
+    place = np.searchsorted(offsets, minima, side="right") - 1
     clip = among[place]
-    start = store.starts[clip] + (found - offsets[place]) * stride
-    return _Windows(clip, start, np.minimum(start + length[found], store.starts[clip + 1]))
+    start = store.starts[clip] + (minima - offsets[place]) * stride
+    return _Windows(clip, start, np.minimum(start + length[minima], store.starts[clip + 1]))
 
 
 def _keys(query: Composed, metric: Metric) -> tuple[np.ndarray, np.ndarray]:
@@ -181,7 +181,7 @@ def _score_windows(
 @njit(nogil=True)
 def _minima(score: Float32Array, offsets: Int64Array, reach: int) -> Int64Array:
     """Indices of windows that are no worse than those up to ``reach`` away in the same clip."""
-    found = []
+    minima = []
     for c in range(len(offsets) - 1):
         for i in range(offsets[c], offsets[c + 1]):
             if score[i] > 1.5:
@@ -192,8 +192,8 @@ def _minima(score: Float32Array, offsets: Int64Array, reach: int) -> Int64Array:
                     best = False
                     break
             if best:
-                found.append(i)
-    return np.array(found, np.int64)
+                minima.append(i)
+    return np.array(minima, np.int64)
 
 
 def _refine(store: FrameStore, query: Composed, metric: Metric, windows: _Windows) -> tuple[_Windows, np.ndarray]:

@@ -61,11 +61,11 @@ def places(symbols: np.ndarray, starts: np.ndarray, ends: np.ndarray, gain: np.n
     starts, ends: ``(n_windows,)`` windows that do not overlap; symbols in none of them score 0. gain: ``(m, k)``.
     """
     n = len(symbols)
-    found = Places(np.zeros(n, np.float32), *(np.zeros(n, np.int32) for _ in range(3)))
+    best = Places(np.zeros(n, np.float32), *(np.zeros(n, np.int32) for _ in range(3)))
     if len(gain) and len(starts):
         first, last = np.ascontiguousarray(starts, np.int64), np.ascontiguousarray(ends, np.int64)
-        _places(symbols, first, last, np.ascontiguousarray(gain, np.float32), np.float32(gap), *found)
-    return found
+        _places(symbols, first, last, np.ascontiguousarray(gain, np.float32), np.float32(gap), *best)
+    return best
 
 
 def aligned_pairs(symbols: np.ndarray, gain: np.ndarray, gap: float) -> np.ndarray:

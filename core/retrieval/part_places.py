@@ -105,16 +105,16 @@ def _proposed(
     index: NodeIndex, gain: np.ndarray, wanted: Wanted, node: str, among: np.ndarray, bounds: np.ndarray, most: int
 ) -> np.ndarray:
     """Stretches ``(k, 2)`` in frames where the node's own list fits best."""
-    found = places(index.symbols, index.starts[among], index.starts[among + 1], gain, wanted.gap)
-    score = found.score
+    best_places = places(index.symbols, index.starts[among], index.starts[among + 1], gain, wanted.gap)
+    score = best_places.score
     # alignments with one beginning are the same, cut short or drawn out: the best end stands for them
-    order = np.lexsort((-score, found.start))
+    order = np.lexsort((-score, best_places.start))
     first = np.ones(len(order), bool)
-    first[1:] = found.start[order][1:] != found.start[order][:-1]
+    first[1:] = best_places.start[order][1:] != best_places.start[order][:-1]
     ends = order[first & (score[order] > 0)]
     ends = ends[np.argsort(-score[ends], kind="stable")[:most]]
-    query = (found.query_start[ends], found.query_end[ends])
-    spans = _projected(index, wanted, node, (found.start[ends], ends + 1), query)
+    query = (best_places.query_start[ends], best_places.query_end[ends])
+    spans = _projected(index, wanted, node, (best_places.start[ends], ends + 1), query)
     clip = np.searchsorted(bounds[:, 0], index.begins[ends], side="right") - 1
     inside: np.ndarray = np.clip(spans, bounds[clip, :1], bounds[clip, 1:])
     return inside
@@ -156,13 +156,13 @@ def _fitted(
         first, last = (int(k[0]) for k in index.windows(np.array([low]), np.array([high])))
         if voice == 0 or last <= first:
             continue
-        found = places(index.symbols[first:last], np.array([0]), np.array([last - first]), gain, wanted.gap)
-        end = int(found.score.argmax())
-        if found.score[end] > 0:
-            listed = (np.array([first + found.start[end]]), np.array([first + end + 1]))
-            query = (found.query_start[end : end + 1], found.query_end[end : end + 1])
+        best_places = places(index.symbols[first:last], np.array([0]), np.array([last - first]), gain, wanted.gap)
+        end = int(best_places.score.argmax())
+        if best_places.score[end] > 0:
+            listed = (np.array([first + best_places.start[end]]), np.array([first + end + 1]))
+            query = (best_places.query_start[end : end + 1], best_places.query_end[end : end + 1])
             seen.append(_projected(index, wanted, node, listed, query)[0])
-            say.append(voice * found.score[end])
+            say.append(voice * best_places.score[end])
     if not seen:
         return span
     ends = np.array([_weighted_median(np.array(seen)[:, k], np.array(say)) for k in (0, 1)])

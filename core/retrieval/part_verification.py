@@ -24,12 +24,12 @@ def warped_spans(store: FrameStore, query: Composed, spans: np.ndarray) -> tuple
     scales[N_COLUMNS:] = 0  # postures alone: how fast one travels changes with the tempo
     step = max(1, -(-len(query.codes) // _FRAMES))
     query_values = query.codes[::step].astype(np.float32) * scales
-    found, cost = spans.copy(), np.zeros(len(spans))
+    stretches, cost = spans.copy(), np.zeros(len(spans))
     for k, (start, end) in enumerate(spans):
         clip = int(np.searchsorted(store.starts, start, side="right")) - 1
         room = round(_ROOM * (end - start))
         low, high = max(store.starts[clip], start - room), min(store.starts[clip + 1], end + room)
         frames = store.codes[low:high:step].astype(np.float32) * scales
         first, last, cost[k] = warped_stretch(query_values, frames, metric.cap)
-        found[k] = low + first * step, min(high, low + (last - 1) * step + 1)
-    return found, cost / len(query_values)
+        stretches[k] = low + first * step, min(high, low + (last - 1) * step + 1)
+    return stretches, cost / len(query_values)

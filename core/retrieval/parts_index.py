@@ -105,8 +105,8 @@ class Parts:
         """Clips ``(k,)`` by how much of the whole of them is like the whole query."""
         scores = self._with_path(query, weights, self._clip_scores(query, weights, among), among, root_path)
         order = np.argsort(-scores, kind="stable")[:top]
-        found = [(self.clips[among[k]], float(scores[k])) for k in order]
-        return [Hit(Segment(clip.name, 0, clip.frames), score) for clip, score in found]
+        ranked = [(self.clips[among[k]], float(scores[k])) for k in order]
+        return [Hit(Segment(clip.name, 0, clip.frames), score) for clip, score in ranked]
 
     def rank_intervals(
         self, query: Query, weights: Mapping[str, float], *, among: np.ndarray, top: int, root_path: float
@@ -114,10 +114,10 @@ class Parts:
         """Stretches of the clips ``(k,)``: found by their patterns (core.retrieval.part_places), verified by frames."""
         lists = self.query_lists(query, weights)
         wanted, many = self._wanted(lists, weights), _VERIFIED * top + 10
-        found = part_places.find_places(self.nodes, self.store.starts, self._gains(lists), wanted, among, many)
+        candidates = part_places.find_places(self.nodes, self.store.starts, self._gains(lists), wanted, among, many)
         composed = compose(self.store, query, weights)
-        spans, warped = warped_spans(self.store, composed, found[:, :2].astype(np.int64))
-        scores = found[:, 2] * (1 - warped)
+        spans, warped = warped_spans(self.store, composed, candidates[:, :2].astype(np.int64))
+        scores = candidates[:, 2] * (1 - warped)
         if root_path > 0:
             apart = path_distances(composed.codes, self.store.codes, spans[:, 0], spans[:, 1], self.store.fps)
             scores = (1 - root_path) * scores + root_path * (1 - apart)

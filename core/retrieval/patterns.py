@@ -46,9 +46,9 @@ class PatternLibrary:
     @cached_property
     def distances(self) -> np.ndarray:
         """The dissimilarity map: Euclidean distances of all pairs of patterns, ``(k, k)`` float32."""
-        found = distances(self.patterns, self.patterns)
-        np.fill_diagonal(found, 0)
-        return found
+        distances_between = distances(self.patterns, self.patterns)
+        np.fill_diagonal(distances_between, 0)
+        return distances_between
 
     @cached_property
     def by_maximum(self) -> np.ndarray:

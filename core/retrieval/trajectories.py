@@ -21,12 +21,12 @@ def path_distances(
     apart, as a share of the longer path, half how far the headings are (half a turn is most).
     """
     query_path, heading, length = _path(query, fps)
-    found = np.empty(len(starts))
+    distances = np.empty(len(starts))
     for k, (start, end) in enumerate(zip(starts, ends, strict=True)):
         path, turn, longer = _path(codes[start:end], fps)
         apart = np.linalg.norm(path - query_path, axis=1) / (_ROOM + max(length, longer))
-        found[k] = 0.5 * np.minimum(apart, 1).mean() + 0.5 * np.minimum(np.abs(turn - heading) / np.pi, 1).mean()
-    return found
+        distances[k] = 0.5 * np.minimum(apart, 1).mean() + 0.5 * np.minimum(np.abs(turn - heading) / np.pi, 1).mean()
+    return distances
 
 
 def _path(codes: np.ndarray, fps: float) -> tuple[np.ndarray, np.ndarray, float]:

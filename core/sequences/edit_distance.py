@@ -31,7 +31,7 @@ def bounded_edit_distances(
 @njit(nogil=True, fastmath=True)
 def _distances(a: Float32Array, many: Float32Array, cap: np.float32, gap: np.float32, reach: int) -> Float32Array:
     n, (k, m, d) = len(a), many.shape
-    found = np.empty(k, np.float32)
+    distances = np.empty(k, np.float32)
     turned = np.empty((d, m), np.float32)  # samples side by side: a row of costs at a time, without sums across
     row, price = np.empty(m + 1, np.float32), np.empty(m, np.float32)
     far, scale = np.float32(1e9), np.float32(1.0) / cap
@@ -62,5 +62,5 @@ def _distances(a: Float32Array, many: Float32Array, cap: np.float32, gap: np.flo
                 diagonal = above
             if high < m:
                 row[high + 1] = far
-        found[c] = row[m] / max(n, m)
-    return found
+        distances[c] = row[m] / max(n, m)
+    return distances

@@ -238,5 +238,5 @@ def _named(clip: Clip, name: str) -> Clip:
 
 
 def _share(values: Any) -> float:
-    found = list(values)
-    return float(np.mean(found)) if found else float("nan")
+    numbers = list(values)
+    return float(np.mean(numbers)) if numbers else float("nan")

@@ -154,10 +154,10 @@ def _of_one_skeleton(
             families.append((clip, {clip.name}))
         else:
             family.add(clip.name)
-    found = [{t: [s for s in segments.get(t, ()) if s.clip in names] for t in wanted} for _, names in families]
-    whole = [usable for usable in found if all(usable.values())]
+    by_family = [{t: [s for s in segments.get(t, ()) if s.clip in names] for t in wanted} for _, names in families]
+    whole = [usable for usable in by_family if all(usable.values())]
     if not whole:
-        missing = [t for t in wanted if not any(usable[t] for usable in found)]
+        missing = [t for t in wanted if not any(usable[t] for usable in by_family)]
         if missing:
             raise AnalysisError(f"no recording shows action {missing[0]}")
         raise AnalysisError("no one skeleton has all actions of this sentence, and one motion needs one skeleton")

@@ -53,8 +53,8 @@ class MotifPaths:
 
 def motif_paths(graph: MotifGraph) -> MotifPaths:
     """The strings of motifs that the recordings of a motif graph spell."""
-    found: dict[str, list[tuple[int, int]]] = {}
+    paths: dict[str, list[tuple[int, int]]] = {}
     for motif in graph.motifs:
         for segment in motif.segments:
-            found.setdefault(segment.clip, []).append((segment.start, motif.id))
-    return MotifPaths({clip: tuple(motif for _, motif in sorted(found[clip])) for clip in sorted(found)})
+            paths.setdefault(segment.clip, []).append((segment.start, motif.id))
+    return MotifPaths({clip: tuple(motif for _, motif in sorted(paths[clip])) for clip in sorted(paths)})

@@ -59,7 +59,7 @@ def seen_links(graph: MotifGraph, clips: Collection[str] | None = None) -> dict[
     """The successions behind every edge, by (source, target); only those in ``clips`` where these are given."""
     ends = {(s.clip, s.end): (motif.id, k) for motif in graph.motifs for k, s in enumerate(motif.segments)}
     starts = {(s.clip, s.start): (motif.id, k) for motif in graph.motifs for k, s in enumerate(motif.segments)}
-    found: dict[tuple[int, int], tuple[Link, ...]] = {}
+    links_of_ends: dict[tuple[int, int], tuple[Link, ...]] = {}
     for edge in graph.edges:
         links = []
         for between in edge.transitions:
@@ -69,8 +69,8 @@ def seen_links(graph: MotifGraph, clips: Collection[str] | None = None) -> dict[
                 moments = Moment(between.clip, between.start), Moment(between.clip, between.end)
                 links.append(Link(SEEN, source, target, leave, enter, *moments))
         if links:
-            found[edge.source, edge.target] = tuple(links)
-    return found
+            links_of_ends[edge.source, edge.target] = tuple(links)
+    return links_of_ends
 
 
 def bridge_links(
@@ -124,7 +124,7 @@ def further_links(
     motifs = {motif.id: motif for motif in graph.motifs}
     taken = {(edge.source, edge.target) for edge in graph.edges} | {(motif, motif) for motif in motifs}
     count: dict[int, int] = {}
-    found: dict[tuple[int, int], tuple[Link, ...]] = {}
+    links: dict[tuple[int, int], tuple[Link, ...]] = {}
     for at in np.argsort(apart, kind="stable"):
         (source, leave, here), (target, enter, there) = exits[i[at]], entries[k[at]]
         if apart[at] > limit or (source, target) in taken or count.get(source, 0) >= per_motif:
@@ -132,8 +132,8 @@ def further_links(
         taken.add((source, target))
         count[source] = count.get(source, 0) + 1
         ends = (motifs[source], leave, here), (motifs[target], enter, there)
-        found[source, target] = (_link(dataset, FURTHER, *ends, float(apart[at])),)
-    return found
+        links[source, target] = (_link(dataset, FURTHER, *ends, float(apart[at])),)
+    return links
 
 
 def typical_distance(dataset: Dataset, graph: MotifGraph, share: float = 0.9) -> float:

@@ -71,12 +71,12 @@ class Ways:
     @cached_property
     def following(self) -> dict[int, dict[int, int]]:
         """Per motif with motions in these clips: the motifs that can follow it, and by how many links."""
-        found: dict[int, dict[int, int]] = {
+        ways: dict[int, dict[int, int]] = {
             m.id: {} for m in self.motifs.values() if any(s.clip in self.clips for s in m.segments)
         }
         for (source, target), links in self.links.items():
-            found[source][target] = len(links)
-        return found
+            ways[source][target] = len(links)
+        return ways
 
     @cached_property
     def dead_ends(self) -> tuple[int, ...]:

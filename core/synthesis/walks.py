@@ -169,10 +169,10 @@ def _route(dataset: Dataset, ways: Ways, wanted: Between | Random | Sequence[int
 
 def _path(ways: Ways, wanted: Between | Sequence[int], gaps: str) -> tuple[int, ...]:
     if isinstance(wanted, Between):
-        found = ways.shortest(wanted)
-        if found is None and gaps != "bridge":
+        path = ways.shortest(wanted)
+        if path is None and gaps != "bridge":
             raise NoWay(wanted.start, wanted.target, None)
-        return found or (wanted.start, wanted.target)
+        return path or (wanted.start, wanted.target)
     if not wanted:
         raise ParameterError("A walk needs at least one motif.")
     for motif in wanted:

@@ -160,8 +160,8 @@ def holds_recordings(folder: Path) -> bool:
 
 def only_skeleton(folder: Path) -> Path | None:
     """The only .asf of a folder and all below it; None where there is none, or more."""
-    found = [path for path in files_below(folder) if recording_format(path)[1] == ".asf"]
-    return found[0] if len(found) == 1 else None
+    skeletons = [path for path in files_below(folder) if recording_format(path)[1] == ".asf"]
+    return skeletons[0] if len(skeletons) == 1 else None
 
 
 def store_dataset(folder: Path, dataset: Dataset, report: Report) -> None:
@@ -188,9 +188,9 @@ def _reason(file: FileReport) -> str:
 
 def _inspect(folder: Path, report: Report) -> None:
     """Puts what inspection finds into the stored report."""
-    found = inspect_dataset(load_dataset(folder), report)
+    inspected = inspect_dataset(load_dataset(folder), report)
     head = folder / "dataset.json"
-    document = json.loads(head.read_text(encoding="utf-8")) | {"report": asdict(found)}
+    document = json.loads(head.read_text(encoding="utf-8")) | {"report": asdict(inspected)}
     head.write_text(json.dumps(document, ensure_ascii=False), encoding="utf-8")
 
 

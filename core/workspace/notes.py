@@ -88,15 +88,15 @@ class Notes:
         rows = self._database.rows("SELECT * FROM notes WHERE dataset = ? ORDER BY changed DESC", dataset)
         own = {row["motif"]: _read(row) for row in rows if row["result"] == result}
         others = [_read(row, carried=True) for row in rows if row["result"] != result]
-        found = {motif: note for motif, note in own.items() if motif in motifs}
+        notes = {motif: note for motif, note in own.items() if motif in motifs}
         free = {motif: segments for motif, segments in motifs.items() if motif not in own}
         for note in others:
             overlaps = {motif: overlap(note.segments, segments) for motif, segments in free.items()}
             best = max(overlaps, key=overlaps.__getitem__, default=None)
             if best is not None and overlaps[best] >= SAME and not note.is_empty:
-                found[best] = note
+                notes[best] = note
                 del free[best]
-        return {motif: note for motif, note in found.items() if not note.is_empty}
+        return {motif: note for motif, note in notes.items() if not note.is_empty}
 
     def forget_deleted(self) -> None:
         """Removes what was said of data sets that are gone for good."""

@@ -59,9 +59,9 @@ def read_query_file(workspace: Workspace, key: str, values: QueryFileParameters,
 def kept_query(workspace: Workspace, key: str) -> Clip | None:
     """The recording that was stored under ``key``; None where there is none. Raises NameRefused for what is no key,
     ResultDamaged."""
-    found = workspace.results.get(key)
+    stored = workspace.results.get(key)
     try:
-        return unpack_clip(*found) if found else None
+        return unpack_clip(*stored) if stored else None
     except (ValueError, KeyError, TypeError, IndexError):
         return None
 

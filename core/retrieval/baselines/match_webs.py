@@ -56,10 +56,10 @@ def by_steps(direct: np.ndarray, steps: int) -> np.ndarray:
 
     Among clips that are reached equally well the direct distance decides.
     """
-    found = direct.copy()
+    distances = direct.copy()
     for _ in range(steps - 1):
-        found = np.minimum(found, np.stack([np.maximum(row[:, None], direct).min(0) for row in found]))
-    return found + 1e-6 * direct
+        distances = np.minimum(distances, np.stack([np.maximum(row[:, None], direct).min(0) for row in distances]))
+    return distances + 1e-6 * direct
 
 
 @njit(nogil=True)

@@ -24,8 +24,8 @@ def position_distances(dataset: Dataset, report: Report = silent) -> np.ndarray:
 
 def _velocities(postures: Postures) -> np.ndarray:
     """Change a second of the postures, within each clip: ``(n, 3 n_joints)``."""
-    found = np.zeros_like(postures.vectors)
+    vectors = np.zeros_like(postures.vectors)
     for start, end in pairwise(postures.clip_starts):
         if end - start > 1:
-            found[start:end] = np.gradient(postures.vectors[start:end], axis=0) * postures.fps
-    return found
+            vectors[start:end] = np.gradient(postures.vectors[start:end], axis=0) * postures.fps
+    return vectors

@@ -19,8 +19,8 @@ def in_order(distances: np.ndarray, clips: Sequence[str], dataset: Dataset) -> n
 
 def canonical_names(dataset: Dataset) -> dict[str, str]:
     """Joint name -> canonical name, for all skeletons of a data set; canonical names stand for themselves."""
-    found: dict[str, str] = {}
+    names: dict[str, str] = {}
     for skeleton in {clip.skeleton for clip in dataset.clips}:
         for name, joint in find_anatomy(skeleton).joints.items():
-            found |= {name: name, skeleton.names[joint]: name}
-    return found
+            names |= {name: name, skeleton.names[joint]: name}
+    return names

@@ -49,12 +49,12 @@ def all_edit_distances(
 
 
 def _pairs(n: int, distance: Callable[[int, int], float], report: Report) -> np.ndarray:
-    found = np.zeros((n, n))
+    distances = np.zeros((n, n))
     for i in range(n):
         for j in range(i + 1, n):
-            found[i, j] = found[j, i] = distance(i, j)
+            distances[i, j] = distances[j, i] = distance(i, j)
         report("comparing clips", (i + 1) / n)
-    return found
+    return distances
 
 
 def _checked(a: np.ndarray, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
