@@ -9,8 +9,10 @@ from __future__ import annotations
 import importlib.util
 import re
 import shlex
+import sys
 from collections.abc import Iterator
 from pathlib import Path
+from types import ModuleType
 from typing import NamedTuple
 
 import pytest
@@ -20,6 +22,7 @@ from core.analyses import METHODS, parameters
 from core.demo import write_demo
 from core.errors import ParameterError
 from webapp.cli.main import _parser
+from webapp.shell.feature import features, unregister
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
@@ -28,7 +31,7 @@ BLOCK = re.compile(r"^( *)```(\w+)\n(.*?)^\1```", re.MULTILINE | re.DOTALL)
 VARIABLE = re.compile(r"MOTIONSCAPE_[A-Z_]+")
 FOLDERS = r"core|webapp|assets|tests|scripts|docs|benchmarks|requirements|\.github"
 FILE = re.compile(rf"(?<![\w/.$-])((?:{FOLDERS})/[\w./*-]+)")
-PLACEHOLDER = re.compile(r"[A-Z]{3,}")  # webapp/features/PAGE
+PLACEHOLDER = re.compile(r"[A-Z]{3,}|/tempo\b")  # webapp/features/PAGE, and the made-up example of docs/extend
 VALUE = re.compile(r"`([a-z_]+) ?= ?([\w.-]+)`")
 
 
@@ -144,6 +147,17 @@ def test_links_of_the_readme_lead_somewhere():
         assert [link for link in links if "://" not in link and not (ROOT / link).exists()] == []
 
 
+@pytest.fixture
+def unchanged_lists():
+    """Methods and features that an example registers are gone after it."""
+    methods, known = dict(METHODS), features()
+    yield
+    METHODS.clear()
+    METHODS.update(methods)
+    for feature in [feature for feature in features() if feature not in known]:
+        unregister(feature.path)
+
+
 @pytest.fixture(scope="module")
 def recordings(tmp_path_factory) -> Path:
     """A folder with the names that the examples use: ``recordings/walk_01.bvh`` and others, and ``new/``."""
@@ -157,10 +171,12 @@ def recordings(tmp_path_factory) -> Path:
 
 
 @pytest.mark.parametrize("block", list(blocks("python")), ids=str)
-def test_python_examples_run(block, recordings, tmp_path, monkeypatch):
+def test_python_examples_run(block, recordings, unchanged_lists, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for name in ("recordings", "new"):
         Path(name).symlink_to(recordings / name)
     if 'workspace.open("bandai")' in block.text:  # the one example that begins with a data set
         Workspace("workspace").add_dataset("bandai", open_dataset("recordings"))
-    exec(compile(block.text, str(block), "exec"), {"__name__": "example"})
+    example = ModuleType("example")
+    monkeypatch.setitem(sys.modules, "example", example)  # dataclasses look up their module
+    exec(compile(block.text, str(block), "exec", dont_inherit=True), vars(example))
