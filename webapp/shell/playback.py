@@ -15,7 +15,7 @@ from webapp.shell.messages import notice
 MOST_FIGURES = 24  # the Stage stays fluid; more bodies would hide one another anyway
 
 StageRequest = dict[str, Any]
-"""What the Stage plays: see "The Stage's data" in docs/architecture.md."""
+"""What the Stage plays; docs/reference/stage.md describes it."""
 
 
 class Shown(NamedTuple):

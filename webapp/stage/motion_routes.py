@@ -118,7 +118,7 @@ def encode_motions(parts: Sequence[Part]) -> bytes:
 
 
 def encode_motion(asked: Interval, step: int) -> bytes:
-    """Header length, JSON header and positions, as docs/architecture.md lays them out."""
+    """Header length, JSON header and positions, as docs/reference/stage.md lays them out."""
     positions, body, measured = drawn_positions(asked.clip, asked.start, asked.end, step)
     header = motion_header(asked, step, len(positions), body, measured)
     return b"".join((*framed(header), positions.astype("<f4", copy=False).tobytes()))
