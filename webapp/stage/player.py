@@ -1,7 +1,7 @@
-"""The Stage as a Dash layout: a canvas and its controls. All of it is driven by ``assets/stage*.js``.
+"""The Stage as a Dash layout: a canvas and its controls. All of it is driven by the modules of ``assets/stage``.
 
-Views hand it segments by writing ``dcc.Store("stage-request")``; what may stand there, and what the Stage offers in the
-browser (assets/stage/player.mjs, the events ``stage-state`` and ``stage-frame``), is written in docs/reference/stage.md.
+Views hand it segments by writing ``dcc.Store("stage-request")``. What a request holds, and what the Stage offers in
+the browser (assets/stage/player.mjs, the events ``stage-state`` and ``stage-frame``), is in docs/reference/stage.md.
 """
 
 from __future__ import annotations
