@@ -1,6 +1,6 @@
 // Puts the modules and style sheets into bundle/, which is what the app serves: `node assets/build.mjs`.
 // With --check nothing is written; it fails where the bundle is not what the sources give.
-import { readFileSync, writeFileSync } from "node:fs";
+import { mkdirSync, readFileSync, writeFileSync } from "node:fs";
 import { relative } from "node:path";
 import { build } from "esbuild";
 
@@ -17,6 +17,13 @@ const { outputFiles } = await build({
   logLevel: "warning",
   write: false,
 });
+// Plotly is too big for the bundle: a file of its own, which pages load when they show a chart.
+const PLOTLY = "plotly.js-cartesian-dist-min";
+const copies = { "plotly-cartesian.min.js": "plotly-cartesian.min.js", LICENSE: "plotly-cartesian.LICENSE.txt" };
+for (const [source, copy] of Object.entries(copies)) {
+  const text = readFileSync(`${folder}/node_modules/${PLOTLY}/${source}`, "utf8");
+  outputFiles.push({ path: `${folder}/bundle/vendor/${copy}`, text });
+}
 const current = (path) => {
   try {
     return readFileSync(path, "utf8");
@@ -29,5 +36,6 @@ if (process.argv.includes("--check")) {
   for (const { path } of stale) console.error(`assets/${relative(folder, path)} is not up to date: run "make bundle".`);
   process.exitCode = stale.length ? 1 : 0;
 } else {
+  mkdirSync(`${folder}/bundle/vendor`, { recursive: true });
   for (const { path, text } of stale) writeFileSync(path, text);
 }

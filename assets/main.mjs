@@ -1,4 +1,6 @@
 // Everything of the front end: importing a room's module is what makes it listen and lets Dash call its functions.
+import "regenerator-runtime/runtime.js"; // Dash's component libraries expect it as a global
+import "./shell/loading.mjs";
 import "./shared/downloads.mjs";
 import "./shell/frame.mjs";
 import "./shell/selecting.mjs";

@@ -27,12 +27,12 @@ from core import analyses
 from core.demo import make_demo
 from core.workspace import Workspace
 from tests.browser.start import start_chromium
+from tests.browser.wire import Wire
 
 COMMAND = "python -m benchmarks first-screen"
 REPOSITORY = Path(__file__).resolve().parents[1]
 VIEW = {"width": 1280, "height": 800}
 RUNS = 5
-QUIET = 500  # milliseconds without a request under way after which a page counts as loaded
 PATIENCE = 60_000  # milliseconds
 
 USEFUL = {  # page -> what must be visible, and what that is in words
@@ -69,54 +69,15 @@ class Load:
     milliseconds: float
 
 
-class Wire:
-    """Counts what a tab sends and receives, from Chromium's own network events."""
-
-    def __init__(self, context: BrowserContext, page):
-        self.under_way: set[str] = set()
-        self.requests, self.received = 0, 0
-        session = context.new_cdp_session(page)
-        session.send("Network.enable")
-        session.on("Network.requestWillBeSent", self._sent)
-        session.on("Network.requestServedFromCache", self._from_cache)
-        session.on("Network.responseReceived", self._response)
-        session.on("Network.loadingFinished", self._finished)
-        session.on("Network.loadingFailed", lambda event: self.under_way.discard(event["requestId"]))
-
-    def _sent(self, event: dict) -> None:
-        if event["request"]["url"].startswith("http") and "redirectResponse" not in event:
-            self.under_way.add(event["requestId"])
-            self.requests += 1
-
-    def _from_cache(self, event: dict) -> None:
-        if event["requestId"] in self.under_way:
-            self.under_way.discard(event["requestId"])
-            self.requests -= 1
-
-    def _response(self, event: dict) -> None:
-        if event["response"].get("fromDiskCache"):
-            self._from_cache(event)
-
-    def _finished(self, event: dict) -> None:
-        if event["requestId"] in self.under_way:
-            self.under_way.discard(event["requestId"])
-            self.received += int(event["encodedDataLength"])
-
-
 def open_page(context: BrowserContext, address: str, selector: str) -> Load:
     """Opens a page in a new tab of the context and closes it when it has loaded."""
     page = context.new_page()
     page.add_init_script(f"({WATCH})({selector!r})")
-    wire = Wire(context, page)
+    wire = Wire(page)
     page.goto(address, wait_until="commit")
     milliseconds = page.wait_for_function("window.usefulAfter", timeout=PATIENCE).json_value()
-    quiet = 0
-    for _ in range(80):  # 8 s at most: the bar of jobs asks for news every four seconds
-        page.wait_for_timeout(100)
-        quiet = 0 if wire.under_way else quiet + 100
-        if quiet >= QUIET:
-            break
-    load = Load(wire.requests, wire.received, milliseconds)
+    wire.wait_until_quiet(page)  # the bar of jobs asks for news every four seconds
+    load = Load(len(wire.addresses), wire.received, milliseconds)
     page.close()
     return load
 

@@ -8,25 +8,26 @@ import webapp.features  # noqa: F401  registers the features
 from core.workspace import WorkspaceError, shared_workspace
 from webapp import jobs
 from webapp.jobs import changes, following, job_bar
-from webapp.shell import access, frame, messages, playback, state
+from webapp.shell import access, compression, frame, messages, playback, state
 from webapp.shell.feature import features
-from webapp.shell.stores import CheckedDash
+from webapp.shell.loading import VENDOR, LoadingDash
 from webapp.shell.uploads import Limits, upload_blueprint
 from webapp.stage import player
 from webapp.stage import routes as stage_routes
 
 
-def create_app(workspace_path: str | Path, *, token: str | None = None) -> CheckedDash:
+def create_app(workspace_path: str | Path, *, token: str | None = None) -> LoadingDash:
     """The app for the workspace at ``workspace_path`` (made where missing); with ``token`` only for those who have it.
 
     Raises WorkspaceError where the folder cannot be used.
     """
     workspace = shared_workspace(workspace_path)
-    app = CheckedDash(
+    app = LoadingDash(
         __name__,
         title="Motionscape",
         update_title=None,
         assets_folder=str(_assets()),
+        assets_path_ignore=[VENDOR],
         serve_locally=True,
         suppress_callback_exceptions=True,
         background_callback_manager=jobs.background_manager(workspace.path),
@@ -34,7 +35,9 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> Check
     )
     stores = [*changes.stores(), *(store for feature in features() for store in feature.stores())]
     app.layout = frame.layout(player.stage(), job_bar.layout(), stores)
+    app.shown_at_once = {feature.path: feature.shows for feature in features()}
     access.protect(app.server, token)
+    compression.register(app.server)
     messages.register(app.server)
     blueprints = [upload_blueprint(workspace, Limits.from_environment()), *stage_routes.blueprints(workspace)]
     blueprints += [blueprint for feature in features() for blueprint in feature.routes(workspace)]

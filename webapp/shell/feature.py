@@ -106,6 +106,7 @@ class Feature:
 
     path: of the page in the address. label, symbol: its entry in the navigation.
     page: makes the page before it knows what there is to show. register: adds its callbacks to the app.
+    shows: what it begins with, of "table", "chart" and "graph": their libraries are fetched with the page (loading.py).
     keys: of its links. methods: name of the settings in the link -> the method they belong to; ``<name>-<parameter>``.
     routes: the blueprints it serves. stores: components that stay when one goes to another page.
     commands: its commands. recipes: method -> the commands that compute a result again.
@@ -120,6 +121,7 @@ class Feature:
     symbol: str
     page: Callable[[], Component]
     register: Callable[[Dash, Workspace], None]
+    shows: tuple[str, ...] = ()
     keys: LinkKeys = LinkKeys()
     methods: Mapping[str, str] = field(default_factory=lambda: NOTHING)
     routes: Callable[[Workspace], Sequence[Blueprint]] = lambda workspace: ()

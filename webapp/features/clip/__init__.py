@@ -9,6 +9,7 @@ FEATURE = Feature(
     symbol="pulse",
     page=later("webapp.features.clip.layout:page"),
     register=later("webapp.features.clip.callbacks:register"),
+    shows=("chart",),
     keys=link_keys(names.View),
     routes=later("webapp.features.clip.routes:blueprints"),
 )

@@ -12,6 +12,7 @@ FEATURE = Feature(
     symbol="library",
     page=later("webapp.features.library.layout:page"),
     register=later("webapp.features.library.callbacks:register"),
+    shows=("table",),
     keys=link_keys(names.View),
     routes=later("webapp.features.library.routes:blueprints"),
     stores=later("webapp.features.library.feature_files:stores"),

@@ -11,6 +11,7 @@ FEATURE = Feature(
     symbol="graph",
     page=later("webapp.features.motifs.layout:page"),
     register=later("webapp.features.motifs.callbacks:register"),
+    shows=("graph", "table"),
     keys=LinkKeys(
         names=(
             *("view", "side", "walk", "weights", "other", "gained"),

@@ -9,6 +9,7 @@ FEATURE = Feature(
     symbol="map",
     page=later("webapp.features.motion_map.layout:page"),
     register=later("webapp.features.motion_map.callbacks:register"),
+    shows=("chart",),
     keys=link_keys(names.View),
     methods={"map": "map"},
     routes=later("webapp.features.motion_map.routes:blueprints"),

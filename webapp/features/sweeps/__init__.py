@@ -8,6 +8,7 @@ FEATURE = Feature(
     symbol="sweep",
     page=later("webapp.features.sweeps.layout:page"),
     register=later("webapp.features.sweeps.callbacks:register"),
+    shows=("chart",),
     keys=LinkKeys(names=("x", "y", "seeds")),
     commands={
         "sweep": Command(

@@ -1,0 +1,77 @@
+// Heavy component libraries and Plotly are loaded when they are first needed; what the page brought along (layout, list
+// of callbacks) is not asked for again. What a page says of them is written by webapp/shell/loading.py.
+import { find } from "../shared/dom.mjs";
+
+const { suites = {}, plotly = "", pages = {} } = JSON.parse(find("loading")?.textContent || "{}");
+
+/** Answers from the page for the two requests that Dash's renderer makes when it starts. */
+function answerFirstRequests() {
+  const answers = new Map([
+    ["_dash-layout", find("first-layout")?.textContent],
+    ["_dash-dependencies", find("first-dependencies")?.textContent],
+  ]);
+  const send = window.fetch;
+  window.fetch = (address, options) => {
+    const name = String(address).split("/").pop();
+    const text = answers.get(name);
+    if (!text) return send.call(window, address, options);
+    answers.delete(name);
+    if (!answers.size) window.fetch = send;
+    return Promise.resolve(new Response(text, { headers: { "Content-Type": "application/json" } }));
+  };
+}
+
+function loadScript(source) {
+  return new Promise((resolve, reject) => {
+    const script = document.createElement("script");
+    script.src = source;
+    script.onload = resolve;
+    script.onerror = () => reject(new Error(`${source} could not be loaded`));
+    document.head.append(script);
+  });
+}
+
+/** Takes a library's place in `window[namespace]`; its components load the library when they are first drawn. */
+function standIn(namespace, { source, components }) {
+  let library = null;
+  let arrive;
+  const arrived = new Promise((resolve) => { arrive = resolve; });
+  let loading = null;
+  const load = () => (loading ||= loadScript(source)).then(() => arrived);
+  const suite = { getApiAsync: (...parts) => arrived.then(() => library.getApiAsync(...parts)) };
+  Object.defineProperty(window, namespace, {
+    get: () => suite,
+    set: (value) => {
+      if (value === suite) return; // dash_ag_grid writes window.dash_ag_grid = window.dash_ag_grid || {}
+      library = value;
+      arrive();
+    },
+  });
+  for (const name of components) suite[name] = component(name);
+
+  function component(name) {
+    const { createElement, lazy, Suspense } = window.React;
+    const Loaded = lazy(() => load().then(() => ({ default: library[name] })));
+    const Component = (props) => createElement(Suspense, { fallback: null }, createElement(Loaded, props));
+    // Dash's protocol for components that come later: callbacks about them wait until this is true.
+    const ready = () => library[name]._dashprivate_isLazyComponentReady ?? true;
+    Object.defineProperty(Component, "_dashprivate_isLazyComponentReady", {
+      get: () => (library ? ready() : arrived.then(ready)),
+    });
+    return Component;
+  }
+}
+
+/** Fetches what a page will need while the pointer or the focus is on its link. */
+function fetchAhead({ target }) {
+  const link = target.closest?.("a.nav-link");
+  for (const address of (link && pages[link.pathname.split("/").pop()]) || []) {
+    if (document.head.querySelector(`link[href="${address}"]`)) continue;
+    document.head.append(Object.assign(document.createElement("link"), { rel: "preload", as: "script", href: address }));
+  }
+}
+
+answerFirstRequests();
+for (const [namespace, suite] of Object.entries(suites)) standIn(namespace, suite);
+if (plotly) Object.defineProperty(window, "_dashPlotlyJSURL", { get: () => plotly, set() {} });
+for (const kind of ["pointerover", "focusin"]) document.addEventListener(kind, fetchAhead, { passive: true });

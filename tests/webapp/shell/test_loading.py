@@ -1,0 +1,119 @@
+"""The page's HTML: scripts that it loads at once, what it brings along, what comes later."""
+
+import ast
+import json
+import re
+from pathlib import Path
+
+import dash
+import pytest
+from plotly.offline import get_plotlyjs_version
+
+import webapp
+from webapp.app import create_app
+from webapp.shell import loading
+from webapp.shell.feature import features
+
+PLOTLY = Path(webapp.__file__).parents[1] / "assets" / "bundle" / loading.PLOTLY
+IN_THE_BUNDLE = {"Scatter", "Bar", "Heatmap", "Box", "Histogram", "Histogram2d", "Contour", "Violin", "Image", "Pie"}
+
+
+@pytest.fixture(scope="module")
+def html(tmp_path_factory):
+    client = create_app(tmp_path_factory.mktemp("space") / "workspace").server.test_client()
+    return lambda path: client.get(path).get_data(as_text=True)
+
+
+def data(page, name):
+    return json.loads(re.search(rf'<script id="{name}" type="application/json">(.*?)</script>', page, re.DOTALL)[1])
+
+
+def scripts(page):
+    return re.findall(r'<script src="([^"]+)"', page)
+
+
+def ahead(page):
+    return re.findall(r'<link rel="preload" as="script" href="([^"]+)"', page)
+
+
+def test_a_page_loads_the_frame_at_once_and_the_renderer_last(html):
+    names = [re.split(r"[@./]", source.rpartition("/")[2])[0] for source in scripts(html("/library"))]
+    assert names[:3] == ["react", "react-dom", "prop-types"]
+    assert set(names[3:]) == {
+        *("dash_mantine_components", "motionscape", "dash_renderer"),
+        *("dash_core_components", "dash_core_components-shared", "dash_html_components"),
+    }
+    assert names.index("motionscape") < names.index("dash_renderer")
+
+
+def test_the_layout_and_the_callbacks_come_with_the_page(html):
+    page = html("/library")
+    assert data(page, "first-layout")["props"]["id"] == "mantine"
+    assert {"page.children", "dataset-cards.children"} <= {one["output"] for one in data(page, "first-dependencies")}
+
+
+def test_a_page_fetches_ahead_what_it_begins_with(html):
+    assert [address.rpartition("/")[2].partition(".")[0] for address in ahead(html("/library"))] == [
+        *("dash_ag_grid", "async-community")
+    ]
+    assert ahead(html("/")) == ahead(html("/library?dataset=demo"))
+    assert any("dash_cytoscape" in address for address in ahead(html("/motifs")))
+    assert any("plotly-cartesian" in address for address in ahead(html("/map")))
+    assert ahead(html("/search")) == ahead(html("/no-such-page")) == []
+
+
+def test_every_kind_that_a_feature_shows_is_known(html):
+    assert set(data(html("/library"), "loading")["pages"]) == {feature.path for feature in features()}
+
+
+def test_libraries_for_later_have_their_address_and_components(html):
+    suites = data(html("/library"), "loading")["suites"]
+    assert {name: suite["components"] for name, suite in suites.items()} == {
+        "dash_ag_grid": ["AgGrid"],
+        "dash_cytoscape": ["Cytoscape"],
+    }
+    assert all(f"/{name}/{name}.v" in suite["source"] for name, suite in suites.items())
+
+
+def test_no_other_component_of_these_libraries_is_used():
+    used = set()
+    for path in Path(webapp.__file__).parent.rglob("*.py"):
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        aliases = {
+            alias.asname or alias.name: alias.name
+            for node in ast.walk(tree)
+            if isinstance(node, ast.Import)
+            for alias in node.names
+            if alias.name in loading.LATER
+        }
+        for node in ast.walk(tree):
+            if isinstance(node, ast.Attribute) and getattr(node.value, "id", "") in aliases:
+                used.add((aliases[node.value.id], node.attr))
+            if isinstance(node, ast.ImportFrom):
+                assert node.module not in (*loading.LATER, "dash.dash_table"), path
+    assert used == {(name, component) for name, components in loading.LATER.items() for component in components}
+
+
+def test_another_dash_that_writes_its_scripts_otherwise_is_refused():
+    with pytest.raises(RuntimeError, match=re.escape(f"Dash {dash.__version__} writes 0 scripts of /dash_table/")):
+        loading.split_scripts('<script src="/bundle.js"></script>')
+
+
+def test_text_cannot_end_the_script_that_holds_it(html):
+    page = html("/library?dataset=</script><script>alert(1)</script>")
+    assert "<script>alert" not in page
+    assert loading._data("x", json.dumps("</script>")).count("</script>") == 1
+
+
+def test_plotly_is_not_older_than_the_charts_that_are_made_for_it():
+    head = PLOTLY.open(encoding="utf-8").read(200)
+    served = re.search(r"plotly.js \(cartesian - minified\) v([\d.]+)", head)[1]
+    number = [tuple(map(int, version.split("."))) for version in (served, get_plotlyjs_version())]
+    assert number[0] >= number[1], "take the version of plotly.js that plotly.py brings into assets/package.json"
+
+
+def test_charts_are_of_kinds_that_this_plotly_draws():
+    used = set()
+    for path in Path(webapp.__file__).parent.rglob("*.py"):
+        used |= set(re.findall(r"\bgo\.([A-Z]\w+)\(", path.read_text(encoding="utf-8"))) - {"Figure", "Layout"}
+    assert used and used <= IN_THE_BUNDLE

@@ -1,0 +1,91 @@
+"""What a page loads: the frame's scripts at once; tables, charts and graphs where they are first shown.
+
+Dash writes a script tag for every component library into every page and asks for the layout and the list of callbacks
+when all of them have run. Here the page brings the layout and the list along, leaves out what is never used, and gives
+heavy libraries a stand-in (``assets/shell/loading.mjs``) that loads them when one of their components is first drawn.
+What the page of an address will need is fetched from the start, beside the other scripts.
+"""
+
+from __future__ import annotations
+
+import json
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+import dash
+from flask import request
+
+from webapp.shell import links
+from webapp.shell.stores import CheckedDash
+
+UNUSED = ("/dash_table/", "/dash/deps/polyfill@")  # no page has a DataTable; no supported browser needs the polyfill
+LATER = {  # namespace of a library -> its components that pages use
+    "dash_ag_grid": ("AgGrid",),
+    "dash_cytoscape": ("Cytoscape",),
+}
+VENDOR = "vendor"  # folder of the app's assets whose scripts are not part of every page
+PLOTLY = f"{VENDOR}/plotly-cartesian.min.js"  # of plotly.js only what draws charts with axes: assets/build.mjs
+_SUITES = "_dash-component-suites/"
+_CHUNKS = {"table": "dash_ag_grid/async-community.js", "chart": "dash/dcc/async-graph.js"}
+
+
+class LoadingDash(CheckedDash):
+    """Dash whose pages load only what they need.
+
+    shown_at_once: path of a page -> what it begins with, of "table", "chart" and "graph".
+    """
+
+    shown_at_once: Mapping[str, Sequence[str]] = {}
+
+    def interpolate_index(self, **parts: str) -> str:
+        """The page's HTML. Raises RuntimeError where Dash writes its scripts otherwise than this module knows."""
+        scripts, later = split_scripts(parts["scripts"])
+        addresses = self._addresses(later)
+        pages = {page: [a for kind in kinds for a in addresses[kind]] for page, kinds in self.shown_at_once.items()}
+        loading = {"suites": _suites(later), "plotly": addresses["chart"][-1], "pages": pages}
+        parts["scripts"] = "\n".join(
+            [
+                _data("first-layout", self.serve_layout().get_data(as_text=True)),
+                _data("first-dependencies", self.dependencies().get_data(as_text=True)),
+                _data("loading", json.dumps(loading)),
+                *scripts,
+            ]
+        )
+        ahead = pages.get(links.page_of(request.path) or "", ())
+        parts["css"] += "".join(f'\n<link rel="preload" as="script" href="{address}">' for address in ahead)
+        return super().interpolate_index(**parts)
+
+    def _addresses(self, later: Mapping[str, str]) -> dict[str, list[str]]:
+        """What to load for each kind of thing a page shows."""
+        suites = self.config.requests_pathname_prefix + _SUITES
+        plotly = Path(self.config.assets_folder) / PLOTLY
+        return {
+            "table": [later["dash_ag_grid"], suites + _CHUNKS["table"]],
+            "graph": [later["dash_cytoscape"]],
+            "chart": [suites + _CHUNKS["chart"], f"{self.get_asset_url(PLOTLY)}?m={plotly.stat().st_mtime}"],
+        }
+
+
+def split_scripts(html: str) -> tuple[list[str], dict[str, str]]:
+    """Dash's script tags without those not needed at once, and the addresses of the libraries of ``LATER``.
+
+    Raises RuntimeError where a library of ``UNUSED`` or ``LATER`` has not exactly one script.
+    """
+    tags = re.findall(r"<script\b[^>]*>.*?</script>", html, re.DOTALL)
+    left_out = {part: [tag for tag in tags if part in tag] for part in (*UNUSED, *(f"/{name}/" for name in LATER))}
+    for part, found in left_out.items():
+        if len(found) != 1:
+            raise RuntimeError(f"Dash {dash.__version__} writes {len(found)} scripts of {part}, not one")
+    later = {name: re.search(r'src="([^"]+)"', left_out[f"/{name}/"][0])[1] for name in LATER}
+    gone = {tag for found in left_out.values() for tag in found}
+    return [tag for tag in tags if tag not in gone], later
+
+
+def _suites(sources: Mapping[str, str]) -> dict[str, dict[str, object]]:
+    return {name: {"source": source, "components": LATER[name]} for name, source in sources.items()}
+
+
+def _data(name: str, text: str) -> str:
+    """JSON in a page, for its scripts."""
+    return f'<script id="{name}" type="application/json">{text.replace("<", chr(92) + "u003c")}</script>'
