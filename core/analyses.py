@@ -153,7 +153,7 @@ def run(workspace: Workspace, request: Request, report: Report = silent) -> Any:
         if job.state == "cancelled":
             raise Cancelled
         if job.state == "failed" and not job.died:
-            raise AnalysisError(job.error)
+            raise _failure_elsewhere(workspace, job)
         if job.state == "done" and request.method in TASKS:
             return None
     raise AnalysisError("The worker of this analysis stopped again and again; see the logs of the workspace.")
@@ -284,6 +284,17 @@ def _failure(workspace: Workspace, job: Job, error: Exception) -> AnalysisError:
         return AnalysisError(f"{job.title} failed: {explain(error)}.")
     where = f"The details stand in logs/{log.name} of the workspace"
     return LoggedBug(f"{job.title} failed because of a fault in Motionscape. {where} (error {bug_id}).", bug_id)
+
+
+def _failure_elsewhere(workspace: Workspace, job: Job) -> AnalysisError:
+    """What ended a job that another process worked on: a LoggedBug where its log has the id that the job's error
+    names."""
+    try:
+        head = (workspace.logs / f"job-{job.id}.log").read_text(encoding="utf-8").split(maxsplit=3)
+    except (OSError, UnicodeDecodeError):
+        return AnalysisError(job.error)
+    bug_id = head[2] if len(head) > 2 else ""  # after the date and the time
+    return LoggedBug(job.error, bug_id) if bug_id and f"(error {bug_id})" in job.error else AnalysisError(job.error)
 
 
 def _digest(*parts: object) -> str:

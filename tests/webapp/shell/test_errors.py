@@ -103,6 +103,19 @@ def test_a_job_logs_a_bug(workspace, monkeypatch):
     assert shown.value.bug_id in log and "at least 4 points" in log
 
 
+def test_who_waits_for_the_job_of_another_process_is_told_of_its_bug_too(workspace, monkeypatch):
+    compute_with(monkeypatch, stray_value_error)
+    with pytest.raises(LoggedBug) as first:
+        analyses.run(workspace, toy_method.request())
+    (job,) = workspace.jobs.list()
+    waiting = type(workspace.jobs)
+    monkeypatch.setattr(waiting, "claim", lambda *_: None)  # as where another process was quicker
+    monkeypatch.setattr(waiting, "submit", lambda *_: job)
+    with pytest.raises(LoggedBug) as shown:
+        analyses.run(workspace, toy_method.request())
+    assert str(shown.value) == str(first.value) and shown.value.bug_id == first.value.bug_id
+
+
 # callbacks
 
 
