@@ -36,7 +36,9 @@ def ids_of(room: str) -> str:
         lines += ["", *_typedef(name, shape, room)]
     lines.append("")
     for _, identifier in declared(module):
-        text = f'"{identifier.kind if isinstance(identifier, Pattern) else identifier}"'
+        if isinstance(identifier, Pattern):  # only Dash looks for them
+            continue
+        text = f'"{identifier}"'
         if isinstance(identifier, Store):
             text = f"/** @type {{StoreId<{typescript(identifier.content, room)}>}} */ ({text})"
         lines.append(f"export const {constant(identifier)} = {text};")

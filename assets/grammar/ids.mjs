@@ -165,7 +165,6 @@ export const GRAMMAR_RUN = "grammar-run";
 export const GRAMMAR_FOLD = "grammar-fold";
 export const GRAMMAR_SUMMARY = "grammar-summary";
 export const GRAMMAR_FORM = "grammar-form";
-export const GRAMMAR_SETTING = "grammar-setting";
 export const GRAMMAR_STATUS = "grammar-status";
 export const GRAMMAR_SETTINGS = /** @type {StoreId<Record<string, string>>} */ ("grammar-settings");
 export const GRAMMAR_RESULT_KEY = /** @type {StoreId<string>} */ ("grammar-result-key");

@@ -58,7 +58,6 @@ export const MAP_RUN = "map-run";
 export const MAP_FOLD = "map-fold";
 export const MAP_SUMMARY = "map-summary";
 export const MAP_FORM = "map-form";
-export const MAP_SETTING = "map-setting";
 export const MAP_STATUS = "map-status";
 export const MAP_SETTINGS = /** @type {StoreId<Record<string, string>>} */ ("map-settings");
 export const MAP_RESULT_KEY = /** @type {StoreId<string>} */ ("map-result-key");

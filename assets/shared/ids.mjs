@@ -39,9 +39,9 @@
  * One figure on the Stage: frames ``[start, end)`` of a clip.
  * @typedef {object} Figure
  * @property {string} clip
- * @property {number} start
- * @property {number} end
  * @property {string} label
+ * @property {number} [start]
+ * @property {number} [end]
  * @property {string} [dataset]
  * @property {string} [version]
  * @property {string} [colour]

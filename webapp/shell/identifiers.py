@@ -70,10 +70,9 @@ class Group:
 Identifier = Id | Prefix | Pattern
 
 
-def constant(identifier: Identifier) -> str:
+def constant(identifier: Id | Prefix) -> str:
     """The name that the constant of an id has: ``MAP_GRAPH`` for ``map-graph``."""
-    text = identifier.kind if isinstance(identifier, Pattern) else identifier.strip("-")
-    return text.replace("-", "_").upper()
+    return identifier.strip("-").replace("-", "_").upper()
 
 
 def declared(module: ModuleType) -> Iterator[tuple[str, Identifier]]:

@@ -2,7 +2,7 @@
 
 from typing import Annotated, Any, Literal, NotRequired, TypedDict
 
-from webapp.shell.identifiers import Id, Prefix, Store
+from webapp.shell.identifiers import Group, Id, Pattern, Prefix, Store
 from webapp.shell.shapes import Most
 
 Name = Annotated[str, Most(1000)]
@@ -58,9 +58,9 @@ class Figure(TypedDict):
     """One figure on the Stage: frames ``[start, end)`` of a clip."""
 
     clip: str
-    start: int
-    end: int
     label: str
+    start: NotRequired[int]
+    end: NotRequired[int]
     dataset: NotRequired[str]  # its own instead of the request's
     version: NotRequired[str]
     colour: NotRequired[str]
@@ -80,6 +80,22 @@ class StageRequest(TypedDict):
     sync: NotRequired[Literal["warp", "start"]]
     replace: NotRequired[bool]  # in place of what is shown, at the same share of time
     at: NotRequired[Any]  # the moment to begin with
+
+
+class MethodNames(Group):
+    """Ids of the settings, the button and the status of the page ``page`` in the link."""
+
+    def __init__(self, page: str):
+        self.run = Id(f"{page}-run")
+        self.fold = Id(f"{page}-fold")
+        self.summary = Id(f"{page}-summary")
+        self.form = Id(f"{page}-form")
+        self.control = Pattern(f"{page}-setting", "name")
+        self.status = Id(f"{page}-status")
+        self.settings = Store(f"{page}-settings", View)  # those keys of the view that are settings of the page
+        self.result_key = Store(f"{page}-result-key", Name)  # empty where the result has not been computed
+        self.status_of = Store(f"{page}-status-of", list[Any])  # what the status was last drawn for
+        self.again = Store(f"{page}-again", dict[str, bool | float])
 
 
 MANTINE = Id("mantine")

@@ -26,8 +26,7 @@ from webapp.shell import recipes, settings
 from webapp.shell.buttons import copies, sends
 from webapp.shell.icons import icon
 from webapp.shell.messages import empty_state, notice
-from webapp.shell.names import DATASET, JOB_STARTED, NOTICES, REVISION, VIEW, VIEW_CHANGE
-from webapp.ui.names import MethodNames
+from webapp.shell.names import DATASET, JOB_STARTED, NOTICES, REVISION, VIEW, VIEW_CHANGE, MethodNames
 from webapp.ui.parameter_form import parameter_form, read_form, summary
 
 

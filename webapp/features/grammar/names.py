@@ -4,9 +4,8 @@ from typing import Annotated, Any, NotRequired, TypedDict
 
 from webapp.shell.feature import LinkKey
 from webapp.shell.identifiers import Family, Id, Store
-from webapp.shell.names import Colour, Name
+from webapp.shell.names import Colour, MethodNames, Name
 from webapp.shell.shapes import Most
-from webapp.ui.names import MethodNames
 
 _NUMBER = LinkKey(of_dataset=True, pattern=r"\d{1,6}")
 

@@ -4,8 +4,7 @@ from typing import Annotated, Any, NotRequired, TypedDict
 
 from webapp.shell.feature import LinkKey
 from webapp.shell.identifiers import Family, Id, Store
-from webapp.shell.names import Name
-from webapp.ui.names import MethodNames
+from webapp.shell.names import MethodNames, Name
 
 
 class View(TypedDict, total=False):

@@ -4,9 +4,8 @@ from typing import Annotated, Any, NotRequired, TypedDict
 
 from webapp.shell.feature import LinkKey
 from webapp.shell.identifiers import Id, Store
-from webapp.shell.names import Name, StageRequest
+from webapp.shell.names import MethodNames, Name, StageRequest
 from webapp.shell.shapes import Most
-from webapp.ui.names import MethodNames
 
 _TEXT = LinkKey(of_dataset=True, free_text=True)
 
