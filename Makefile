@@ -53,7 +53,8 @@ bundle: $(NODE_MODULES)
 lint-js: $(NODE_MODULES)
 	$(BIN)/python -m scripts.generate_ids --check
 	$(NODE) assets/build.mjs --check
-	$(NODE) assets/node_modules/eslint/bin/eslint.js --config assets/eslint.config.mjs assets
+	$(NODE) assets/node_modules/eslint/bin/eslint.js --config assets/eslint.config.mjs assets tests/assets
+	$(NODE) assets/node_modules/typescript/bin/tsc --project assets
 
 bench: $(VENV)/.installed-bench
 	$(BIN)/python -m benchmarks

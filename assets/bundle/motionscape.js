@@ -1,3 +1,4 @@
+"use strict";
 (() => {
   var __create = Object.create;
   var __defProp = Object.defineProperty;
@@ -550,19 +551,57 @@
   var import_runtime = __toESM(require_runtime(), 1);
 
   // shared/dom.mjs
+  var find = (id) => (
+    /** @type {Found | null} */
+    document.getElementById(id)
+  );
+  function need(id) {
+    const node = find(id);
+    if (!node) throw new Error(`The page has no element "${id}".`);
+    return node;
+  }
+  function within(root, selector) {
+    const node = root.querySelector(selector);
+    if (!node) throw new Error(`Nothing matches "${selector}".`);
+    return (
+      /** @type {Found} */
+      node
+    );
+  }
+  var allWithin = (root, selector) => Array.from(root.querySelectorAll(selector));
+  function around(node, selector) {
+    const found = node.closest(selector);
+    if (!found) throw new Error(`Nothing around it matches "${selector}".`);
+    return (
+      /** @type {Found} */
+      found
+    );
+  }
+  var childrenOf = (node) => (
+    /** @type {Found[]} */
+    Array.from(node.children)
+  );
+  var targetOf = (event) => (
+    /** @type {Found} */
+    event.target
+  );
+  var hasClass = (event, name) => event.target?.classList?.contains(name) ?? false;
+  var closest = (event, selector) => event.target?.closest?.(selector) ?? null;
   function element(name, className = "", ...children) {
     const node = document.createElement(name);
     if (className) node.className = className;
-    node.append(...children.filter((child) => child !== null && child !== void 0 && child !== ""));
+    for (const child of children) if (child !== null && child !== void 0 && child !== "") node.append(
+      /** @type {Node} */
+      child
+    );
     return node;
   }
   function withAttributes(node, attributes) {
-    for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
+    for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, String(value));
     return node;
   }
-  var SVG = "http://www.w3.org/2000/svg";
   function svgElement(name, attributes = {}, ...children) {
-    const node = withAttributes(document.createElementNS(SVG, name), attributes);
+    const node = withAttributes(document.createElementNS("http://www.w3.org/2000/svg", name), attributes);
     node.append(...children);
     return node;
   }
@@ -572,9 +611,13 @@
     node.setAttribute("aria-hidden", "true");
     return node;
   }
-  var find = (id) => document.getElementById(id);
+  function context2d(canvas, settings) {
+    const context = canvas.getContext("2d", settings);
+    if (!context) throw new Error("This browser cannot draw on a canvas.");
+    return context;
+  }
   function setLink(id, address2) {
-    const link2 = find(id);
+    const link2 = need(id);
     if (address2) link2.setAttribute("href", address2);
     else link2.removeAttribute("href");
     link2.classList.toggle("disabled", !address2);
@@ -594,7 +637,7 @@
     ]);
     const send4 = window.fetch;
     window.fetch = (address2, options) => {
-      const name = String(address2).split("/").pop();
+      const name = String(address2).split("/").pop() ?? "";
       const text = answers.get(name);
       if (!text) return send4.call(window, address2, options);
       answers.delete(name);
@@ -619,7 +662,7 @@
     });
     let loading = null;
     const load = () => (loading ||= loadScript(source)).then(() => arrived);
-    const suite = { getApiAsync: (...parts) => arrived.then(() => library.getApiAsync(...parts)) };
+    const suite = { getApiAsync: (...parts) => arrived.then(() => library?.getApiAsync(...parts)) };
     Object.defineProperty(window, namespace, {
       get: () => suite,
       set: (value) => {
@@ -631,18 +674,22 @@
     for (const name of components) suite[name] = component(name);
     function component(name) {
       const { createElement, lazy, Suspense } = window.React;
-      const Loaded = lazy(() => load().then(() => ({ default: library[name] })));
+      const Loaded = lazy(() => load().then(() => ({ default: library?.[name] })));
       const Component = (props) => createElement(Suspense, { fallback: null }, createElement(Loaded, props));
-      const ready2 = () => library[name]._dashprivate_isLazyComponentReady ?? true;
+      const ready2 = () => library?.[name]._dashprivate_isLazyComponentReady ?? true;
       Object.defineProperty(Component, "_dashprivate_isLazyComponentReady", {
         get: () => library ? ready2() : arrived.then(ready2)
       });
       return Component;
     }
   }
-  function fetchAhead({ target: target2 }) {
-    const link2 = target2.closest?.("a.nav-link");
-    for (const address2 of link2 && pages[link2.pathname.split("/").pop()] || []) {
+  function fetchAhead(event) {
+    const link2 = (
+      /** @type {HTMLAnchorElement | null} */
+      /** @type {Element | null} */
+      closest(event, "a.nav-link")
+    );
+    for (const address2 of link2 && pages[link2.pathname.split("/").pop() ?? ""] || []) {
       if (document.head.querySelector(`link[href="${address2}"]`)) continue;
       document.head.append(Object.assign(document.createElement("link"), { rel: "preload", as: "script", href: address2 }));
     }
@@ -654,7 +701,8 @@
   for (const kind of ["pointerover", "focusin"]) document.addEventListener(kind, fetchAhead, { passive: true });
 
   // shared/dash.mjs
-  var clientside = window.dash_clientside ||= {};
+  var clientside = globalThis.dash_clientside ||= /** @type {any} */
+  {};
   function register(namespace, functions) {
     clientside[namespace] = functions;
   }
@@ -695,7 +743,7 @@
     const canvas = document.createElement("canvas");
     canvas.width = Math.round(image.width * by);
     canvas.height = Math.round(image.height * by);
-    canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
+    context2d(canvas).drawImage(image, 0, 0, canvas.width, canvas.height);
     URL.revokeObjectURL(image.src);
     return new Promise((resolve) => canvas.toBlob(resolve, "image/png"));
   }
@@ -703,7 +751,7 @@
   // shared/downloads.mjs
   var drawings = {};
   var dataset = () => {
-    const picker = document.getElementById("dataset-picker");
+    const picker = find("dataset-picker");
     return picker && picker.value || "motionscape";
   };
   var cell = (value) => {
@@ -726,7 +774,7 @@
     return rows2.map((row8) => row8.map(cell).join(",")).join("\n") + "\n";
   }
   function chart(target2, kind, name) {
-    const box2 = document.getElementById(target2);
+    const box2 = find(target2);
     const plot = box2 && (box2.classList.contains("js-plotly-plot") ? box2 : box2.querySelector(".js-plotly-plot"));
     if (!plot) return;
     if (kind === "csv") save(table(plot), name + ".csv");
@@ -748,6 +796,7 @@
     if (png) save(png, name + ".png", "image/png");
   }
   register("downloads", {
+    /** @param {{ address?: string } | null} ready */
     fetch(ready2) {
       if (ready2 && ready2.address) {
         const link2 = document.createElement("a");
@@ -759,9 +808,9 @@
     }
   });
   document.addEventListener("click", async (event) => {
-    const button4 = event.target.closest && event.target.closest("[data-save]");
+    const button4 = closest(event, "[data-save]");
     if (!button4) return;
-    const { save: what, target: target2, kind } = button4.dataset;
+    const { save: what, target: target2 = "", kind = "" } = button4.dataset;
     const name = `${dataset()} ${button4.dataset.name}`;
     if (what === "chart") chart(target2, kind, name);
     else if (what === "drawing") drawing(target2, kind, name);
@@ -772,18 +821,40 @@
     }
   });
 
+  // shared/numbers.mjs
+  var clamp = (value, low, high) => Math.min(Math.max(value, low), high);
+  function nearest(list2, value) {
+    let low = 0;
+    let high = list2.length - 1;
+    while (high - low > 1) {
+      const middle = low + high >> 1;
+      if (list2[middle] <= value) low = middle;
+      else high = middle;
+    }
+    return high < 0 ? -1 : Math.abs(list2[low] - value) <= Math.abs(list2[high] - value) ? low : high;
+  }
+
   // stage/camera.mjs
   var FIELD_OF_VIEW = 30 * Math.PI / 180;
   var NEAR = 0.1;
   var [NEAREST, FURTHEST] = [2.2, 200];
-  var clamp = (value, low, high) => Math.min(Math.max(value, low), high);
   var Camera = class {
     constructor() {
       this.follow = true;
       this.centre = [0, 0];
       this.eye = new Float64Array(3);
+      this.target = [0, 0, 0];
+      this.right = [1, 0, 0];
+      this.up = [0, 1, 0];
+      this.forward = [0, 0, -1];
+      this.focal = this.middleX = this.middleY = 1;
+      this.moved = false;
+      this.yaw = this.pitch = 0;
+      this.pan = [0, 0, 0];
+      this.distance = 5;
       this.reset({ yaw: 0.62, pitch: 0.2 });
     }
+    /** @param {{ yaw: number, pitch: number }} view */
     reset({ yaw, pitch }) {
       this.moved = false;
       this.yaw = yaw;
@@ -791,28 +862,45 @@
       this.pan = [0, 0.85, 0];
       this.distance = 5;
     }
+    /** @param {number} dx @param {number} dy */
     orbit(dx, dy) {
       this.yaw -= dx;
       this.pitch = clamp(this.pitch + dy, 0.01, 1.55);
     }
+    /** @param {number} factor */
     zoom(factor) {
       this.moved = true;
       this.distance = clamp(this.distance * factor, 0.6, 200);
     }
-    /** Shift by pixels of a view that is `height` pixels high, in the plane that faces the camera. */
+    /**
+     * Shift by pixels of a view that is `height` pixels high, in the plane that faces the camera.
+     * @param {number} dx
+     * @param {number} dy
+     * @param {number} height
+     */
     shift(dx, dy, height) {
       const metres = 2 * this.distance * Math.tan(FIELD_OF_VIEW / 2) / height;
       for (let k = 0; k < 3; k++) this.pan[k] += metres * (dy * this.up[k] - dx * this.right[k]);
       this.pan[1] = clamp(this.pan[1], -1, 20);
       this.moved = true;
     }
-    /** Glide towards the followed point, or be there at once. */
+    /**
+     * Glide towards the followed point, or be there at once.
+     * @param {number} x
+     * @param {number} z
+     * @param {number} seconds
+     * @param {boolean} atOnce
+     */
     track(x, z, seconds, atOnce) {
       const share2 = atOnce ? 1 : 1 - Math.exp(-seconds * 6);
       this.centre[0] += (x - this.centre[0]) * share2;
       this.centre[1] += (z - this.centre[1]) * share2;
     }
-    /** Stand as near as shows a cloud of points around the target, with room at the edges. */
+    /**
+     * Stand as near as shows a cloud of points around the target, with room at the edges.
+     * @param {ArrayLike<number>} cloud
+     * @param {number} aspect
+     */
     fit(cloud, aspect) {
       if (this.moved) return;
       const vertical = Math.tan(FIELD_OF_VIEW / 2);
@@ -829,7 +917,11 @@
       this.distance = far;
       this.pan = [0, far * (span.high + span.low) / 2 / this.up[1], 0];
     }
-    /** Tangents of the angles at which a cloud around the origin is seen from this far: lowest, highest, widest. */
+    /**
+     * Tangents of the angles at which a cloud around the origin is seen from this far: lowest, highest, widest.
+     * @param {ArrayLike<number>} cloud
+     * @param {number} distance
+     */
     span(cloud, distance) {
       const { right: r, up: u, forward: f } = this;
       let [low, high, wide] = [Infinity, 0, 0];
@@ -843,7 +935,11 @@
       }
       return { low, high, wide };
     }
-    /** Set up for a view of this size in pixels; call before projecting. */
+    /**
+     * Set up for a view of this size in pixels; call before projecting.
+     * @param {number} width
+     * @param {number} height
+     */
     prepare(width, height) {
       const [sy, cy, sp, cp] = [Math.sin(this.yaw), Math.cos(this.yaw), Math.sin(this.pitch), Math.cos(this.pitch)];
       this.right = [cy, 0, -sy];
@@ -855,12 +951,25 @@
       this.middleX = width / 2;
       this.middleY = height / 2;
     }
-    /** Distance along the view of a point; projectable where it exceeds `NEAR`. */
+    /**
+     * Distance along the view of a point; projectable where it exceeds `NEAR`.
+     * @param {number} x
+     * @param {number} y
+     * @param {number} z
+     */
     depth(x, y, z) {
       const { forward: f, eye: e } = this;
       return (x - e[0]) * f[0] + (y - e[1]) * f[1] + (z - e[2]) * f[2];
     }
-    /** Points (n, 3) to screen x, y, pixels per metre and depth, written into arrays of length n. */
+    /**
+     * Points (n, 3) to screen x, y, pixels per metre and depth, written into arrays of length n.
+     * @param {ArrayLike<number>} points
+     * @param {number} n
+     * @param {Float32Array} x
+     * @param {Float32Array} y
+     * @param {Float32Array} scale
+     * @param {Float32Array} depth
+     */
     project(points, n, x, y, scale3, depth2) {
       const { right: r, up: u, forward: f, eye: e } = this;
       for (let j = 0, k = 0; j < n; j++, k += 3) {
@@ -882,8 +991,10 @@
   var VARIABLES = ["sky", "haze", "floor", "rim", "grid", "shadow", "contact", "left", "right", "spine", "text", "muted", "accent"];
   var HUES = [255, 55, 155, 330, 95, 205, 25, 285, 125, 0, 230, 75];
   var LIFTS = [0, 0.02, -0.02, 0.03, 0.05, 0.06, -0.05, -0.03, 0.04, -0.06, 0.08, -0.02];
-  var scratch = document.createElement("canvas").getContext("2d", { willReadFrequently: true });
+  var scratch = null;
   function parseColour(colour) {
+    scratch ??= document.createElement("canvas").getContext("2d", { willReadFrequently: true });
+    if (!scratch) return [128, 128, 128];
     scratch.fillStyle = "#808080";
     scratch.fillStyle = colour;
     scratch.clearRect(0, 0, 1, 1);
@@ -910,7 +1021,10 @@
     for (const name of VARIABLES) theme[name] = parseColour(style.getPropertyValue(`--ms-stage-${name}`).trim());
     theme.dark = theme.sky[0] + theme.sky[1] + theme.sky[2] < 384;
     theme.font = style.fontFamily;
-    return theme;
+    return (
+      /** @type {Theme} */
+      theme
+    );
   }
   function figureColours(theme, k, n, own2) {
     if (own2) {
@@ -926,6 +1040,7 @@
     const levels = (change) => colours.map((rgb) => Array.from({ length: FOG_LEVELS }, (_, level) => css(mix(change(rgb), theme.haze, fade + (1 - fade) * 0.4 * (level / (FOG_LEVELS - 1))))));
     const balls = [];
     return {
+      /** @param {number} level */
       ball: (level) => balls[level] ??= ball(theme, colours[2], fade + (1 - fade) * 0.4 * (level / (FOG_LEVELS - 1))),
       fill: levels((rgb) => rgb),
       edge: levels((rgb) => mix(rgb, theme.dark ? [8, 10, 14] : [20, 24, 32], theme.dark ? 0.62 : 0.42)),
@@ -936,7 +1051,7 @@
   function ball(theme, rgb, fog) {
     const canvas = document.createElement("canvas");
     canvas.width = canvas.height = 96;
-    const context = canvas.getContext("2d");
+    const context = context2d(canvas);
     const gradient = context.createRadialGradient(34, 30, 4, 44, 42, 56);
     const fogged = (colour) => css(mix(colour, theme.haze, fog));
     gradient.addColorStop(0, fogged(mix(rgb, [255, 255, 255], 0.42)));
@@ -1028,7 +1143,7 @@
       warp: () => stage2.setSync(stage2.sync === "warp" ? "start" : "warp"),
       reset: () => stage2.resetCamera(),
       help: () => stage2.toggleHelp(),
-      retry: () => stage2.requests.show(stage2.request)
+      retry: () => stage2.requests.show(stage2.request ?? null)
     };
   }
   var KEYS = {
@@ -1057,7 +1172,7 @@
   var ORBIT = { ArrowLeft: [-0.12, 0], ArrowRight: [0.12, 0], ArrowUp: [0, 0.08], ArrowDown: [0, -0.08] };
   function onKey(stage2, actions4, event) {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
-    const button4 = event.target.closest("button");
+    const button4 = closest(event, "button");
     if (button4 && (event.key === " " || event.key === "Enter")) return;
     if (event.key === "Escape" && stage2.toggleHelp(false)) return;
     const orbit = event.shiftKey && ORBIT[event.key];
@@ -1138,27 +1253,34 @@
     return entry;
   }
   var Controls = class {
+    /** @param {Stage} stage @param {HTMLElement} root */
     constructor(stage2, root) {
       this.stage = stage2;
       this.root = root;
       this.actions = makeActions(stage2);
-      this.find = (selector) => root.querySelector(selector);
+      this.listed = "";
+      this.shown = "";
       this.scrub = this.find(".ms-scrub");
-      for (const button4 of root.querySelectorAll("[data-icon]")) button4.innerHTML = iconMarkup(button4.dataset.icon);
+      for (const button4 of allWithin(root, "[data-icon]")) button4.innerHTML = iconMarkup(button4.dataset.icon ?? "");
       root.addEventListener("click", (event) => this.press(event));
       root.addEventListener("keydown", (event) => onKey(stage2, this.actions, event));
-      watchPointer(stage2, this.find("#stage-canvas"));
+      watchPointer(stage2, stage2.scene.canvas);
       watchSeeking(stage2, this.scrub);
       watchSeeking(stage2, this.find(".ms-bands"));
       watchSeeking(stage2, this.find(".ms-warp-rows"));
       this.find(".ms-warp-rows").addEventListener("pointermove", (event) => {
-        event.currentTarget.title = stage2.warpStrip.describe(event);
+        this.find(".ms-warp-rows").title = stage2.warpStrip.describe(event);
       });
     }
+    /** The part of the controls that matches. @param {string} selector */
+    find(selector) {
+      return within(this.root, selector);
+    }
+    /** @param {Event} event */
     press(event) {
-      const button4 = event.target.closest("[data-action]");
+      const button4 = closest(event, "[data-action]");
       if (!button4 || button4.disabled) return;
-      this.actions[button4.dataset.action]?.();
+      this.actions[button4.dataset.action ?? ""]?.();
       this.stage.touch(true);
     }
     /** Chips that name the figures and hide or show them; pointing at one makes it stand out. */
@@ -1171,6 +1293,7 @@
       list2.replaceChildren(...figures.length > 1 ? figures.map((figure2, k) => this.chip(figure2, k)) : []);
       if (figures.length === 1 && !figures[0].item.colour) list2.append(legend("left"), legend("right"));
     }
+    /** @param {Figure} figure @param {number} k */
     chip(figure2, k) {
       const chip2 = document.createElement("button");
       chip2.type = "button";
@@ -1193,7 +1316,7 @@
       return chip2;
     }
     colourChips() {
-      this.root.querySelectorAll(".ms-chip-colour").forEach((swatch, k) => {
+      allWithin(this.root, ".ms-chip-colour").forEach((swatch, k) => {
         const figure2 = this.stage.figures[k];
         if (figure2) swatch.style.background = css(figure2.colours[2]);
       });
@@ -1226,7 +1349,10 @@
       this.find('.ms-tool[data-action="warp"]').disabled = !stage2.figures.some((figure2) => figure2.warp);
       this.find(".ms-controls").inert = stage2.status !== "ready";
     }
-    /** For every frame: the scrub bar and the clock face. */
+    /**
+     * For every frame: the scrub bar and the clock face.
+     * @param {string} text
+     */
     tick(text) {
       const { clock: clock2 } = this.stage;
       const share2 = clock2.duration > 0 ? clock2.time / clock2.duration : 0;
@@ -1296,13 +1422,13 @@
     });
     return shelves;
   }
-  function inRows(shown7, wanted2, put7) {
+  function inRows(shown7, wanted2, put6) {
     const rows2 = Math.ceil(shown7.length / wanted2);
     const columns = Math.ceil(shown7.length / rows2);
     shown7.forEach((figure2, k) => {
       const row8 = Math.floor(k / columns);
       const inRow = row8 < rows2 - 1 ? columns : shown7.length - columns * (rows2 - 1);
-      put7(figure2, k, row8, rows2, k % columns - (inRow - 1) / 2);
+      put6(figure2, k, row8, rows2, k % columns - (inRow - 1) / 2);
     });
   }
   function groundCentre(figures, out) {
@@ -1355,18 +1481,24 @@
     }).filter((span) => span.end > span.start).sort((a, b) => a.start - b.start);
   }
   var SpanBands = class {
+    /** @param {HTMLElement} holder */
     constructor(holder) {
       this.holder = holder;
-      this.rows = holder.querySelector(".ms-band-rows");
-      this.cursor = holder.querySelector(".ms-band-cursor");
+      this.rows = within(holder, ".ms-band-rows");
+      this.cursor = within(holder, ".ms-band-cursor");
     }
-    /** One row a visible figure that has spans, along the Stage's time. */
+    /**
+     * One row a visible figure that has spans, along the Stage's time.
+     * @param {Figure[]} figures
+     * @param {number} duration
+     */
     show(figures, duration) {
       const shown7 = figures.filter((figure2) => figure2.visible && figure2.spans.length).slice(0, MOST_ROWS);
       this.holder.hidden = !shown7.length || !(duration > 0);
       this.rows.classList.toggle("ms-band-thin", shown7.length > 3);
       this.rows.replaceChildren(...this.holder.hidden ? [] : shown7.map((figure2) => row(figure2, duration)));
     }
+    /** @param {number} share */
     place(share2) {
       if (!this.holder.hidden) this.cursor.style.left = `${(100 * share2).toFixed(3)}%`;
     }
@@ -1398,15 +1530,25 @@
       points[3 * s] = figure2.spare[root];
       points[3 * s + 2] = figure2.spare[root + 2];
       const colour = figure2.spanAt(figure2.recordedFrame(time))?.colour ?? plain3;
-      if (runs.at(-1)?.colour === colour) runs.at(-1).to = s;
+      const last2 = runs.at(-1);
+      if (last2?.colour === colour) last2.to = s;
       else runs.push({ from: Math.max(s - 1, 0), to: s, colour });
     }
     return { points, runs, n };
   }
   var PathPainter = class {
     constructor() {
-      [this.x, this.y, this.scale, this.depth] = [0, 1, 2, 3].map(() => new Float32Array(MOST_POINTS));
+      this.x = new Float32Array(MOST_POINTS);
+      this.y = new Float32Array(MOST_POINTS);
+      this.scale = new Float32Array(MOST_POINTS);
+      this.depth = new Float32Array(MOST_POINTS);
     }
+    /**
+     * @param {CanvasRenderingContext2D} context
+     * @param {Camera} camera
+     * @param {Figure[]} figures
+     * @param {number} duration
+     */
     paint(context, camera, figures, duration) {
       context.lineCap = context.lineJoin = "round";
       for (const figure2 of figures) {
@@ -1444,10 +1586,15 @@
   };
   var SIDES = { left: 0, right: 1, centre: 2 };
   var TRUNK = /* @__PURE__ */ new Set(["pelvis", "spine", "chest", "neck", "head", "clavicle", ""]);
+  var NO_SHADES = { ball: () => document.createElement("canvas"), fill: [], edge: [], sheen: [], light: [] };
   var Figure = class {
+    /** @param {Item} item @param {Motion} motion @param {number} index */
     constructor(item, motion, index) {
       const { header, positions } = motion;
-      Object.assign(this, { item, header, positions, index });
+      this.item = item;
+      this.header = header;
+      this.positions = positions;
+      this.index = index;
       this.label = item.label || header.clip;
       this.frames = header.frames;
       this.fps = header.fps;
@@ -1464,39 +1611,60 @@
       this.place = [0, 0];
       this.level = 0;
       this.walksInPlace = false;
+      this.room = Infinity;
+      this.path = null;
+      this.name = this.label;
+      this.brief = this.label;
+      this.heading = 0;
+      this.colours = [];
+      this.shades = NO_SHADES;
       this.points = new Float32Array(3 * this.n);
       this.spare = new Float32Array(3 * this.n);
-      [this.x, this.y, this.scale, this.depth] = [0, 1, 2, 3].map(() => new Float32Array(this.n));
+      this.x = new Float32Array(this.n);
+      this.y = new Float32Array(this.n);
+      this.scale = new Float32Array(this.n);
+      this.depth = new Float32Array(this.n);
       this.size = header.height > 0 ? header.height / 1.75 : 1;
       this.sides = Uint8Array.from(header.sides, (side) => SIDES[side] ?? 2);
-      this.radii = Float32Array.from(header.roles, (role) => (RADII[role.split("_").pop()] ?? 0.02) * this.size);
+      this.radii = Float32Array.from(header.roles, (role) => (RADII[role.split("_").pop() ?? ""] ?? 0.02) * this.size);
       this.limbs = makeLimbs(header, this.sides);
       this.stand();
     }
     get duration() {
-      return this.warpFps ? (this.warp.length - 1) / this.warpFps : this.ownDuration;
+      return this.warp && this.warpFps ? (this.warp.length - 1) / this.warpFps : this.ownDuration;
     }
     get ownDuration() {
       return (this.frames - 1) / this.fps;
     }
-    /** Follow the medoid's frames at this rate; 0: run at the motion's own pace, or spread over `stretch` seconds. */
+    /**
+     * Follow the medoid's frames at this rate; 0: run at the motion's own pace, or spread over `stretch` seconds.
+     * @param {number} medoidFps
+     * @param {number} [stretch]
+     */
     follow(medoidFps, stretch = 0) {
       this.warpFps = medoidFps;
       this.stretch = stretch;
       this.offset = 0;
     }
-    /** Frame (a fraction, among the frames received) at a time in seconds of the stage. */
+    /**
+     * Frame (a fraction, among the frames received) at a time in seconds of the stage.
+     * @param {number} time
+     */
     frameAt(time) {
       return Math.min(Math.max(this.ledTo(time) + this.offset, 0), this.frames - 1);
     }
+    /** @param {number} time */
     ledTo(time) {
-      if (!this.warpFps) return this.stretch ? time / this.stretch * (this.frames - 1) : time * this.fps;
+      if (!this.warp || !this.warpFps) return this.stretch ? time / this.stretch * (this.frames - 1) : time * this.fps;
       const at3 = Math.min(time * this.warpFps, this.warp.length - 1);
       const k = Math.min(Math.floor(at3), this.warp.length - 2);
       const own2 = k < 0 ? this.warp[0] : this.warp[k] + (this.warp[k + 1] - this.warp[k]) * (at3 - k);
       return own2 / this.header.step;
     }
-    /** Time in seconds of the stage at which a frame of the recording is reached; the end where it never is. */
+    /**
+     * Time in seconds of the stage at which a frame of the recording is reached; the end where it never is.
+     * @param {number} recorded
+     */
     timeAt(recorded) {
       const frame = Math.min((recorded - this.header.start) / this.header.step, this.frames - 1);
       let [low, high] = [0, this.stretch || this.duration];
@@ -1507,15 +1675,25 @@
       }
       return high;
     }
-    /** The coloured span that holds a frame of the recording. */
+    /**
+     * The coloured span that holds a frame of the recording.
+     * @param {number} recorded
+     */
     spanAt(recorded) {
       return this.spans.find((span) => span.start <= recorded && recorded < span.end);
     }
-    /** Number of a frame in the recording itself. */
+    /**
+     * Number of a frame in the recording itself.
+     * @param {number} time
+     */
     recordedFrame(time) {
       return Math.round(this.header.start + this.frameAt(time) * this.header.step);
     }
-    /** Joints at a time, in the stage's frame, written into `out` (3 n) or the figure's own points. */
+    /**
+     * Joints at a time, in the stage's frame, written into `out` (3 n) or the figure's own points.
+     * @param {number} time
+     * @param {Float32Array} [out]
+     */
     pose(time, out = this.points) {
       const at3 = this.frameAt(time);
       const first = Math.floor(at3);
@@ -1536,7 +1714,10 @@
       }
       return out;
     }
-    /** Put a frame's root (the first's) at the origin, facing +Z, feet on the floor. */
+    /**
+     * Put a frame's root (the first's) at the origin, facing +Z, feet on the floor.
+     * @param {number} [frame]
+     */
     stand(frame = 0) {
       const first = Math.min(Math.max(Math.floor(frame), 0), this.frames - 1);
       const root = 3 * (first * this.n + this.header.root);
@@ -1546,17 +1727,23 @@
       this.heading = length > 1e-3 ? Math.atan2(-x, z) : 0;
       this.turn(0);
     }
-    /** Turn to the left of +Z by so many radians. */
+    /**
+     * Turn to the left of +Z by so many radians.
+     * @param {number} angle
+     */
     turn(angle) {
       this.yaw = [Math.cos(this.heading + angle), Math.sin(this.heading + angle)];
     }
-    /** Where the trunk faces over a fifth of a second from a frame on, on the ground. */
+    /**
+     * Where the trunk faces over a fifth of a second from a frame on, on the ground.
+     * @param {number} first
+     */
     facing(first) {
       const role = (name) => this.header.roles.indexOf(name);
-      const pairs2 = [["left_hip", "right_hip"], ["left_shoulder", "right_shoulder"]];
+      const pairs = [["left_hip", "right_hip"], ["left_shoulder", "right_shoulder"]];
       let [x, z] = [0, 0];
       const end = Math.min(this.frames, first + 1 + Math.round(this.fps / 5));
-      for (const [left, right] of pairs2.map((pair) => pair.map(role))) {
+      for (const [left, right] of pairs.map((pair) => pair.map(role))) {
         if (left < 0 || right < 0) continue;
         for (let f = first; f < end; f++) {
           const [l, r] = [3 * (f * this.n + left), 3 * (f * this.n + right)];
@@ -1566,7 +1753,12 @@
       }
       return [x, z];
     }
-    /** Space the motion takes between two times when it starts at the origin: [min x, max x, min z, max z, max y]. */
+    /**
+     * Space the motion takes between two times when it starts at the origin: [min x, max x, min z, max z, max y].
+     * @param {number} [from]
+     * @param {number} [to]
+     * @param {number} [samples]
+     */
     extent(from = 0, to = this.duration, samples = 32) {
       const box2 = [0, 0, 0, 0, 0];
       const points = this.spare;
@@ -1591,11 +1783,11 @@
   }
   function makeLimbs(header, sides) {
     const { parents, roles, head: head3, nose } = header;
-    const part2 = (j) => roles[j].split("_").pop();
+    const part2 = (j) => roles[j].split("_").pop() ?? "";
     const known3 = roles.some((role) => role === "left_knee");
     const limbs = [];
     const limbOf2 = new Array(parents.length).fill(-1);
-    const start3 = (side) => limbs.push({ side, bones: [] }) - 1;
+    const start3 = (side) => limbs.push({ side, bones: [], joints: [] }) - 1;
     parents.forEach((parent, j) => {
       if (parent < 0 || j === head3 || j === nose) return;
       const inTrunk = known3 && TRUNK.has(part2(j)) && TRUNK.has(part2(parent));
@@ -1618,6 +1810,7 @@
 
   // stage/motion.mjs
   var CACHE_BYTES = 96 * 1024 * 1024;
+  var COLUMNS = [["dataset", "dataset"], ["v", "version"], ["clip", "clip"], ["start", "start"], ["end", "end"]];
   var LONGEST_ADDRESS = 6e3;
   function segmentOf(request5, item) {
     const dataset2 = String(item.dataset ?? request5.dataset ?? "");
@@ -1628,8 +1821,8 @@
   function addresses(api, segments) {
     const query = new URLSearchParams();
     const column = (name, values) => new Set(values).size === 1 && name !== "clip" ? query.set(name, values[0]) : values.forEach((value) => query.append(name, value));
-    for (const [name, key] of [["dataset", "dataset"], ["v", "version"], ["clip", "clip"], ["start", "start"], ["end", "end"]]) {
-      column(name, segments.map((segment) => segment[key]));
+    for (const [name, key] of COLUMNS) {
+      column(name, segments.map((segment) => String(segment[key])));
     }
     const address2 = `${api}/motions?${query}`;
     if (address2.length <= LONGEST_ADDRESS || segments.length === 1) return [[address2, segments]];
@@ -1645,13 +1838,16 @@
     return { header, positions: new Float32Array(buffer, at3, header.frames * header.joints.length * 3), bytes: buffer.byteLength };
   }
   function decodeParts(buffer) {
-    const [{ parts: told }, begin2] = readHeader(buffer);
+    const [{ parts }, begin2] = readHeader(buffer);
     let at3 = begin2;
-    return told.map(({ error, bytes: bytes2 }) => {
-      if (error) return new Error(error);
-      at3 += bytes2;
-      return decode(buffer.slice(at3 - bytes2, at3));
-    });
+    return parts.map(
+      /** @param {{ error?: string, bytes: number }} part */
+      ({ error, bytes: bytes2 }) => {
+        if (error) return new Error(error);
+        at3 += bytes2;
+        return decode(buffer.slice(at3 - bytes2, at3));
+      }
+    );
   }
   async function ask(url) {
     let response;
@@ -1665,6 +1861,7 @@
     throw new Error(answer2.error || `The server answered with an error (${response.status}).`);
   }
   var MotionCache = class {
+    /** @param {number} [limit] */
     constructor(limit = CACHE_BYTES) {
       this.limit = limit;
       this.bytes = 0;
@@ -1674,6 +1871,9 @@
     /**
      * The motions of a request's items, in their order: each a motion or an Error in plain words. Never rejects. A data
      * set's name may come to stand for other content, so the server is asked again unless the segment is for good.
+     * @param {string} api
+     * @param {StageRequest} request
+     * @param {Item[]} items
      */
     load(api, request5, items) {
       const segments = items.map((item) => segmentOf(request5, item));
@@ -1684,8 +1884,13 @@
         wanted2.set(key, segment);
       }
       if (wanted2.size) this.fetch(addresses(api, [...wanted2.values()]));
-      return Promise.all(segments.map(({ key }) => this.coming.get(key) ?? this.keep(key, this.motions.get(key))));
+      return Promise.all(segments.map(({ key }) => this.coming.get(key) ?? this.keep(
+        key,
+        /** @type {Motion} */
+        this.motions.get(key)
+      )));
     }
+    /** @param {[string, Segment[]][]} batches */
     fetch(batches) {
       for (const [address2, segments] of batches) {
         const answer2 = ask(address2).catch((error) => segments.map(() => error));
@@ -1698,6 +1903,7 @@
         });
       }
     }
+    /** @param {string} key @param {Motion} motion */
     keep(key, motion) {
       this.bytes += motion.bytes - (this.motions.get(key)?.bytes ?? 0);
       this.motions.delete(key);
@@ -1714,12 +1920,18 @@
   // stage/requests.mjs
   var MOST_FIGURES = 48;
   var Requests = class {
+    /** @param {Stage} stage */
     constructor(stage2) {
       this.stage = stage2;
       this.cache = new MotionCache();
+      this.next = null;
+      this.replacing = null;
       this.turn = 0;
     }
-    /** Fetch what a request needs, so that showing it later costs nothing. */
+    /**
+     * Fetch what a request needs, so that showing it later costs nothing.
+     * @param {StageRequest} request
+     */
     prefetch(request5) {
       const items = (request5?.items ?? []).slice(0, MOST_FIGURES);
       return this.cache.load(this.api, request5, items);
@@ -1727,7 +1939,10 @@
     get api() {
       return this.stage.root.dataset.api || "/api";
     }
-    /** Show a request from its start. */
+    /**
+     * Show a request from its start.
+     * @param {StageRequest | null} request
+     */
     async show(request5) {
       const { stage: stage2 } = this;
       const turn5 = ++this.turn;
@@ -1751,6 +1966,7 @@
     /**
      * Put other motions in place of those that are shown; time (as a share), camera, layout and what plays stay. While
      * one is being loaded only the newest waits, so that a slider may call this for every step.
+     * @param {StageRequest} request
      */
     replace(request5) {
       const { stage: stage2 } = this;
@@ -1770,6 +1986,7 @@
         this.notice(request5, Math.min(request5.items.length, MOST_FIGURES), failed2);
       }
     }
+    /** @param {StageRequest} request */
     async figures(request5) {
       const items = request5.items.slice(0, MOST_FIGURES);
       const motions = await this.cache.load(this.api, request5, items);
@@ -1782,14 +1999,19 @@
         failed: motions.filter((motion) => motion instanceof Error)
       };
     }
-    /** Tell what is missing, without hiding what is there. */
+    /**
+     * Tell what is missing, without hiding what is there.
+     * @param {StageRequest} request
+     * @param {number} n
+     * @param {Error[]} failed
+     */
     notice(request5, n, failed2) {
       const missing = failed2.length ? `${failed2.length} of ${n} motions could not be loaded: ${failed2[0].message}` : "";
       const cut = request5.items.length > n ? `Showing ${n} of ${request5.items.length} motions.` : "";
-      const note = this.stage.root.querySelector(".ms-stage-note");
-      note.querySelector("span").textContent = [missing, cut].filter(Boolean).join(" ");
+      const note = within(this.stage.root, ".ms-stage-note");
+      within(note, "span").textContent = [missing, cut].filter(Boolean).join(" ");
       note.hidden = !missing && !cut;
-      note.querySelector("button").hidden = !missing;
+      within(note, "button").hidden = !missing;
     }
   };
 
@@ -1833,8 +2055,16 @@
     constructor() {
       this.items = [];
       this.owners = [];
+      this.girth = 1;
+      this.headSize = 1;
+      this.detailed = true;
+      this.outlined = true;
     }
-    /** Call when the set of visible figures changes. Many bodies in one place are drawn slender, or none is seen. */
+    /**
+     * Call when the set of visible figures changes. Many bodies in one place are drawn slender, or none is seen.
+     * @param {Figure[]} figures
+     * @param {boolean} overlaid
+     */
     collect(figures, overlaid) {
       this.items = [];
       this.owners = figures.filter((figure2) => figure2.visible);
@@ -1859,6 +2089,7 @@
         items[j + 1] = item;
       }
     }
+    /** @param {CanvasRenderingContext2D} context @param {Camera} camera @param {number} reach */
     paint(context, camera, reach) {
       this.sort();
       const levels = FOG_LEVELS;
@@ -1871,6 +2102,7 @@
         else this.paintLimb(context, figure2, figure2.limbs[limb], level);
       }
     }
+    /** @param {CanvasRenderingContext2D} context @param {Figure} figure @param {Limb} limb @param {number} level */
     paintLimb(context, figure2, limb, level) {
       const { shades: shades2 } = figure2;
       if (this.outlined) {
@@ -1890,18 +2122,29 @@
       context.fillStyle = shades2.light[limb.side][level];
       this.highlights(context, figure2, limb.bones);
     }
-    /** Each bone as a capsule; `line`: pixels of outline around it. */
+    /**
+     * Each bone as a capsule; `line`: pixels of outline around it.
+     * @param {CanvasRenderingContext2D} context
+     * @param {Figure} figure
+     * @param {number[]} bones
+     * @param {number} line
+     */
     bones(context, figure2, bones, line2) {
       const { x, y, scale: scale3, radii } = figure2;
       for (let k = 0; k < bones.length; k += 2) {
         const a = bones[k];
         const b = bones[k + 1];
-        const around = line2 && line2 + 3e-3 * scale3[a];
-        const ra = radii[a] * this.girth * scale3[a] + around;
-        capsule(context, x[a], y[a], ra, x[b], y[b], radii[b] * this.girth * scale3[b] + around);
+        const around2 = line2 && line2 + 3e-3 * scale3[a];
+        const ra = radii[a] * this.girth * scale3[a] + around2;
+        capsule(context, x[a], y[a], ra, x[b], y[b], radii[b] * this.girth * scale3[b] + around2);
       }
     }
-    /** The chest and belly between two flanks, shoulder to hip. */
+    /**
+     * The chest and belly between two flanks, shoulder to hip.
+     * @param {CanvasRenderingContext2D} context
+     * @param {Figure} figure
+     * @param {number[]} flanks
+     */
     plate(context, figure2, flanks) {
       const { x, y } = figure2;
       this.bones(context, figure2, flanks, 0);
@@ -1912,7 +2155,12 @@
       context.lineTo(x[flanks[2]], y[flanks[2]]);
       context.fill();
     }
-    /** A band down the side of the trunk that faces the light, which comes from the upper left. */
+    /**
+     * A band down the side of the trunk that faces the light, which comes from the upper left.
+     * @param {CanvasRenderingContext2D} context
+     * @param {Figure} figure
+     * @param {number[]} flanks
+     */
     sheen(context, { x, y }, flanks) {
       const across = x[flanks[0]] < x[flanks[2]] ? 0.08 : 0.5;
       const at3 = (k, share2) => context.lineTo(
@@ -1926,6 +2174,7 @@
       at3(1, across);
       context.fill();
     }
+    /** @param {CanvasRenderingContext2D} context @param {Figure} figure @param {number[]} bones */
     highlights(context, figure2, bones) {
       const { x, y, scale: scale3, radii } = figure2;
       for (let k = 0; k < bones.length; k += 2) {
@@ -1936,6 +2185,7 @@
         capsule(context, x[a] - 0.32 * ra, y[a] - 0.32 * ra, 0.34 * ra, x[b] - 0.32 * rb, y[b] - 0.32 * rb, 0.34 * rb);
       }
     }
+    /** @param {CanvasRenderingContext2D} context @param {Figure} figure @param {number} level */
     paintHead(context, figure2, level) {
       const { header, shades: shades2 } = figure2;
       const [x, y] = [figure2.x[header.head], figure2.y[header.head]];
@@ -1952,7 +2202,12 @@
       context.fillStyle = shades2.fill[2][level];
       disc(context, x, y, r);
     }
-    /** A small cone from the face to the tip. */
+    /**
+     * A small cone from the face to the tip.
+     * @param {CanvasRenderingContext2D} context
+     * @param {Figure} figure
+     * @param {number} level
+     */
     paintNose(context, figure2, level) {
       const { header, shades: shades2, x, y, scale: scale3 } = figure2;
       const { head: h, nose: t } = header;
@@ -1992,10 +2247,17 @@
       this.shelves = [];
       this.corners = new Float32Array(3 * 74);
       this.world = new Float32Array(6);
-      [this.x, this.y, this.scale, this.depth] = [0, 1, 2, 3].map(() => new Float32Array(74));
-      [this.sx, this.sy, this.ss, this.sd] = [0, 1, 2, 3].map(() => new Float32Array(256));
+      this.x = new Float32Array(74);
+      this.y = new Float32Array(74);
+      this.scale = new Float32Array(74);
+      this.depth = new Float32Array(74);
+      this.sx = new Float32Array(256);
+      this.sy = new Float32Array(256);
+      this.ss = new Float32Array(256);
+      this.sd = new Float32Array(256);
       this.flat = new Float32Array(3 * 256);
     }
+    /** @param {CanvasRenderingContext2D} context @param {Camera} camera @param {Theme} theme */
     paint(context, camera, theme) {
       if (this.shelves.length) {
         for (const shelf of this.shelves) this.paintShelf(context, camera, theme, shelf);
@@ -2008,7 +2270,14 @@
       context.lineWidth = 1.25;
       context.stroke();
     }
-    /** Outline of the platform as a path, cut off where it would lie behind the camera. */
+    /**
+     * Outline of the platform as a path, cut off where it would lie behind the camera.
+     * @param {CanvasRenderingContext2D} context
+     * @param {Camera} camera
+     * @param {number} cx
+     * @param {number} cz
+     * @param {number} radius
+     */
     platform(context, camera, cx, cz, radius) {
       let n = 0;
       const points = this.corners;
@@ -2038,7 +2307,13 @@
       context.closePath();
       return true;
     }
-    /** A board across the view under a row of stills. */
+    /**
+     * A board across the view under a row of stills.
+     * @param {CanvasRenderingContext2D} context
+     * @param {Camera} camera
+     * @param {Theme} theme
+     * @param {Shelf} shelf
+     */
     paintShelf(context, camera, theme, { level, half }) {
       [[-half, SHELF_DEPTH], [half, SHELF_DEPTH], [half, -SHELF_DEPTH], [-half, -SHELF_DEPTH]].forEach(([x, z], k) => {
         this.corners.set([x, level, z], 3 * k);
@@ -2054,6 +2329,7 @@
       context.lineWidth = 1.25;
       context.stroke();
     }
+    /** @param {CanvasRenderingContext2D} context @param {Camera} camera @param {Theme} theme */
     paintGrid(context, camera, theme) {
       if (this.shelves.length) return;
       const [cx, cz] = [camera.target[0], camera.target[2]];
@@ -2071,6 +2347,14 @@
       }
       context.stroke();
     }
+    /**
+     * @param {CanvasRenderingContext2D} context
+     * @param {Camera} camera
+     * @param {number} x1
+     * @param {number} z1
+     * @param {number} x2
+     * @param {number} z2
+     */
     line(context, camera, x1, z1, x2, z2) {
       const w = this.world;
       let [a, b] = [0, 1];
@@ -2087,7 +2371,13 @@
       context.moveTo(this.x[0], this.y[0]);
       context.lineTo(this.x[1], this.y[1]);
     }
-    /** The figure laid flat along the light; then once more, darker, where it comes close to the floor. */
+    /**
+     * The figure laid flat along the light; then once more, darker, where it comes close to the floor.
+     * @param {CanvasRenderingContext2D} context
+     * @param {Camera} camera
+     * @param {Figure} figure
+     * @param {Theme} theme
+     */
     paintShadow(context, camera, figure2, theme) {
       const n = Math.min(figure2.n, 256);
       const { points } = figure2;
@@ -2108,6 +2398,13 @@
       context.fillStyle = theme.contactCss;
       for (const limb of figure2.limbs) this.shadowLimb(context, camera, figure2, limb.bones, figure2.level + 0.16 * figure2.size);
     }
+    /**
+     * @param {CanvasRenderingContext2D} context
+     * @param {Camera} camera
+     * @param {Figure} figure
+     * @param {number[]} bones
+     * @param {number} below
+     */
     shadowLimb(context, camera, figure2, bones, below) {
       const squash = 0.45 + 0.5 * Math.sin(camera.pitch);
       for (let k = 0; k < bones.length; k += 2) {
@@ -2126,14 +2423,17 @@
   var [LEAST_LETTERS, MOST_LETTERS] = [11, 26];
   var LABELS_OVERLAID = 3;
   var Scene = class {
-    constructor(canvas) {
+    /** @param {HTMLCanvasElement} canvas @param {Theme} theme */
+    constructor(canvas, theme) {
       this.canvas = canvas;
-      this.context = canvas.getContext("2d", { alpha: false });
+      this.context = context2d(canvas, { alpha: false });
       this.ground = new Ground();
       this.bodies = new BodyPainter();
       this.sky = document.createElement("canvas");
       this.labels = /* @__PURE__ */ new Map();
       this.width = this.height = 0;
+      this.ratio = 0;
+      this.theme = theme;
     }
     /** Match the canvas to its box and the screen's pixels; true when anything changed. */
     resize() {
@@ -2148,6 +2448,7 @@
       this.paintSky();
       return true;
     }
+    /** @param {Theme} theme */
     setTheme(theme) {
       this.theme = theme;
       for (const name of ["floor", "rim", "grid", "shadow", "contact", "text"]) theme[`${name}Css`] = css(theme[name]);
@@ -2158,13 +2459,20 @@
       if (!this.theme || !this.width) return;
       this.sky.width = this.width;
       this.sky.height = this.height;
-      const context = this.sky.getContext("2d");
+      const context = context2d(this.sky);
       const gradient = context.createLinearGradient(0, 0, 0, this.height);
       gradient.addColorStop(0, css(this.theme.sky));
       gradient.addColorStop(1, css(this.theme.haze));
       context.fillStyle = gradient;
       context.fillRect(0, 0, this.width, this.height);
     }
+    /**
+     * @param {Camera} camera
+     * @param {Figure[]} figures
+     * @param {Traces} traces
+     * @param {Clock} clock
+     * @param {boolean} overlaid
+     */
     paint(camera, figures, traces, clock2, overlaid) {
       const { context, theme } = this;
       camera.prepare(this.width, this.height);
@@ -2180,20 +2488,27 @@
       this.bodies.paint(context, camera, Math.min(this.ground.radius, 0.8 * camera.distance));
       if (figures.length > 1) this.paintLabels(figures, overlaid);
     }
-    /** The visible figure at a place of the picture, in its pixels; undefined where there is none near. */
+    /**
+     * The visible figure at a place of the picture, in its pixels; undefined where there is none near.
+     * @param {Figure[]} figures
+     * @param {number} x
+     * @param {number} y
+     */
     figureAt(figures, x, y) {
-      let [found, least] = [void 0, Infinity];
+      let hit;
+      let least = Infinity;
       for (const figure2 of figures) {
         if (!figure2.visible) continue;
         for (let j = 0; j < figure2.n; j++) {
           if (figure2.depth[j] < NEAR) continue;
-          const away2 = Math.hypot(figure2.x[j] - x, figure2.y[j] - y);
-          const near = away2 + 0.02 * figure2.depth[j];
-          if (away2 < Math.max(14 * this.ratio, 0.16 * figure2.scale[j]) && near < least) [found, least] = [figure2, near];
+          const away = Math.hypot(figure2.x[j] - x, figure2.y[j] - y);
+          const near = away + 0.02 * figure2.depth[j];
+          if (away < Math.max(14 * this.ratio, 0.16 * figure2.scale[j]) && near < least) [hit, least] = [figure2, near];
         }
       }
-      return found;
+      return hit;
     }
+    /** @param {Figure[]} figures @param {boolean} overlaid */
     paintLabels(figures, overlaid) {
       const shown7 = figures.filter((figure2) => figure2.visible);
       if (overlaid && shown7.length > LABELS_OVERLAID) return;
@@ -2215,7 +2530,11 @@
         this.context.drawImage(sprite, x, y);
       }
     }
-    /** A label drawn once: text on a soft plate with the figure's colour, no wider than `room` pixels; or none. */
+    /**
+     * A label drawn once: text on a soft plate with the figure's colour, no wider than `room` pixels; or none.
+     * @param {Figure} figure
+     * @param {number} room
+     */
     label(figure2, room) {
       const size = 11.5 * this.ratio;
       const letters2 = Math.min(Math.floor((0.96 * room - 2.1 * size) / (0.56 * size)), MOST_LETTERS);
@@ -2225,12 +2544,12 @@
       const key = `${text}|${figure2.shades.fill[2][0]}`;
       if (this.labels.has(key)) return this.labels.get(key);
       const sprite = document.createElement("canvas");
-      let context = sprite.getContext("2d");
+      let context = context2d(sprite);
       const font = `500 ${size}px ${this.theme.font}`;
       context.font = font;
       sprite.width = Math.ceil(context.measureText(text).width + 2.1 * size);
       sprite.height = Math.ceil(1.7 * size);
-      context = sprite.getContext("2d");
+      context = context2d(sprite);
       context.globalAlpha = 0.82;
       context.fillStyle = css(this.theme.sky);
       context.beginPath();
@@ -2260,9 +2579,15 @@
       this.suited = false;
       this.paths = new PathPainter();
       this.points = new Float32Array(3 * 256);
-      [this.x, this.y, this.scale, this.depth] = [0, 1, 2, 3].map(() => new Float32Array(256));
+      this.x = new Float32Array(256);
+      this.y = new Float32Array(256);
+      this.scale = new Float32Array(256);
+      this.depth = new Float32Array(256);
     }
-    /** Motions with coloured spans show them on the floor; without them trails are as the person left them. */
+    /**
+     * Motions with coloured spans show them on the floor; without them trails are as the person left them.
+     * @param {Figure[]} figures
+     */
     suit(figures) {
       const coloured = figures.some((figure2) => figure2.spans.length);
       if (coloured && this.trails === "off") [this.trails, this.suited] = ["root", true];
@@ -2272,6 +2597,7 @@
       this.suited = false;
       this.trails = TRAILS[(TRAILS.indexOf(this.trails) + 1) % TRAILS.length];
     }
+    /** @param {CanvasRenderingContext2D} context @param {Camera} camera @param {Figure[]} figures @param {Clock} clock */
     paint(context, camera, figures, clock2) {
       const shown7 = figures.filter((figure2) => figure2.visible);
       context.lineJoin = "round";
@@ -2291,6 +2617,7 @@
       }
       context.globalAlpha = 1;
     }
+    /** @param {CanvasRenderingContext2D} context @param {Camera} camera @param {Figure} figure @param {number} time */
     paintGhost(context, camera, figure2, time) {
       if (figure2.n > 256) return;
       figure2.pose(time, this.points);
@@ -2315,7 +2642,13 @@
       context.fillStyle = figure2.shades.fill[2][0];
       disc(context, this.x[head3], this.y[head3], radius * this.scale[head3]);
     }
-    /** A ribbon of the last seconds for the root, or for hands and feet. */
+    /**
+     * A ribbon of the last seconds for the root, or for hands and feet.
+     * @param {CanvasRenderingContext2D} context
+     * @param {Camera} camera
+     * @param {Figure} figure
+     * @param {Clock} clock
+     */
     paintTrails(context, camera, figure2, clock2) {
       const { header } = figure2;
       if (this.trails === "root" && figure2.spans.length) return;
@@ -2383,7 +2716,11 @@
     stage2.prepare();
     const seen3 = state3.camera || {};
     camera.moved = Number.isFinite(seen3.distance) || camera.moved;
-    for (const name of ["yaw", "pitch", "distance"]) camera[name] = number(seen3[name], camera[name]);
+    for (
+      const name of
+      /** @type {const} */
+      ["yaw", "pitch", "distance"]
+    ) camera[name] = number(seen3[name], camera[name]);
     if (seen3.pan?.length === 3 && seen3.pan.every(Number.isFinite)) camera.pan = [...seen3.pan];
     if (seen3.centre?.length === 2 && seen3.centre.every(Number.isFinite)) camera.centre = [...seen3.centre];
     camera.follow = Boolean(seen3.follow ?? camera.follow);
@@ -2405,10 +2742,10 @@
     };
   }
   function timeOf(figures, { clip, frame, dataset: dataset2, index }) {
-    const away2 = ({ header }) => Math.max(header.start - frame, frame - (header.end - 1), 0);
+    const away = ({ header }) => Math.max(header.start - frame, frame - (header.end - 1), 0);
     const fitting = figures.filter((figure2) => figure2.header.clip === clip && (dataset2 === void 0 || figure2.item.dataset === dataset2) && (index === void 0 || figure2.index === index));
     if (!fitting.length || !Number.isFinite(frame)) return null;
-    const rank = (figure2) => away2(figure2) + (figure2.visible ? 0 : 0.5);
+    const rank = (figure2) => away(figure2) + (figure2.visible ? 0 : 0.5);
     return fitting.reduce((best, figure2) => rank(figure2) < rank(best) ? figure2 : best).timeAt(frame);
   }
   var calm = () => window.matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -2426,6 +2763,7 @@
       this.direction = 1;
       this.jumped = false;
     }
+    /** @param {number} time */
     seek(time) {
       this.time = Math.min(Math.max(time, 0), this.duration);
       this.jumped = true;
@@ -2435,6 +2773,7 @@
       this.direction = 1;
       this.playing = this.duration > 0;
     }
+    /** @param {number} by */
     changeSpeed(by) {
       const nearest2 = SPEEDS.reduce((best, s, k) => Math.abs(s - this.speed) < Math.abs(SPEEDS[best] - this.speed) ? k : best, 0);
       this.speed = SPEEDS[Math.min(Math.max(nearest2 + by, 0), SPEEDS.length - 1)];
@@ -2443,6 +2782,7 @@
       this.loop = LOOPS[(LOOPS.indexOf(this.loop) + 1) % LOOPS.length];
       this.direction = 1;
     }
+    /** @param {number} seconds */
     advance(seconds) {
       if (!this.playing) return;
       let time = this.time + seconds * this.speed * this.direction;
@@ -2485,9 +2825,10 @@
   }
   function spreadOver(figure2, duration) {
     figure2.follow(figure2.warpFps, duration);
-    if (!Number.isFinite(figure2.item.frame)) return;
+    const middle = figure2.item.frame;
+    if (middle === void 0 || !Number.isFinite(middle)) return;
     const { start: start3, step: step3 } = figure2.header;
-    figure2.offset = (figure2.item.frame - start3) / step3 - figure2.frameAt(duration / 2);
+    figure2.offset = (middle - start3) / step3 - figure2.frameAt(duration / 2);
   }
   function longest(figures) {
     return figures.reduce((best, f, k) => f.ownDuration > figures[best].ownDuration ? k : best, 0);
@@ -2498,13 +2839,23 @@
   var LEVELS = 16;
   var RANGE = Math.log(2.5);
   var WarpStrip = class {
+    /** @param {HTMLElement} holder */
     constructor(holder) {
       this.holder = holder;
-      this.canvas = holder.querySelector("canvas");
-      this.cursor = holder.querySelector(".ms-warp-cursor");
+      this.canvas = /** @type {HTMLCanvasElement} */
+      /** @type {Element} */
+      within(holder, "canvas");
+      this.cursor = within(holder, ".ms-warp-cursor");
       this.speeds = [];
+      this.figures = [];
+      this.rowHeight = 3;
+      this.stale = false;
     }
-    /** Smoothed speed of each motion relative to the medoid's, one value a medoid frame; none hides the strip. */
+    /**
+     * Smoothed speed of each motion relative to the medoid's, one value a medoid frame; none hides the strip.
+     * @param {Figure[]} figures
+     * @param {Timeline} timeline
+     */
     show(figures, timeline) {
       this.speeds = timeline.warped ? figures.filter((f) => f.warp && f.visible).map((f) => localSpeed(f, figures[timeline.reference])) : [];
       this.holder.hidden = this.speeds.length < 2;
@@ -2517,6 +2868,7 @@
     paint() {
       this.stale = true;
     }
+    /** @param {Theme} theme */
     refresh(theme) {
       if (!this.stale || this.holder.hidden) return;
       this.stale = false;
@@ -2526,7 +2878,7 @@
       const width = Math.max(1, Math.round(this.canvas.clientWidth * ratio));
       this.canvas.width = width;
       this.canvas.height = Math.round(rows2 * (height + 1) * ratio);
-      const context = this.canvas.getContext("2d");
+      const context = context2d(this.canvas);
       const colours = levelColours(theme);
       this.speeds.forEach((speed, row8) => {
         const y = Math.round(row8 * (height + 1) * ratio);
@@ -2538,10 +2890,14 @@
         context.fillRect(0, y, Math.round(4 * ratio), Math.round(height * ratio));
       });
     }
+    /** @param {number} share */
     place(share2) {
       if (!this.holder.hidden) this.cursor.style.left = `${(100 * share2).toFixed(3)}%`;
     }
-    /** What the row and column under the pointer mean, in words. */
+    /**
+     * What the row and column under the pointer mean, in words.
+     * @param {PointerEvent} event
+     */
     describe(event) {
       const box2 = this.canvas.getBoundingClientRect();
       const row8 = Math.floor((event.clientY - box2.top) / box2.height * this.speeds.length);
@@ -2564,13 +2920,14 @@
     for (let c = 0; c < columns; c++) {
       const share2 = Math.log(Math.max(speed[Math.floor((c + 0.5) * speed.length / columns)], 0.05)) / RANGE;
       const level = Math.round(LEVELS * Math.min(Math.max(share2, -1), 1));
-      if (runs.at(-1)?.level === level) runs.at(-1).to = (c + 1) / columns;
+      const last2 = runs.at(-1);
+      if (last2?.level === level) last2.to = (c + 1) / columns;
       else runs.push({ from: c / columns, to: (c + 1) / columns, level });
     }
     return runs;
   }
   function localSpeed(figure2, medoid) {
-    const { warp } = figure2;
+    const warp = figure2.warp ?? new Float32Array(2);
     const reach = Math.max(1, Math.round(0.1 * medoid.ownFps));
     return Float32Array.from(warp, (_, k) => {
       const [a, b] = [Math.max(k - reach, 0), Math.min(k + reach, warp.length - 1)];
@@ -2582,16 +2939,23 @@
   var STATE_EVERY = 400;
   var LAYOUT_WORDS = { overlay: "Laid over one another", side: "Side by side", pose: "Stills in rows" };
   var Stage = class {
+    /** @param {HTMLElement} root */
     constructor(root) {
       this.root = root;
       this.clock = new Clock();
       this.camera = new Camera();
       this.traces = new Traces();
-      this.scene = new Scene(root.querySelector("#stage-canvas"));
-      this.warpStrip = new WarpStrip(root.querySelector(".ms-warp"));
-      this.bands = new SpanBands(root.querySelector(".ms-bands"));
+      this.scene = new Scene(
+        /** @type {HTMLCanvasElement} */
+        /** @type {Element} */
+        within(root, "#stage-canvas"),
+        readTheme(root)
+      );
+      this.warpStrip = new WarpStrip(within(root, ".ms-warp"));
+      this.bands = new SpanBands(within(root, ".ms-bands"));
       this.requests = new Requests(this);
       this.figures = [];
+      this.request = void 0;
       this.timeline = { reference: 0, warped: false, fps: 30, duration: 0 };
       this.layout = "overlay";
       this.sync = "warp";
@@ -2599,6 +2963,15 @@
       this.followed = [0, 0];
       this.chosen = -1;
       this.fps = 0;
+      this.closed = false;
+      this.dirty = true;
+      this.telling = 0;
+      this.quiet = 0;
+      this.waiting = void 0;
+      this.before = void 0;
+      this.lastFrame = void 0;
+      this.sizes = new ResizeObserver(() => this.resized());
+      this.looks = new MutationObserver(() => this.readLooks());
       this.controls = new Controls(this, root);
       this.watchLooks();
       this.setStatus("empty");
@@ -2607,16 +2980,15 @@
     }
     /** Follow changes of size, theme and screen. */
     watchLooks() {
-      const looks = () => {
-        this.scene.setTheme(readTheme(this.root));
-        this.colour();
-      };
-      looks();
-      this.observers = [new ResizeObserver(() => this.resized()), new MutationObserver(looks)];
-      this.observers[0].observe(this.scene.canvas);
+      this.readLooks();
+      this.sizes.observe(this.scene.canvas);
       for (const node of [document.documentElement, document.body]) {
-        this.observers[1].observe(node, { attributes: true, attributeFilter: ["data-mantine-color-scheme", "class", "style"] });
+        this.looks.observe(node, { attributes: true, attributeFilter: ["data-mantine-color-scheme", "class", "style"] });
       }
+    }
+    readLooks() {
+      this.scene.setTheme(readTheme(this.root));
+      this.colour();
     }
     resized() {
       if (this.scene.resize()) this.fit();
@@ -2625,11 +2997,16 @@
     }
     close() {
       this.closed = true;
-      this.observers.forEach((observer) => observer.disconnect());
+      this.sizes.disconnect();
+      this.looks.disconnect();
     }
-    /** Show figures from their start, as a request wants it. */
+    /**
+     * Show figures from their start, as a request wants it.
+     * @param {Figure[]} figures
+     * @param {StageRequest} request
+     */
     begin(figures, request5) {
-      this.layout = LAYOUTS.includes(request5.layout) ? request5.layout : "overlay";
+      this.layout = request5.layout && LAYOUTS.includes(request5.layout) ? request5.layout : "overlay";
       this.sync = request5.sync === "start" ? "start" : "warp";
       this.clock.time = 0;
       this.camera.reset(homeView(figures, this.layout));
@@ -2642,7 +3019,10 @@
       if (this.waiting) this.restore(this.waiting);
       this.touch(true);
     }
-    /** Put other figures in place of those that are shown; what a person has set, and the share of time, stay. */
+    /**
+     * Put other figures in place of those that are shown; what a person has set, and the share of time, stay.
+     * @param {Figure[]} figures
+     */
     exchange(figures) {
       if (figures.length === this.figures.length) figures.forEach((figure2, k) => figure2.visible = this.figures[k].visible);
       this.keepingShare(() => this.setFigures(figures, true));
@@ -2654,19 +3034,26 @@
       this.clock.playing = false;
       this.clock.seek(this.clock.duration / 2);
     }
+    /** @param {Figure[]} figures @param {boolean} [keepView] */
     setFigures(figures, keepView = false) {
       this.figures = figures;
       nameFigures(figures);
       this.prepare(keepView);
     }
-    /** Do what changes the length of time; the clock goes on at the same share of it. */
+    /**
+     * Do what changes the length of time; the clock goes on at the same share of it.
+     * @param {() => void} change
+     */
     keepingShare(change) {
       const { clock: clock2 } = this;
       const share2 = clock2.duration ? clock2.time / clock2.duration : 0;
       change();
       clock2.seek(share2 * clock2.duration);
     }
-    /** Everything that depends on which figures there are, how they are laid out and kept in step. */
+    /**
+     * Everything that depends on which figures there are, how they are laid out and kept in step.
+     * @param {boolean} [keepView]
+     */
     prepare(keepView = false) {
       this.timeline = makeTimeline(this.figures, this.sync, this.layout);
       this.clock.duration = this.timeline.duration;
@@ -2682,6 +3069,7 @@
       this.warpStrip.paint();
       this.bands.show(this.figures, this.timeline.duration);
     }
+    /** @param {boolean} [keepView] */
     place(keepView = false) {
       this.scene.resize();
       const aspect = this.scene.width / Math.max(this.scene.height, 1);
@@ -2708,23 +3096,30 @@
       this.warpStrip.paint();
       this.draw();
     }
+    /** @param {number} k */
     highlight(k) {
       this.chosen = k;
       this.colour();
     }
-    /** Say which figure is under the pointer. */
+    /**
+     * Say which figure is under the pointer.
+     * @param {number} x
+     * @param {number} y
+     */
     pointAt(x, y) {
       const { canvas, ratio } = this.scene;
       const figure2 = this.figures.length > 1 ? this.scene.figureAt(this.figures, x * ratio, y * ratio) : void 0;
       const title = figure2 ? `${figure2.label}, frame ${figure2.recordedFrame(this.clock.time)}` : "";
       if (canvas.title !== title) canvas.title = title;
     }
+    /** @param {number} k @param {boolean} visible */
     setVisible(k, visible2) {
       this.figures[k].visible = visible2;
       this.place();
       this.showStrips();
       this.touch(true);
     }
+    /** @param {string} layout */
     setLayout(layout) {
       if (this.figures.length < 2) return;
       this.layout = layout;
@@ -2733,6 +3128,7 @@
       if (layout === "pose") this.standStill();
       this.say(LAYOUT_WORDS[layout]);
     }
+    /** @param {string} sync */
     setSync(sync) {
       if (!this.figures.some((figure2) => figure2.warp)) return;
       this.sync = sync;
@@ -2747,14 +3143,18 @@
       this.clock.playing = false;
       this.touch(true);
     }
-    /** To a time in seconds, or to a frame of a clip: {clip, frame, dataset?, index?}. False where that is not shown. */
+    /**
+     * To a time in seconds, or to a frame of a clip: {clip, frame, dataset?, index?}. False where that is not shown.
+     * @param {number | Moment | null} to
+     */
     seek(to) {
       const time = typeof to === "number" ? to : to ? timeOf(this.figures, to) : null;
-      if (!Number.isFinite(time)) return false;
+      if (time === null || !Number.isFinite(time)) return false;
       this.clock.seek(time);
       this.touch();
       return true;
     }
+    /** @param {number} frames */
     step(frames) {
       this.clock.playing = false;
       const { fps } = this.timeline;
@@ -2766,7 +3166,10 @@
       this.place();
       this.say("View reset");
     }
-    /** Something changed: draw, bring the buttons in line (`byHand`: the person did it), tell the app. */
+    /**
+     * Something changed: draw, bring the buttons in line (`byHand`: the person did it), tell the app.
+     * @param {boolean} [byHand]
+     */
     touch(byHand) {
       if (byHand) this.controls.update();
       this.draw();
@@ -2777,7 +3180,7 @@
     }
     tell() {
       if (this.telling || this.status !== "ready") return;
-      this.telling = setTimeout(() => {
+      this.telling = window.setTimeout(() => {
         this.telling = 0;
         window.dispatchEvent(new CustomEvent("stage-state", { detail: { ...this.state(), items: this.standing() } }));
       }, STATE_EVERY);
@@ -2788,28 +3191,30 @@
     }
     /** For what follows every frame: a cursor in a chart, a lit node. */
     tellFrame() {
-      const { time, duration, playing: playing2 } = this.clock;
-      if (this.status !== "ready" || time === this.told?.time && this.figures === this.told.figures) return;
-      this.told = { time, figures: this.figures };
-      window.dispatchEvent(new CustomEvent("stage-frame", { detail: { time, duration, playing: playing2, items: this.standing() } }));
-      if (playing2) this.tell();
+      const { time, duration, playing: playing3 } = this.clock;
+      if (this.status !== "ready" || time === this.lastFrame?.time && this.figures === this.lastFrame.figures) return;
+      this.lastFrame = { time, figures: this.figures };
+      window.dispatchEvent(new CustomEvent("stage-frame", { detail: { time, duration, playing: playing3, items: this.standing() } }));
+      if (playing3) this.tell();
     }
+    /** @param {number} now */
     tick(now6) {
       if (this.closed) return;
       requestAnimationFrame(this.frame);
       const seconds = Math.min(Math.max((now6 - (this.before ?? now6)) / 1e3, 0), 0.25);
       this.before = now6;
       if (this.status !== "ready" && !this.dirty) return;
-      const playing2 = this.clock.playing;
-      if (playing2) {
+      const playing3 = this.clock.playing;
+      if (playing3) {
         this.clock.advance(seconds);
         this.fps += ((seconds > 0 ? 1 / seconds : 60) - this.fps) * 0.05;
         if (!this.clock.playing) this.touch(true);
       }
-      if (!playing2 && !this.dirty) return;
+      if (!playing3 && !this.dirty) return;
       this.dirty = false;
       this.paint(seconds);
     }
+    /** @param {number} seconds */
     paint(seconds) {
       for (const figure2 of this.figures) if (figure2.visible) figure2.pose(this.clock.time);
       if (this.figures.length) {
@@ -2831,27 +3236,32 @@
       const moment = this.layout === "pose" ? `${Math.round(100 * time / (duration || 1))} % of each` : `${time.toFixed(2)} / ${duration.toFixed(2)} s`;
       return `${moment} · frame ${frame}${span ? ` · ${span}` : ""}`;
     }
+    /** @param {string} status @param {string} [message] */
     setStatus(status2, message2 = "") {
       this.status = status2;
       this.root.dataset.status = status2;
-      this.root.querySelector(".ms-stage-title").textContent = this.request?.title || (status2 === "empty" ? "" : this.request?.items[0]?.label || "");
-      this.root.querySelector(".ms-message-text").textContent = message2;
-      this.root.querySelector(".ms-stage-note").hidden = true;
+      within(this.root, ".ms-stage-title").textContent = this.request?.title || (status2 === "empty" ? "" : this.request?.items[0]?.label || "");
+      within(this.root, ".ms-message-text").textContent = message2;
+      within(this.root, ".ms-stage-note").hidden = true;
       const n = this.figures.length;
       this.scene.canvas.setAttribute("aria-label", status2 === "ready" ? `${n === 1 ? "One figure" : `${n} figures`} moving: ${this.figures.slice(0, 6).map((f) => f.label).join(", ")}` : "Stage for moving figures");
       this.controls.update();
       this.draw();
     }
+    /** @param {string} text */
     say(text) {
-      const toast = this.root.querySelector(".ms-toast");
+      const toast = within(this.root, ".ms-toast");
       toast.textContent = text;
       toast.classList.add("ms-shown");
       clearTimeout(this.quiet);
-      this.quiet = setTimeout(() => toast.classList.remove("ms-shown"), 1100);
+      this.quiet = window.setTimeout(() => toast.classList.remove("ms-shown"), 1100);
     }
-    /** Open or close the list of keys; true when it was open. */
+    /**
+     * Open or close the list of keys; true when it was open.
+     * @param {boolean} [open]
+     */
     toggleHelp(open4) {
-      const help = this.root.querySelector(".ms-help");
+      const help = within(this.root, ".ms-help");
       const was = !help.hidden;
       help.hidden = open4 === void 0 ? was : !open4;
       return was;
@@ -2859,6 +3269,7 @@
     state() {
       return takeState(this);
     }
+    /** @param {SavedState} state */
     restore(state3) {
       this.waiting = this.status === "ready" ? void 0 : state3;
       if (this.status !== "ready") return;
@@ -2870,10 +3281,10 @@
   // stage/player.mjs
   var stage = null;
   var mounted = null;
-  var asked = 0;
+  var requestCount = 0;
   var early = null;
   function mount() {
-    const root = document.getElementById("stage");
+    const root = find("stage");
     if (root === mounted) return;
     mounted = root;
     stage?.close();
@@ -2883,24 +3294,34 @@
     if (stage && early?.state) stage.restore(early.state);
     if (stage) early = null;
   }
-  var shown = (request5) => stage.status !== "error" && JSON.stringify(request5) === JSON.stringify(stage.request);
+  var shown = (request5) => stage !== null && stage.status !== "error" && JSON.stringify(request5) === JSON.stringify(stage.request);
   var player = {
-    /** Show a request from its start (`replace: true` in it: as replace does); one that is shown already goes on. */
+    /**
+     * Show a request from its start (`replace: true` in it: as replace does); one that is shown already goes on.
+     * @param {StageRequest} request
+     */
     show(request5) {
-      asked += 1;
+      requestCount += 1;
       mount();
       if (!stage) early = { ...early, request: request5 };
       else if (!shown(request5)) return request5?.replace ? stage.requests.replace(request5) : stage.requests.show(request5);
       return void 0;
     },
-    /** Swap the motions in place: the share of time, camera, layout and what plays stay as they are. */
+    /**
+     * Swap the motions in place: the share of time, camera, layout and what plays stay as they are.
+     * @param {StageRequest} request
+     */
     replace: (request5) => stage ? stage.requests.replace(request5) : player.show(request5),
-    /** Fetch a request's motions, so that showing them later is immediate. */
+    /**
+     * Fetch a request's motions, so that showing them later is immediate.
+     * @param {StageRequest} request
+     */
     prefetch: (request5) => stage?.requests.prefetch(request5).then(() => void 0),
     /** How often something was to be shown. */
-    get asked() {
-      return asked;
+    get requestCount() {
+      return requestCount;
     },
+    /** @param {SavedState} state */
     restore(state3) {
       if (!state3) return;
       if (stage) stage.restore(state3);
@@ -2909,9 +3330,15 @@
     state: () => stage?.state(),
     play: () => stage?.play(),
     pause: () => stage?.pause(),
+    /** @param {number | Moment | null} to */
     seek: (to) => stage?.seek(to) ?? false,
-    /** Where the figure of an item stands: {index, dataset, clip, label, start, end, frame, span}. */
+    /**
+     * Where the figure of an item stands: {index, dataset, clip, label, start, end, frame, span}.
+     * @param {number} index
+     */
     frameOf: (index) => stage?.standing().find((item) => item.index === index),
+    /** Where the figures of all items stand. @returns {Standing[]} */
+    standing: () => stage?.standing() ?? [],
     get time() {
       return stage?.clock.time ?? 0;
     },
@@ -2921,7 +3348,10 @@
     get frame() {
       return stage?.figures.length ? stage.figures[stage.timeline.reference].recordedFrame(stage.clock.time) : 0;
     },
-    /** Frame of each figure, counted from its start, at a time in seconds. */
+    /**
+     * Frame of each figure, counted from its start, at a time in seconds.
+     * @param {number} time
+     */
     framesAt: (time) => stage?.figures.map((figure2) => figure2.frameAt(time) * figure2.header.step),
     get camera() {
       return stage?.state().camera;
@@ -2953,51 +3383,75 @@
     new MutationObserver(mount).observe(document.body, { childList: true, subtree: true });
   });
   register("stage", {
+    /** @param {StageRequest} request */
     show(request5) {
       if (request5) player.show(request5);
       return null;
     }
   });
 
+  // shell/address.mjs
+  var pageOf = (pathname) => pathname.replace(/\//g, "") || "library";
+  function addressOf(pathname, { dataset: dataset2, parameters, selection, view: view4, keys, chosen: chosen3, stage: stage2 }) {
+    const ofPage = (keys[pageOf(pathname)] || []).map((key) => [key, view4?.[key]]);
+    const onStage4 = chosen3 !== "{}" || view4?.walk || view4?.sentence;
+    const pairs = new URLSearchParams();
+    for (const [key, value] of [
+      ["dataset", dataset2],
+      ...Object.entries(parameters || {}),
+      ...ofPage,
+      ...Object.entries(selection || {}),
+      ...Object.entries(onStage4 ? stage2 : {})
+    ]) if (value !== null && value !== void 0 && value !== "") pairs.set(String(key), String(value));
+    return `${pathname}?${pairs.toString().replace(/%2C/g, ",").replace(/%3A/g, ":")}`;
+  }
+  var stageOfLink = ({ time, playing: playing3, speed, layout, camera }, handled2) => ({
+    time: playing3 ? "" : time,
+    speed: speed === 1 ? "" : speed,
+    layout: layout === "overlay" ? "" : layout,
+    camera: handled2 ? [camera.yaw, camera.pitch, camera.distance, ...camera.pan, camera.follow ? 1 : 0].join(",") : ""
+  });
+  function stateOfLink({ time, speed, layout, camera }) {
+    const state3 = {};
+    if (time) Object.assign(state3, { time: Number(time), playing: false });
+    if (speed) state3.speed = Number(speed);
+    if (layout) state3.layout = layout;
+    if (camera) {
+      const [yaw, pitch, distance, x, y, z, follow3] = camera.split(",").map(Number);
+      state3.camera = { yaw, pitch, distance, pan: [x, y, z], follow: follow3 !== 0 };
+    }
+    return state3;
+  }
+
   // shell/frame.mjs
   var WIDTH_KEY = "motionscape-stage-width";
-  var put = (pairs2, values) => {
-    for (const [key, value] of Object.entries(values || {})) {
-      if (value !== null && value !== void 0 && value !== "") pairs2.set(key, String(value));
-    }
-  };
   var shown2 = { dataset: null, parameters: {}, selection: {}, view: {}, keys: {}, chosen: "{}", stage: {} };
   var handled = false;
-  var page = (pathname) => (pathname || location.pathname).replace(/\//g, "") || "library";
   function writeAddress() {
     if (!shown2.dataset) return clientside.no_update;
-    const pairs2 = new URLSearchParams();
-    put(pairs2, { dataset: shown2.dataset });
-    put(pairs2, shown2.parameters);
-    for (const key of shown2.keys[page()] || []) put(pairs2, { [key]: (shown2.view || {})[key] });
-    put(pairs2, shown2.selection);
-    if (shown2.chosen !== "{}" || (shown2.view || {}).walk || (shown2.view || {}).sentence) put(pairs2, shown2.stage);
-    const address2 = location.pathname + "?" + pairs2.toString().replace(/%2C/g, ",").replace(/%3A/g, ":");
+    const address2 = addressOf(location.pathname, shown2);
     if (address2 !== location.pathname + location.search) history.replaceState(history.state, "", address2);
     return address2;
   }
   window.addEventListener("stage-state", (event) => {
-    const { time, playing: playing2, speed, layout, camera } = event.detail;
-    shown2.stage = {
-      time: playing2 ? "" : time,
-      speed: speed === 1 ? "" : speed,
-      layout: layout === "overlay" ? "" : layout,
-      camera: handled ? [camera.yaw, camera.pitch, camera.distance, ...camera.pan, camera.follow ? 1 : 0].join(",") : ""
-    };
+    shown2.stage = stageOfLink(event.detail, handled);
     writeAddress();
   });
   for (const kind of ["wheel", "pointerdown", "keydown"]) {
     document.addEventListener(kind, (event) => {
-      if (event.target.id === "stage-canvas") handled = true;
+      if (targetOf(event).id === "stage-canvas") handled = true;
     }, { passive: true, capture: true });
   }
   register("shell", {
     // Everything that names what one sees goes into the address, without a new entry in the history.
+    /**
+     * @param {string} pathname
+     * @param {string | null} dataset
+     * @param {Record<string, string>} parameters
+     * @param {Selection | null} selection
+     * @param {View | null} view
+     * @param {Record<string, string[]>} keys
+     */
     address(pathname, dataset2, parameters, selection, view4, keys) {
       const chosen3 = JSON.stringify(selection || {});
       if (shown2.dataset && (chosen3 !== shown2.chosen || dataset2 !== shown2.dataset)) {
@@ -3008,6 +3462,7 @@
       return writeAddress();
     },
     // What a page shows is changed key by key.
+    /** @param {Record<string, any> | null} change @param {View | null} view */
     change(change, view4) {
       const next2 = { ...view4 || {} };
       for (const [key, value] of Object.entries(change || {})) {
@@ -3019,21 +3474,15 @@
       return clientside.no_update;
     },
     // What a link says of the Stage; it is taken up when the motion has arrived.
+    /** @param {Record<string, string> | null} stage */
     restore(stage2) {
       if (!stage2 || !Object.keys(stage2).length) return clientside.no_update;
       shown2.stage = stage2;
-      const state3 = {};
-      if (stage2.time) Object.assign(state3, { time: Number(stage2.time), playing: false });
-      if (stage2.speed) state3.speed = Number(stage2.speed);
-      if (stage2.layout) state3.layout = stage2.layout;
-      if (stage2.camera) {
-        handled = true;
-        const [yaw, pitch, distance, x, y, z, follow3] = stage2.camera.split(",").map(Number);
-        state3.camera = { yaw, pitch, distance, pan: [x, y, z], follow: follow3 !== 0 };
-      }
-      player.restore(state3);
+      if (stage2.camera) handled = true;
+      player.restore(stateOfLink(stage2));
       return clientside.no_update;
     },
+    /** @param {{ dataset: string | null } | null} choice @param {string[] | null} cleared */
     choose(choice2, cleared) {
       if (!choice2) return clientside.no_update;
       if (choice2.dataset !== shown2.dataset) {
@@ -3044,18 +3493,21 @@
       }
       return clientside.no_update;
     },
+    /** @param {string | null} value @param {string | null} dataset */
     pick(value, dataset2) {
       if (value && value !== dataset2) setStore("dataset-choice", { dataset: value, at: Date.now() });
       return clientside.no_update;
     },
     // One link is the current page's.
+    /** @param {string} pathname */
     current(pathname) {
-      for (const link2 of document.querySelectorAll(".nav-link")) {
-        if (link2.id === "nav-" + page(pathname)) link2.setAttribute("aria-current", "page");
+      for (const link2 of allWithin(document, ".nav-link")) {
+        if (link2.id === "nav-" + pageOf(pathname)) link2.setAttribute("aria-current", "page");
         else link2.removeAttribute("aria-current");
       }
       return clientside.no_update;
     },
+    /** @param {number | null} clicks */
     async share(clicks) {
       if (!clicks) return clientside.no_update;
       const done = await copy(location.href);
@@ -3084,11 +3536,11 @@
     }
   }
   document.addEventListener("click", async (event) => {
-    const button4 = event.target.closest && event.target.closest("[data-copy]");
+    const button4 = closest(event, "[data-copy]");
     if (!button4) return;
-    const done = await copy(button4.dataset.copy);
+    const done = await copy(button4.dataset.copy ?? "");
     if (done) notify("Copied", "Paste it where you want to run it.", "accent");
-    else notify("Could not copy", button4.dataset.copy);
+    else notify("Could not copy", button4.dataset.copy ?? "");
   });
   function watchTheme() {
     const root = document.documentElement;
@@ -3109,16 +3561,16 @@
   }
   function remember(width) {
     try {
-      localStorage.setItem(WIDTH_KEY, width);
+      localStorage.setItem(WIDTH_KEY, String(width));
     } catch {
     }
   }
   function watchSplitter() {
     let dragging = null;
-    const width = () => document.querySelector(".stage-panel").getBoundingClientRect().width;
+    const width = () => within(document, ".stage-panel").getBoundingClientRect().width;
     document.addEventListener("pointerdown", (event) => {
-      if (!event.target.classList || !event.target.classList.contains("splitter")) return;
-      dragging = event.target;
+      if (!hasClass(event, "splitter")) return;
+      dragging = targetOf(event);
       dragging.classList.add("dragging");
       dragging.setPointerCapture(event.pointerId);
       event.preventDefault();
@@ -3133,14 +3585,14 @@
       remember(width());
     });
     document.addEventListener("keydown", (event) => {
-      if (!event.target.classList || !event.target.classList.contains("splitter")) return;
+      if (!hasClass(event, "splitter")) return;
       const step3 = { ArrowLeft: 32, ArrowRight: -32 }[event.key];
       if (!step3) return;
       event.preventDefault();
       event.stopPropagation();
       remember(setStageWidth(width() + step3));
     });
-    let stored = null;
+    let stored = 0;
     try {
       stored = Number(localStorage.getItem(WIDTH_KEY));
     } catch {
@@ -3168,11 +3620,11 @@
   var timer = 0;
   var turn = 0;
   function address(selection) {
-    const pairs2 = new URLSearchParams(location.search);
-    for (const key of OTHER) pairs2.delete(key);
-    for (const [key, value] of Object.entries(selection)) pairs2.set(key, value);
-    const page3 = location.pathname.split("/").filter(Boolean).pop() || "library";
-    return `${document.getElementById("stage").dataset.api || "/api"}/stage/${page3}?${pairs2}`;
+    const pairs = new URLSearchParams(location.search);
+    for (const key of OTHER) pairs.delete(key);
+    for (const [key, value] of Object.entries(selection)) pairs.set(key, value);
+    const page2 = location.pathname.split("/").filter(Boolean).pop() || "library";
+    return `${need("stage").dataset.api || "/api"}/stage/${page2}?${pairs}`;
   }
   function ask2(selection) {
     const where = address(selection);
@@ -3185,19 +3637,27 @@
     return requests.get(where);
   }
   var exceptions = [];
-  var usable = (selection) => selection && Object.keys(selection).length > 0 && !selection.motifs && document.getElementById("stage") && !exceptions.some((test) => test(selection));
+  var usable = (selection) => selection && Object.keys(selection).length > 0 && !selection.motifs && find("stage") && !exceptions.some((test) => test(selection));
   var ahead = {
-    /** Fetch what a selection plays: at once, or when the pointer has rested (`later`) until `leave`. */
-    prepare(selection, later2 = false) {
+    /**
+     * Fetch what a selection plays: at once, or when the pointer has rested (`later`) until `leave`.
+     * @param {Selection} selection
+     * @param {boolean} [later]
+     */
+    prepare(selection, later3 = false) {
       clearTimeout(timer);
       if (!usable(selection)) return;
       const fetchIt = async () => player.prefetch(await ask2(selection));
-      if (later2) timer = setTimeout(fetchIt, REST);
+      if (later3) timer = setTimeout(fetchIt, REST);
       else fetchIt();
     },
     leave: () => clearTimeout(timer),
-    /** Never play a selection for which `test(selection)` is true. */
+    /**
+     * Never play a selection for which `test(selection)` is true.
+     * @param {(selection: Selection) => boolean} test
+     */
     unless: (test) => exceptions.push(test),
+    /** @param {Selection} selection */
     play(selection) {
       if (usable(selection)) current = play(selection);
     },
@@ -3206,35 +3666,35 @@
   };
   async function play(selection) {
     const mine2 = ++turn;
-    const before2 = player.asked;
+    const before2 = player.requestCount;
     const request5 = await ask2(selection);
-    if (!request5 || mine2 !== turn || before2 !== player.asked) return;
+    if (!request5 || mine2 !== turn || before2 !== player.requestCount) return;
     await player.show(request5);
     for (let frame = 0; frame < 2; frame++) await new Promise(requestAnimationFrame);
   }
-  var target = (event) => event.target.closest?.('[data-store="selection"]');
+  var target = (event) => closest(event, '[data-store="selection"]');
   document.addEventListener("pointerover", (event) => {
     const button4 = target(event);
-    if (button4) ahead.prepare(JSON.parse(button4.dataset.value), true);
+    if (button4) ahead.prepare(JSON.parse(button4.dataset.value ?? "{}"), true);
   });
   document.addEventListener("pointerout", (event) => target(event) && ahead.leave());
 
   // shell/selecting.mjs
-  var put2 = (store, value, stamp) => {
+  var put = (store, value, stamp) => {
     if (store === "selection") ahead.play(value);
     setStore(store, stamp ? { ...value, at: Date.now() } : value);
   };
   document.addEventListener("click", (event) => {
-    const button4 = event.target.closest && event.target.closest("[data-store]");
+    const button4 = closest(event, "[data-store]");
     if (!button4 || button4.disabled) return;
-    put2(button4.dataset.store, JSON.parse(button4.dataset.value), button4.dataset.stamp);
+    put(button4.dataset.store ?? "", JSON.parse(button4.dataset.value ?? "{}"), button4.dataset.stamp);
     if (button4.dataset.page) clientside.set_props("url", { pathname: button4.dataset.page, search: "" });
   });
   gridFunctions.chooseRow = (params) => {
     const at3 = params.event && params.event.type === "click" && params.event.target;
     if (at3 && at3.closest && at3.closest(".choice-cell")) return;
-    if (params.data && params.data.view) put2("view-change", params.data.view, false);
-    if (params.data && params.data.selection) put2("selection", params.data.selection, false);
+    if (params.data && params.data.view) put("view-change", params.data.view, false);
+    if (params.data && params.data.selection) put("selection", params.data.selection, false);
   };
   gridFunctions.leaveTable = () => false;
   gridFunctions.chooseRowByKey = (params) => {
@@ -3251,18 +3711,19 @@
   var KEYS2 = ["clip", "motif", "edge"];
   var same = (a, b) => Boolean(a && b) && KEYS2.some((key) => key in a) && KEYS2.every((key) => String(a[key] ?? "") === String(b[key] ?? ""));
   var chosen = null;
-  var among = (own2) => Boolean(own2 && chosen && chosen.motifs && "motif" in own2) && chosen.motifs.split("-").includes(String(own2.motif));
+  var among = (own2) => own2?.motif !== void 0 && Boolean(chosen?.motifs?.split("-").includes(String(own2.motif)));
   gridFunctions.isChosen = (params) => same(params.data && params.data.selection, chosen) || among(params.data && params.data.selection);
   register("tables", {
+    /** @param {Selection | null} selection @param {unknown} rows @param {string} id */
     async mark(selection, rows2, id) {
       chosen = selection;
       const api = await gridApi(id);
-      const box2 = document.getElementById(id);
+      const box2 = find(id);
       if (!api || !box2) return clientside.no_update;
       api.forEachNode((node) => {
         if (gridFunctions.isChosen(node)) api.ensureNodeVisible(node);
       });
-      for (const row8 of box2.querySelectorAll(".ag-row")) {
+      for (const row8 of allWithin(box2, ".ag-row")) {
         const node = api.getRowNode(row8.getAttribute("row-id"));
         row8.classList.toggle("row-chosen", Boolean(node) && gridFunctions.isChosen(node));
       }
@@ -3274,16 +3735,19 @@
   var inOrder = (text, of2) => of2.names.filter((name) => text.split(",").includes(name));
   register("settings", {
     // Those keys of the view that are settings of the page; its store is called PAGE-settings.
+    /** @param {View | null} view @param {View | null} current @param {string} id */
     pick(view4, current2, id) {
-      const page3 = id.slice(0, -"settings".length);
-      const own2 = Object.entries(view4 || {}).filter(([key]) => key.startsWith(page3)).sort();
+      const page2 = id.slice(0, -"settings".length);
+      const own2 = Object.entries(view4 || {}).filter(([key]) => key.startsWith(page2)).sort();
       const next2 = Object.fromEntries(own2);
       return current2 && JSON.stringify(next2) === JSON.stringify(current2) ? clientside.no_update : next2;
     },
     // Chips for a setting that is a list: here and not on the server, whose answer to one click would undo the next.
+    /** @param {View | null} view @param {ListSetting} of */
     list(view4, of2) {
       return inOrder((view4 || {})[of2.key] || of2.usual, of2);
     },
+    /** @param {string[] | null} chosen @param {View | null} view @param {ListSetting} of */
     listed(chosen3, view4, of2) {
       const wanted2 = inOrder((chosen3 || []).join(","), of2).join(",");
       const there = (view4 || {})[of2.key] || of2.usual;
@@ -3293,20 +3757,22 @@
   });
 
   // shell/views.mjs
-  var keyOf = (id) => id.split("-").pop();
+  var keyOf = (id) => id.split("-").pop() ?? "";
   register("views", {
     // The control was used: the choice goes into the store; the first choice is the default and leaves the address.
+    /** @param {string | null} value @param {View | null} view */
     chosen(value, view4) {
       const key = keyOf(clientside.callback_context.inputs_list[0].id);
-      const first = document.querySelector(`.view-panel[data-key="${key}"]`);
+      const first = allWithin(document, `.view-panel[data-key="${key}"]`)[0];
       const wanted2 = first && first.dataset.value === value ? "" : value;
       if (value && ((view4 || {})[key] || "") !== wanted2) changeView({ [key]: wanted2 });
       return clientside.no_update;
     },
     // The store changed, or the page came: control and panels follow.
+    /** @param {View | null} view @param {string} id */
     show(view4, id) {
       const key = keyOf(id);
-      const panels = [...document.querySelectorAll(`.view-panel[data-key="${key}"]`)];
+      const panels = allWithin(document, `.view-panel[data-key="${key}"]`);
       if (!panels.length) return clientside.no_update;
       const wanted2 = (view4 || {})[key];
       const shown7 = panels.find((panel) => panel.dataset.value === wanted2) || panels[0];
@@ -3343,16 +3809,16 @@
     );
   }
   function update(row8, { stage: stage2, percent: percent3, stopping }) {
-    const progress = row8.querySelector(".job-progress"), known3 = percent3 !== null;
+    const progress = within(row8, ".job-progress"), known3 = percent3 !== null;
     progress.classList.toggle("waiting", !known3);
-    progress.firstChild.style.width = (percent3 || 0) + "%";
-    if (known3) progress.setAttribute("aria-valuenow", percent3);
+    childrenOf(progress)[0].style.width = (percent3 || 0) + "%";
+    if (known3) progress.setAttribute("aria-valuenow", String(percent3));
     else progress.removeAttribute("aria-valuenow");
-    const words3 = row8.querySelector(".job-words");
-    if (words3.textContent !== stage2) words3.textContent = stage2;
-    const number3 = row8.querySelector(".job-percent");
-    if (number3) number3.textContent = percent3 ? ` ${percent3} %` : "";
-    row8.querySelector(".job-cancel").disabled = stopping;
+    const words2 = within(row8, ".job-words");
+    if (words2.textContent !== stage2) words2.textContent = stage2;
+    const number2 = row8.querySelector(".job-percent");
+    if (number2) number2.textContent = percent3 ? ` ${percent3} %` : "";
+    within(row8, ".job-cancel").disabled = stopping;
   }
   function failed({ id, title, error }) {
     const sign = element("span", "job-mark-failed", icon("error", 18));
@@ -3368,19 +3834,23 @@
     );
   }
   register("jobs", {
+    /** @param {Job[] | null} jobs */
     show(jobs) {
-      const box2 = document.getElementById("job-list");
-      const wanted2 = (jobs || []).map((job) => [job.error ? `${job.id} failed` : String(job.id), job]);
+      const box2 = need("job-list");
+      const wanted2 = (jobs || []).map((job) => (
+        /** @type {[string, Job]} */
+        [job.error ? `${job.id} failed` : String(job.id), job]
+      ));
       const names2 = new Set(wanted2.map(([name]) => name));
-      for (const row8 of [...box2.children]) if (!names2.has(row8.dataset.job)) row8.remove();
+      for (const row8 of childrenOf(box2)) if (!names2.has(row8.dataset.job ?? "")) row8.remove();
       wanted2.forEach(([name, job], k) => {
-        let row8 = box2.children[k];
+        let row8 = childrenOf(box2)[k];
         if (!row8 || row8.dataset.job !== name) {
           row8 = job.error ? failed(job) : alive(job);
           row8.dataset.job = name;
           box2.insertBefore(row8, box2.children[k] || null);
         }
-        if (!job.error) document.querySelectorAll(`[data-job="${name}"]`).forEach((place6) => update(place6, job));
+        if (!job.error) allWithin(document, `[data-job="${name}"]`).forEach((place5) => update(place5, job));
       });
       return clientside.no_update;
     }
@@ -3400,15 +3870,15 @@
     openPage("/clip");
   }
   document.addEventListener("click", (event) => {
-    const link2 = event.target.closest && event.target.closest("a.clip-link");
+    const link2 = closest(event, "a.clip-link");
     if (!link2 || event.button || event.metaKey || event.ctrlKey || event.shiftKey || event.altKey) return;
     event.preventDefault();
     event.stopPropagation();
     open(link2.dataset.clip);
   }, true);
   document.addEventListener("keydown", (event) => {
-    const cell2 = event.key === "Enter" && event.target.closest && event.target.closest(".ag-cell[col-id='clip']");
-    const link2 = cell2 && cell2.querySelector("a.clip-link");
+    const cell2 = event.key === "Enter" && closest(event, ".ag-cell[col-id='clip']");
+    const link2 = cell2 && allWithin(cell2, "a.clip-link")[0];
     if (!link2) return;
     event.preventDefault();
     event.stopPropagation();
@@ -3417,6 +3887,7 @@
   var noted = { tab: "clips", files: "all" };
   var set = {};
   register("library", {
+    /** @param {string} tab @param {string} files @param {View | null} view */
     look(tab, files, view4) {
       const change = {};
       for (const [key, value] of Object.entries({ tab, files })) {
@@ -3427,17 +3898,73 @@
       if (Object.keys(change).length) changeView(change);
       return clientside.no_update;
     },
+    /** @param {View | null} view @param {{ value: string }[] | null} choices */
     show(view4, choices2) {
       const wanted2 = { ...noted, ...view4 };
       const known3 = (choices2 || []).some((choice2) => choice2.value === wanted2.files);
       set = { tab: wanted2.tab === "report" ? "report" : "clips", files: known3 ? wanted2.files : "all" };
       return [set.tab, set.files];
     },
+    /** @param {string | null} shown @param {any[] | null} rows */
     filter(shown7, rows2) {
       if (!shown7 || shown7 === "all") return rows2 || [];
       return (rows2 || []).filter((row8) => shown7 === "added" ? row8.added : row8.verdict === shown7);
     }
   });
+
+  // library/batch.mjs
+  var sizeInWords = (bytes2) => bytes2 >= 2 ** 30 ? (bytes2 / 2 ** 30).toFixed(1) + " GB" : bytes2 >= 1e5 ? (bytes2 / 2 ** 20).toFixed(1) + " MB" : Math.max(1, Math.round(bytes2 / 1024)) + " kB";
+  function freshBatch() {
+    return { token: null, items: [], sent: 0, bytes: 0, active: 0, queue: [], stopped: false, name: "", hidden: 0, ignored: 0 };
+  }
+  function freePath(mine2, file, path2) {
+    for (let k = 1; ; k++) {
+      const tried = k === 1 ? path2 : k + "/" + path2;
+      const there = mine2.items.find((item) => item.path === tried && item.state !== "error");
+      if (!there) return tried;
+      if (there.file.size === file.size && there.file.lastModified === file.lastModified) return null;
+    }
+  }
+  function refuse(item, message2) {
+    item.state = "error";
+    item.message = message2;
+  }
+  function kinds(mine2) {
+    const count = (pattern) => mine2.items.filter((item) => item.state !== "error" && pattern.test(item.path)).length;
+    const archives = count(/\.zip$/i);
+    return { recordings: count(/\.(bvh|amc)(\.gz)?$/i) + archives, labels: count(/\.csv$/i), amc: count(/\.amc(\.gz)?$/i), archives };
+  }
+  function nameOf(files) {
+    const parts = files[0].path.split("/");
+    if (parts.length > 1) return parts[0];
+    return files.length > 1 ? "Recordings" : parts[0].replace(/\.(bvh|amc|asf|csv|zip)(\.gz)?$/i, "");
+  }
+  function takeFiles(mine2, files, { fileBytes, totalBytes, files: most, suffixes: suffixes2 }) {
+    if (!mine2.name) mine2.name = nameOf(files);
+    const taken = [];
+    for (const { file, path: given2 } of files) {
+      const path2 = freePath(mine2, file, given2);
+      if (!path2) continue;
+      const lower = path2.toLowerCase();
+      const readable2 = suffixes2.some((suffix) => lower.endsWith(suffix));
+      if (!readable2 && files.length > 1 && !/\.(bvh|amc|asf|zip)/i.test(lower)) {
+        mine2.ignored += 1;
+        continue;
+      }
+      const item = { file, path: path2, sent: 0, state: "waiting", message: "", row: null };
+      mine2.items.push(item);
+      taken.push(item);
+      if (!readable2) refuse(item, "not a kind of file we read");
+      else if (file.size > fileBytes) refuse(item, `too large: ${sizeInWords(file.size)}; a file may have ${sizeInWords(fileBytes)}`);
+      else if (mine2.queue.length + mine2.sent >= most) refuse(item, `too many files: ${most} at most`);
+      else if (mine2.bytes + file.size > totalBytes) refuse(item, `too much altogether: ${sizeInWords(totalBytes)} at most`);
+      else {
+        mine2.bytes += file.size;
+        mine2.queue.push(item);
+      }
+    }
+    return taken;
+  }
 
   // library/upload.mjs
   var HEADERS = { "X-Motionscape": "upload" };
@@ -3445,70 +3972,40 @@
   var SHOWN = 400;
   var batch = null;
   var limits = () => {
-    const data2 = find("drop-zone").dataset;
+    const data2 = need("drop-zone").dataset;
     return {
       fileBytes: Number(data2.fileBytes),
       totalBytes: Number(data2.totalBytes),
       files: Number(data2.files),
-      suffixes: data2.suffixes.split(" ")
+      suffixes: (data2.suffixes ?? "").split(" ")
     };
   };
-  var words = (bytes2) => bytes2 >= 2 ** 30 ? (bytes2 / 2 ** 30).toFixed(1) + " GB" : bytes2 >= 1e5 ? (bytes2 / 2 ** 20).toFixed(1) + " MB" : Math.max(1, Math.round(bytes2 / 1024)) + " kB";
-  function freshBatch() {
-    return { token: null, items: [], sent: 0, bytes: 0, active: 0, queue: [], stopped: false, name: "", hidden: 0 };
-  }
   async function gather(transfer) {
     const entries = [...transfer.items].filter((item) => item.kind === "file").map((item) => item.webkitGetAsEntry && item.webkitGetAsEntry());
     if (!entries.some(Boolean)) return [...transfer.files].map((file) => ({ file, path: file.name }));
-    const found = [];
-    for (const entry of entries) if (entry) await walk(entry, "", found);
-    return found;
+    const files = [];
+    for (const entry of entries) if (entry) await walk(entry, "", files);
+    return files;
   }
-  async function walk(entry, folder, found) {
-    if (found.length > 2e4) return;
+  async function walk(entry, folder, files) {
+    if (files.length > 2e4) return;
     if (entry.isFile) {
       const file = await new Promise((resolve) => entry.file(resolve, () => resolve(null)));
-      if (file) found.push({ file, path: folder + entry.name });
+      if (file) files.push({ file, path: folder + entry.name });
       return;
     }
     const reader = entry.createReader();
     for (; ; ) {
       const some = await new Promise((resolve) => reader.readEntries(resolve, () => resolve([])));
       if (!some.length) return;
-      for (const child of some) await walk(child, folder + entry.name + "/", found);
+      for (const child of some) await walk(child, folder + entry.name + "/", files);
     }
   }
   async function add(files) {
     if (!files.length) return;
     if (!batch || batch.stopped) batch = freshBatch();
     const mine2 = batch;
-    const { fileBytes, totalBytes, files: most, suffixes: suffixes2 } = limits();
-    const first = files[0].path.split("/");
-    if (!mine2.name) mine2.name = first.length > 1 ? first[0] : files.length > 1 ? "Recordings" : first[0].replace(/\.(bvh|amc|asf|csv|zip)(\.gz)?$/i, "");
-    let ignored = 0;
-    for (const { file, path: given2 } of files) {
-      const path2 = freePath(mine2, file, given2);
-      if (!path2) continue;
-      const lower = path2.toLowerCase();
-      if (!suffixes2.some((suffix) => lower.endsWith(suffix))) {
-        if (files.length > 1 && !/\.(bvh|amc|asf|zip)/i.test(lower)) {
-          ignored += 1;
-          continue;
-        }
-      }
-      const item = { file, path: path2, sent: 0, state: "waiting", message: "", row: null };
-      mine2.items.push(item);
-      if (!suffixes2.some((suffix) => lower.endsWith(suffix))) refuse(item, "not a kind of file we read");
-      else if (file.size > fileBytes) refuse(item, "too large: " + words(file.size) + "; a file may have " + words(fileBytes));
-      else if (mine2.queue.length + mine2.sent >= most) refuse(item, "too many files: " + most + " at most");
-      else if (mine2.bytes + file.size > totalBytes) refuse(item, "too much altogether: " + words(totalBytes) + " at most");
-      else {
-        mine2.bytes += file.size;
-        mine2.queue.push(item);
-      }
-      draw(mine2, item);
-    }
-    mine2.ignored = (mine2.ignored || 0) + ignored;
+    for (const item of takeFiles(mine2, files, limits())) draw(mine2, item);
     tell(mine2);
     if (!mine2.token) {
       try {
@@ -3526,18 +4023,6 @@
     }
     while (mine2.active < AT_ONCE && mine2.queue.length) next(mine2);
     tell(mine2);
-  }
-  function freePath(mine2, file, path2) {
-    for (let k = 1; ; k++) {
-      const tried = k === 1 ? path2 : k + "/" + path2;
-      const there = mine2.items.find((item) => item.path === tried && item.state !== "error");
-      if (!there) return tried;
-      if (there.file.size === file.size && there.file.lastModified === file.lastModified) return null;
-    }
-  }
-  function refuse(item, message2) {
-    item.state = "error";
-    item.message = message2;
   }
   function next(mine2) {
     const item = mine2.queue.shift();
@@ -3584,8 +4069,8 @@
       item.row = document.createElement("li");
       item.row.innerHTML = '<span class="upload-mark"></span><span class="upload-name ellipsis"></span><span class="upload-size number"></span><span class="upload-note"></span>';
       item.row.children[1].textContent = item.path;
-      item.row.children[1].title = item.path;
-      item.row.children[2].textContent = words(item.file.size);
+      childrenOf(item.row)[1].title = item.path;
+      item.row.children[2].textContent = sizeInWords(item.file.size);
       list2.append(item.row);
     }
     item.row.className = "upload-" + item.state;
@@ -3600,28 +4085,23 @@
     const bad = mine2.items.filter((item) => item.state === "error").length;
     const busy = mine2.active + mine2.queue.length > 0;
     const sentences = [];
-    if (mine2.items.length) sentences.push(`${mine2.sent} of ${mine2.items.length - bad} files received, ${words(sent2)}`);
+    if (mine2.items.length) sentences.push(`${mine2.sent} of ${mine2.items.length - bad} files received, ${sizeInWords(sent2)}`);
     if (bad) sentences.push(`${bad} left out`);
     if (mine2.ignored) sentences.push(`${mine2.ignored} other file${mine2.ignored > 1 ? "s" : ""} ignored`);
     node.textContent = sentences.join("; ");
     const bar = find("upload-bar");
     if (bar) bar.style.width = (mine2.bytes ? Math.min(100, 100 * sent2 / mine2.bytes) : 0) + "%";
-    find("upload-progress").classList.toggle("hidden", !busy);
+    need("upload-progress").classList.toggle("hidden", !busy);
   }
   function tell(mine2) {
     summary(mine2);
     const done = mine2.active + mine2.queue.length === 0;
     setStore("upload", { token: mine2.token, received: mine2.sent, done, name: mine2.name, total: mine2.items.length, ...kinds(mine2) });
   }
-  function kinds(mine2) {
-    const count = (pattern) => mine2.items.filter((item) => item.state !== "error" && pattern.test(item.path)).length;
-    const archives = count(/\.zip$/i);
-    return { recordings: count(/\.(bvh|amc)(\.gz)?$/i) + archives, labels: count(/\.csv$/i), amc: count(/\.amc(\.gz)?$/i), archives };
-  }
   function reset(discard) {
     if (batch) {
       batch.stopped = true;
-      for (const item of batch.items) if (item.state === "sending") item.request.abort();
+      for (const item of batch.items) if (item.state === "sending") item.request?.abort();
       if (discard && batch.token) fetch("/api/uploads/" + batch.token, { method: "DELETE", headers: HEADERS }).catch(() => {
       });
     }
@@ -3651,21 +4131,21 @@
     if (!carriesFiles(event)) return;
     event.preventDefault();
     if (!find("drop-zone")) return;
-    const card4 = event.target.closest && event.target.closest(".dataset-card");
-    const files = await gather(event.dataTransfer);
-    if (!find("upload-list") || !find("upload-list").offsetParent) {
+    const card4 = closest(event, ".dataset-card");
+    const files = event.dataTransfer ? await gather(event.dataTransfer) : [];
+    if (!find("upload-list") || !need("upload-list").offsetParent) {
       setStore("upload-into", { dataset: card4 ? card4.dataset.dataset : "", at: Date.now() });
     }
     whenShown(() => add(files));
   });
   document.addEventListener("click", (event) => {
-    const button4 = event.target.closest && event.target.closest("[data-chooses]");
+    const button4 = closest(event, "[data-chooses]");
     if (!button4) return;
     const chooser = document.createElement("input");
     chooser.type = "file";
     chooser.multiple = true;
     chooser.webkitdirectory = button4.dataset.chooses === "folder";
-    chooser.onchange = () => add([...chooser.files].map((file) => ({ file, path: file.webkitRelativePath || file.name })));
+    chooser.onchange = () => add([...chooser.files ?? []].map((file) => ({ file, path: file.webkitRelativePath || file.name })));
     chooser.click();
   });
   function whenShown(then, tries = 60) {
@@ -3674,8 +4154,10 @@
   }
   register("upload", {
     // What is typed meanwhile stays.
+    /** @param {string | null} suggested @param {string | null} typed */
     name: (suggested, typed) => suggested && (typed || suggested),
     // The dialog was closed: what was not imported is thrown away. After an import the files belong to the job.
+    /** @param {boolean} opened @param {string | null} imported */
     closed(opened, imported) {
       if (opened) return clientside.no_update;
       reset(!(batch && imported && imported === batch.token));
@@ -3743,14 +4225,15 @@
     return list2;
   }
   register("gait", {
+    /** @param {Gait | null} data */
     draw(data2) {
-      const place6 = document.getElementById("clip-gait");
-      if (!place6) return clientside.no_update;
-      if (!data2) place6.replaceChildren();
-      else if (data2.why) place6.replaceChildren(element("div", "muted", data2.why));
+      const place5 = find("clip-gait");
+      if (!place5) return clientside.no_update;
+      if (!data2) place5.replaceChildren();
+      else if (data2.why) place5.replaceChildren(element("div", "muted", data2.why));
       else {
         const all = folding("gait-details", element("summary", "", `${data2.events.length} heel strikes and toe-offs`), false, () => events(data2));
-        place6.replaceChildren(...data2.bouts.map((one, k) => bout(data2, one, k === 0)), all);
+        place5.replaceChildren(...data2.bouts.map((one, k) => bout(data2, one, k === 0)), all);
       }
       return clientside.no_update;
     }
@@ -3758,7 +4241,7 @@
 
   // clip/cursor.mjs
   var at = { shown: null, frame: null, hover: null, items: [], pending: null, values: null, from: "", range: null, dragged: null };
-  var part = (name) => document.querySelector(`#clip-box .clip-${name}`);
+  var part = (name) => allWithin(document, `#clip-box .clip-${name}`)[0];
   var measured = null;
   var forget = () => {
     measured = null;
@@ -3769,10 +4252,13 @@
     return measured;
   }
   function measure() {
-    const graph = document.querySelector("#clip-graph .js-plotly-plot");
+    const graph = (
+      /** @type {any} */
+      document.querySelector("#clip-graph .js-plotly-plot")
+    );
     const full = graph && graph._fullLayout;
     if (!full || !full.xaxis || !full.meta || !at.shown || full.meta.clip !== at.shown.clip) return null;
-    const box2 = find("clip-box").getBoundingClientRect();
+    const box2 = need("clip-box").getBoundingClientRect();
     const own2 = graph.getBoundingClientRect();
     const { xaxis, yaxis, meta } = full;
     const dx = own2.left - box2.left + xaxis._offset;
@@ -3782,26 +4268,19 @@
       meta,
       full,
       lines: graph.data.filter((trace) => trace.mode === "lines"),
-      chips: document.querySelectorAll("#clip-legend .clip-value"),
+      chips: allWithin(document, "#clip-legend .clip-value"),
       left: dx,
       width: xaxis._length,
       top: dy + full._size.t,
       height: full._size.h,
+      /** @param {number} value */
       x: (value) => dx + xaxis.l2p(value),
+      /** @param {number} value */
       y: (value) => dy + yaxis._offset + yaxis.l2p(value),
+      /** @param {number} pixel */
       time: (pixel) => xaxis.p2l(pixel - dx),
       range: xaxis.range.map(Number)
     };
-  }
-  function nearest(list2, value) {
-    let low = 0;
-    let high = list2.length - 1;
-    while (high - low > 1) {
-      const middle = low + high >> 1;
-      if (list2[middle] <= value) low = middle;
-      else high = middle;
-    }
-    return high < 0 ? -1 : Math.abs(list2[low] - value) <= Math.abs(list2[high] - value) ? low : high;
   }
   function placeMarks() {
     const plot = chartPlot();
@@ -3815,39 +4294,41 @@
     if (time) tell2(plot);
   }
   function upright(line2, seconds, plot) {
-    const x = seconds === null ? null : plot.x(seconds);
-    line2.hidden = x === null || x < plot.left - 1 || x > plot.left + plot.width + 1;
-    if (line2.hidden) return;
+    const x = seconds === null || !plot ? null : plot.x(seconds);
+    line2.hidden = !plot || x === null || x < plot.left - 1 || x > plot.left + plot.width + 1;
+    if (line2.hidden || !plot || x === null) return;
     line2.style.height = `${plot.height}px`;
     line2.style.transform = `translate(${x.toFixed(1)}px, ${plot.top}px)`;
   }
   function band(area, range, plot) {
     area.hidden = !range;
-    if (!range) return;
-    const clamp3 = (x) => Math.min(Math.max(x, plot.left), plot.left + plot.width);
-    const [a, b] = range.map((frame) => clamp3(plot.x(frame / plot.meta.fps)));
+    if (!range || !plot) return;
+    const clamp2 = (x) => Math.min(Math.max(x, plot.left), plot.left + plot.width);
+    const [a, b] = range.map((frame) => clamp2(plot.x(frame / plot.meta.fps)));
     Object.assign(area.style, { height: `${plot.height}px`, width: `${Math.max(b - a, 1)}px`, transform: `translate(${a}px, ${plot.top}px)` });
   }
   function dot2(mark3, frame, plot) {
     const path2 = plot && plot.graph.data[0];
     const k = frame === null || !path2 || !path2.customdata ? -1 : nearest(path2.customdata, frame);
     mark3.hidden = k < 0;
-    if (k >= 0) mark3.style.transform = `translate(${plot.x(path2.x[k])}px, ${plot.y(path2.y[k])}px)`;
+    if (plot && k >= 0) mark3.style.transform = `translate(${plot.x(path2.x[k])}px, ${plot.y(path2.y[k])}px)`;
   }
   var chosenRange = () => at.dragged || at.range || null;
   var toldAt = 0;
+  var later = 0;
+  var DIGITS = { "°": 1, " m/s": 2 };
   function tell2(plot) {
     const now6 = performance.now();
     if (now6 - toldAt < 48) {
-      clearTimeout(tell2.later);
-      tell2.later = setTimeout(placeMarks, 50);
+      clearTimeout(later);
+      later = window.setTimeout(placeMarks, 50);
       return;
     }
     toldAt = now6;
     const frame = at.hover ?? at.frame;
     plot.chips.forEach((chip2, k) => {
       const value = frame === null || !plot.lines[k] ? null : valueAt(plot, plot.lines[k], k, frame);
-      const digits = { "°": 1, " m/s": 2 }[chip2.dataset.unit] ?? 3;
+      const digits = DIGITS[chip2.dataset.unit ?? ""] ?? 3;
       const text = value === null ? "" : value.toFixed(digits).replace("-", "−") + chip2.dataset.unit;
       if (chip2.textContent !== text) chip2.textContent = text;
     });
@@ -3860,9 +4341,10 @@
     return i < 0 || Math.abs(line2.x[i] - frame / fps) > 1 / fps ? whole3 : line2.y[i];
   }
   async function fetchValues(view4) {
+    if (!at.shown) return;
     const { dataset: dataset2, clip, version } = at.shown;
     const query = new URLSearchParams({ v: version });
-    for (const key of ["chart", "angles", "joints", "rig", "channels"]) if ((view4 || {})[key]) query.set(key, view4[key]);
+    for (const key of ["chart", "angles", "joints", "rig", "channels"]) if (view4?.[key]) query.set(key, view4[key]);
     const where = clip.split("/").map(encodeURIComponent).join("/");
     const address2 = `/api/clip-values/${encodeURIComponent(dataset2)}/${where}?${query}`;
     if (address2 === at.from) return;
@@ -3902,16 +4384,24 @@
     at.frame = item ? item.frame : null;
     placeMarks();
   }
-  for (const kind of ["stage-frame", "stage-state"]) {
+  for (
+    const kind of
+    /** @type {const} */
+    ["stage-frame", "stage-state"]
+  ) {
     window.addEventListener(kind, (event) => {
       if (find("clip-box")) follow(event.detail.items);
     });
   }
   register("clip", {
     // A chart was drawn: lay everything over it again, now and after every redrawing.
+    /** @param {any} figure @param {unknown} legend @param {ShownClip | null} shown @param {View | null} view */
     drawn(figure2, legend3, shown7, view4) {
       at.shown = shown7;
-      const graph = document.querySelector("#clip-graph .js-plotly-plot");
+      const graph = (
+        /** @type {any} */
+        document.querySelector("#clip-graph .js-plotly-plot")
+      );
       if (graph && graph.on && !graph.dataset.clipWatched) {
         graph.dataset.clipWatched = "yes";
         const again = () => {
@@ -3919,7 +4409,7 @@
           placeMarks();
         };
         graph.on("plotly_afterplot", again);
-        new ResizeObserver(again).observe(find("clip-box"));
+        new ResizeObserver(again).observe(need("clip-box"));
       }
       forget();
       if (figure2 && figure2.layout && figure2.layout.meta && figure2.layout.meta.thinned) fetchValues(view4);
@@ -3929,13 +4419,21 @@
       }));
       return figure2?.layout?.meta?.kind ?? null;
     },
+    /** @param {Selection | null} selection @param {ShownClip | null} shown */
     mark(selection, shown7) {
       at.shown = shown7;
-      const own2 = selection && shown7 && selection.clip === shown7.clip && selection.end > selection.start;
-      at.range = own2 ? [selection.start, Math.min(selection.end, shown7.frames)] : null;
+      const { clip, start: start3 = 0, end = 0 } = selection ?? {};
+      at.range = shown7 && clip === shown7.clip && end > start3 ? [start3, Math.min(end, shown7.frames)] : null;
       follow(standing2());
       return clientside.no_update;
     },
+    /**
+     * @param {string} value
+     * @param {unknown} _back
+     * @param {unknown} _next
+     * @param {string[]} names
+     * @param {ShownClip | null} shown
+     */
     pick(value, _back, _next, names2, shown7) {
       const trigger = (clientside.callback_context.triggered[0] || {}).prop_id || "";
       const step3 = trigger.startsWith("clip-previous") ? -1 : trigger.startsWith("clip-next") ? 1 : 0;
@@ -3947,6 +4445,14 @@
       return clientside.no_update;
     },
     // What was chosen above the chart, into the view; what a clip offers of itself is no choice.
+    /**
+     * @param {string} chart
+     * @param {string} kind
+     * @param {string[] | null} joints
+     * @param {string[] | null} channels
+     * @param {View | null} view
+     * @param {{ joints?: string[], channels?: string[] } | null} choice
+     */
     control(chart2, kind, joints, channels, view4, choice2) {
       const now6 = view4 || {};
       const same4 = (a, b) => JSON.stringify(a || []) === JSON.stringify(b || []);
@@ -3963,40 +4469,50 @@
       setStore("view-change", change);
       return clientside.no_update;
     },
+    /** @param {{ clip: string, frame: number } | null} to */
     seek(to) {
       if (to && at.shown && to.clip === at.shown.clip) seekFrame(to.frame);
       return clientside.no_update;
     },
+    /** @param {object | null} edit */
     asked(edit) {
       return edit ? { ...edit, frame: frameNow() ?? 0 } : clientside.no_update;
     }
   });
 
+  // clip/zoom.mjs
+  var LEAST = 4;
+  function spanWithin(low, high, { frames, fps }) {
+    const seconds = Math.max((frames - 1) / fps, 1 / fps);
+    const width = clamp(high - low, Math.min(LEAST / fps, seconds), seconds);
+    const from = clamp((low + high - width) / 2, 0, seconds - width);
+    return { span: [from, from + width], whole: width >= seconds - 1e-6 };
+  }
+
   // clip/range.mjs
   var CLOSE = 4;
-  var box = (target2) => target2 && target2.closest ? target2.closest("#clip-box") : null;
+  var box = (target2) => closest({ target: target2 }, "#clip-box");
   var press = null;
-  var clamp2 = (value, low, high) => Math.min(Math.max(value, low), high);
-  var frameAt = (plot, pixel) => clamp2(Math.round(plot.time(pixel) * plot.meta.fps), 0, plot.meta.frames - 1);
+  var frameAt = (plot, pixel) => clamp(Math.round(plot.time(pixel) * plot.meta.fps), 0, plot.meta.frames - 1);
   var inside = (plot, x, y) => x >= plot.left - 6 && x <= plot.left + plot.width + 6 && y >= plot.top && y <= plot.top + plot.height;
   function locate(event) {
     const plot = chartPlot();
-    const area = document.getElementById("clip-box");
+    const area = find("clip-box");
     if (!plot || !area) return null;
     const { left, top } = area.getBoundingClientRect();
     return { plot, x: event.clientX - left, y: event.clientY - top };
   }
   document.addEventListener("pointerdown", (event) => {
-    if (event.button || !box(event.target)) return;
+    if (event.button || !box(targetOf(event))) return;
     const spot = locate(event);
     if (!spot) return;
-    const grip = Boolean(event.target.closest(".clip-grip"));
+    const grip = Boolean(closest(event, ".clip-grip"));
     if (!grip && !inside(spot.plot, spot.x, spot.y)) return;
     press = { ...spot, id: event.pointerId, grip, moved: false };
-    if (spot.plot.meta.kind === "time") box(event.target).setPointerCapture(event.pointerId);
+    if (spot.plot.meta.kind === "time") box(targetOf(event))?.setPointerCapture(event.pointerId);
   });
   document.addEventListener("pointermove", (event) => {
-    const over = box(event.target);
+    const over = box(targetOf(event));
     if (!press) {
       const spot2 = over && locate(event);
       const hover = spot2 && spot2.plot.meta.kind === "time" && inside(spot2.plot, spot2.x, spot2.y) ? frameAt(spot2.plot, spot2.x) : null;
@@ -4065,8 +4581,8 @@
     let best = -1;
     let least = 30;
     for (let k = 0; k < path2.x.length; k++) {
-      const away2 = Math.hypot(plot.x(path2.x[k]) - x, plot.y(path2.y[k]) - y);
-      if (away2 < least) [best, least] = [k, away2];
+      const away = Math.hypot(plot.x(path2.x[k]) - x, plot.y(path2.y[k]) - y);
+      if (away < least) [best, least] = [k, away];
     }
     if (best >= 0) seekFrame(path2.customdata[best]);
   }
@@ -4084,14 +4600,11 @@
   function show(low, high) {
     const plot = chartPlot();
     if (!plot || plot.meta.kind !== "time") return;
-    const seconds = Math.max((plot.meta.frames - 1) / plot.meta.fps, 1 / plot.meta.fps);
-    const width = clamp2(high - low, Math.min(4 / plot.meta.fps, seconds), seconds);
-    const from = clamp2((low + high - width) / 2, 0, seconds - width);
-    wanted = [from, from + width];
+    const { span, whole: whole3 } = spanWithin(low, high, plot.meta);
+    wanted = span;
     if (!moving) moving = requestAnimationFrame(move);
     clearTimeout(settling);
-    const whole3 = width >= seconds - 1e-6;
-    settling = setTimeout(() => setStore("view-change", { span: whole3 ? "" : `${from.toFixed(3)}_${(from + width).toFixed(3)}` }), 160);
+    settling = setTimeout(() => changeView({ span: whole3 ? "" : span.map((second) => second.toFixed(3)).join("_") }), 160);
   }
   function zoom(what) {
     const plot = chartPlot();
@@ -4108,16 +4621,16 @@
     scale(what === "in" ? 0.6 : 1 / 0.6, cursor3 >= low && cursor3 <= high ? cursor3 : (low + high) / 2);
   }
   function scale(factor, about) {
-    const [low, high] = wanted || chartPlot().range;
+    const [low, high] = wanted || chartPlot()?.range || [0, 1];
     show(about + (low - about) * factor, about + (high - about) * factor);
   }
   document.addEventListener("wheel", (event) => {
-    const spot = box(event.target) && locate(event);
+    const spot = box(targetOf(event)) && locate(event);
     if (!spot || spot.plot.meta.kind !== "time") return;
     const [low, high] = wanted || spot.plot.range;
     if (event.ctrlKey || event.metaKey) {
       event.preventDefault();
-      scale(Math.exp(clamp2(event.deltaY, -80, 80) / 200), spot.plot.time(spot.x));
+      scale(Math.exp(clamp(event.deltaY, -80, 80) / 200), spot.plot.time(spot.x));
     } else if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
       event.preventDefault();
       const way2 = (event.deltaX || event.deltaY) / spot.plot.width * (high - low);
@@ -4125,7 +4638,7 @@
     }
   }, { passive: false });
   document.addEventListener("click", (event) => {
-    const button4 = event.target.closest && event.target.closest("[data-clip-zoom]");
+    const button4 = closest(event, "[data-clip-zoom]");
     if (button4) zoom(button4.dataset.clipZoom);
   });
   function setEnd(which) {
@@ -4153,7 +4666,7 @@
     " ": () => player[player.playing ? "pause" : "play"]()
   };
   document.addEventListener("keydown", (event) => {
-    if (event.target.id !== "clip-box" || event.ctrlKey || event.metaKey || event.altKey || !KEYS3[event.key]) return;
+    if (targetOf(event).id !== "clip-box" || event.ctrlKey || event.metaKey || event.altKey || !KEYS3[event.key]) return;
     event.preventDefault();
     KEYS3[event.key](event.shiftKey);
   });
@@ -4166,28 +4679,37 @@
   var plural = (n, one, more2 = `${one}s`) => `${n} ${n === 1 ? one : more2}`;
   var percent = (share2) => `${Math.round(100 * share2)} %`;
 
-  // motifs/blend_controls.mjs
-  var html = (name, attributes, text) => withAttributes(element(name, "", text), attributes);
+  // motifs/triangle.mjs
   var CORNERS = [[150, 26], [28, 214], [272, 214]];
-  var LABELS = [[150, 14], [18, 232], [282, 232]];
-  var STEP = 0.02;
   var CORNER = 0.03;
-  var place = (weights) => [0, 1].map((axis) => weights.reduce((total2, w, k) => total2 + w * CORNERS[k][axis], 0));
+  var placeOf = (weights) => [0, 1].map((axis) => weights.reduce((total3, w, k) => total3 + w * CORNERS[k][axis], 0));
   function weightsAt(x, y) {
     const [[ax, ay], [bx, by], [cx, cy]] = CORNERS;
     const area = (by - cy) * (ax - cx) + (cx - bx) * (ay - cy);
     const a = ((by - cy) * (x - cx) + (cx - bx) * (y - cy)) / area;
     const b = ((cy - ay) * (x - cx) + (ax - cx) * (y - cy)) / area;
-    return inside2([a, b, 1 - a - b]);
+    return insideWeights([a, b, 1 - a - b]);
   }
-  function inside2(weights) {
+  function insideWeights(weights) {
     const kept = weights.map((w) => Math.max(w, 0));
-    const total2 = kept.reduce((sum2, w) => sum2 + w, 0) || 1;
-    const shares2 = kept.map((w) => w / total2);
+    const total3 = kept.reduce((sum2, w) => sum2 + w, 0) || 1;
+    const shares2 = kept.map((w) => w / total3);
     const corner = shares2.findIndex((w) => w > 1 - CORNER);
     return shares2.map((w, k) => corner < 0 ? w : Number(k === corner));
   }
-  function triangle(state3, hands2) {
+  function awayFromCorner(corner, [dx, dy]) {
+    const [x, y] = CORNERS[corner];
+    const gains = CORNERS.map(([cx, cy], k) => k === corner ? 0 : (cx - x) * dx + (cy - y) * dy);
+    const best = gains.indexOf(Math.max(...gains));
+    if (gains[best] <= 0) return [0, 1, 2].map((k) => Number(k === corner));
+    return [0, 1, 2].map((k) => k === corner ? 1 - 2 * CORNER : k === best ? 2 * CORNER : 0);
+  }
+
+  // motifs/blend_controls.mjs
+  var html = (name, attributes, text) => withAttributes(element(name, "", text), attributes);
+  var LABELS = [[150, 14], [18, 232], [282, 232]];
+  var STEP = 0.02;
+  function triangle(state3, actions4) {
     const svg = svgElement("svg", { viewBox: "0 0 300 240", class: "blend-triangle" });
     svg.append(svgElement("polygon", { points: CORNERS.map((c) => c.join()).join(" "), class: "blend-field" }));
     CORNERS.forEach((corner, k) => {
@@ -4207,8 +4729,8 @@
     });
     svg.append(point);
     const at3 = (event) => {
-      const spot = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
-      hands2.set(weightsAt(spot.x, spot.y));
+      const spot = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM()?.inverse());
+      actions4.set(weightsAt(spot.x, spot.y));
     };
     svg.addEventListener("pointerdown", (event) => {
       svg.setPointerCapture(event.pointerId);
@@ -4219,48 +4741,41 @@
     svg.addEventListener("pointermove", (event) => {
       if (svg.hasPointerCapture(event.pointerId)) at3(event);
     });
-    point.addEventListener("keydown", (event) => press2(event, state3, hands2));
+    point.addEventListener("keydown", (event) => press2(event, state3, actions4));
     return svg;
   }
-  function press2(event, state3, hands2) {
+  function press2(event, state3, actions4) {
     const ways = { ArrowUp: [0, -1], ArrowDown: [0, 1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };
     if (ways[event.key]) {
-      const [x, y] = place(inside2(state3.values));
+      const [x, y] = placeOf(insideWeights(state3.values));
       const far = (event.shiftKey ? 5 : 1) * STEP * 244;
       let weights = weightsAt(x + ways[event.key][0] * far, y + ways[event.key][1] * far);
       const corner = state3.values.findIndex((w) => w === 1);
-      if (corner >= 0 && weights[corner] === 1) weights = away(corner, ways[event.key]);
-      hands2.set(weights);
+      if (corner >= 0 && weights[corner] === 1) weights = awayFromCorner(corner, ways[event.key]);
+      actions4.set(weights);
     } else if ("0123".includes(event.key)) {
-      hands2.set(event.key === "0" ? [1, 1, 1].map((w) => w / 3) : [0, 1, 2].map((k) => Number(k === Number(event.key) - 1)));
+      actions4.set(event.key === "0" ? [1, 1, 1].map((w) => w / 3) : [0, 1, 2].map((k) => Number(k === Number(event.key) - 1)));
     } else return;
     event.preventDefault();
     event.stopPropagation();
   }
-  function away(corner, [dx, dy]) {
-    const [x, y] = CORNERS[corner];
-    const gains = CORNERS.map(([cx, cy], k) => k === corner ? 0 : (cx - x) * dx + (cy - y) * dy);
-    const best = gains.indexOf(Math.max(...gains));
-    if (gains[best] <= 0) return [0, 1, 2].map((k) => Number(k === corner));
-    return [0, 1, 2].map((k) => k === corner ? 1 - 2 * CORNER : k === best ? 2 * CORNER : 0);
-  }
-  function row2(state3, i, hands2) {
-    const { motion, clip, brief, when } = state3.data.bodies[state3.body].motions.find((one) => one.motion === state3.chosen[i]);
+  function row2(state3, i, actions4) {
+    const { motion, clip, brief, when } = state3.data.bodies[state3.body].motions.find((one) => one.motion === state3.chosen[i]) ?? state3.data.bodies[state3.body].motions[0];
     const made = html("div", { class: "blend-row" });
     const name = `Motion ${motion + 1}: ${clip}, ${when}`;
     const only = html("button", { type: "button", class: "blend-badge number", title: `Only motion ${motion + 1}`, "aria-label": `Only motion ${motion + 1}` }, String(motion + 1));
-    only.addEventListener("click", () => hands2.set(state3.values.map((_, k) => Number(k === i))));
+    only.addEventListener("click", () => actions4.set(state3.values.map((_, k) => Number(k === i))));
     const middle = html("div", { class: "blend-middle" });
     middle.append(html("span", { class: "ellipsis blend-name", title: name }, `${brief} · ${when.split(" ")[0]}`));
     if (state3.chosen.length !== 3) {
       const range = html("input", { type: "range", min: 0, max: 1, step: 0.01, "aria-label": `Weight of ${name}` });
-      range.addEventListener("input", () => hands2.set(state3.values.map((value, k) => k === i ? Number(range.value) : value)));
+      range.addEventListener("input", () => actions4.set(state3.values.map((value, k) => k === i ? Number(range.value) : value)));
       middle.append(range);
     }
     made.append(only, middle, html("span", { class: "number muted blend-share" }));
     if (state3.chosen.length > 2) {
       const remove = html("button", { type: "button", class: "blend-remove", title: "Leave this motion out", "aria-label": `Leave motion ${motion + 1} out` }, "×");
-      remove.addEventListener("click", () => hands2.remove(motion));
+      remove.addEventListener("click", () => actions4.remove(motion));
       made.append(remove);
     }
     return made;
@@ -4271,22 +4786,28 @@
     select2.addEventListener("change", () => act2(select2.value));
     return select2;
   }
-  function drawControls(box2, state3, shares2, hands2) {
+  function drawControls(box2, state3, shares2, actions4) {
     const { bodies, most } = state3.data;
     const controls = [];
     if (bodies.length > 1) {
-      const bodyChoice = choice("Body", bodies.map(({ motions }, k) => [k, `Body ${k + 1}: ${motions.length} motions`]), (value) => hands2.body(Number(value)));
+      const bodyChoice = choice("Body", bodies.map(({ motions }, k) => (
+        /** @type {[number, string]} */
+        [k, `Body ${k + 1}: ${motions.length} motions`]
+      )), (value) => actions4.body(Number(value)));
       bodyChoice.value = String(state3.body);
       controls.push(bodyChoice);
     }
-    if (state3.chosen.length === 3) controls.push(triangle(state3, hands2));
+    if (state3.chosen.length === 3) controls.push(triangle(state3, actions4));
     const rows2 = html("div", { class: "blend-rows" });
-    rows2.append(...state3.chosen.map((_, i) => row2(state3, i, hands2)));
+    rows2.append(...state3.chosen.map((_, i) => row2(state3, i, actions4)));
     controls.push(rows2);
     const others = bodies[state3.body].motions.filter(({ motion }) => !state3.chosen.includes(motion));
     if (others.length && state3.chosen.length < most) {
-      const options = [["", "Add a motion …"], ...others.map(({ motion, brief, when }) => [motion, `${motion + 1}  ${brief} · ${when.split(" ")[0]}`])];
-      controls.push(choice("Add a motion", options, (value) => value && hands2.add(Number(value))));
+      const options = [["", "Add a motion …"], ...others.map(({ motion, brief, when }) => (
+        /** @type {[number, string]} */
+        [motion, `${motion + 1}  ${brief} · ${when.split(" ")[0]}`]
+      ))];
+      controls.push(choice("Add a motion", options, (value) => value && actions4.add(Number(value))));
     }
     box2.replaceChildren(...controls);
     updateControls(state3, shares2);
@@ -4294,55 +4815,27 @@
   function updateControls(state3, shares2) {
     const box2 = find("blend-controls");
     if (!box2) return;
-    box2.querySelectorAll(".blend-row").forEach((made, i) => {
-      made.querySelector(".blend-share").textContent = percent(shares2[i]);
-      made.style.setProperty("--share", shares2[i]);
+    allWithin(box2, ".blend-row").forEach((made, i) => {
+      within(made, ".blend-share").textContent = percent(shares2[i]);
+      made.style.setProperty("--share", String(shares2[i]));
       const range = made.querySelector("input");
-      if (range && Number(range.value) !== state3.values[i]) range.value = state3.values[i];
+      if (range && Number(range.value) !== state3.values[i]) range.value = String(state3.values[i]);
       if (range) range.setAttribute("aria-valuetext", percent(shares2[i]));
     });
     const point = box2.querySelector(".blend-point");
     if (!point) return;
-    const [x, y] = place(shares2);
+    const [x, y] = placeOf(shares2);
     point.setAttribute("cx", x.toFixed(1));
     point.setAttribute("cy", y.toFixed(1));
-    point.setAttribute("aria-valuenow", Math.round(100 * shares2[0]));
+    point.setAttribute("aria-valuenow", String(Math.round(100 * shares2[0])));
     point.setAttribute("aria-valuetext", shares2.map((share2, k) => `motion ${state3.chosen[k] + 1} ${percent(share2)}`).join(", "));
   }
 
-  // motifs/blend.mjs
-  var OURS = "~blend~";
-  var WAIT = 300;
-  var SOURCE = { light: "#9aa5b4", dark: "#7c8797" };
-  var now = null;
-  var seen;
-  var writing = 0;
-  var motionOf = (motion) => now.data.bodies[now.body].motions.find((one) => one.motion === motion);
-  var sum = (values) => values.reduce((total2, value) => total2 + value, 0);
-  function shares() {
-    const total2 = sum(now.values);
-    return now.values.map((value) => total2 > 0 ? value / total2 : 1 / now.values.length);
-  }
+  // motifs/mixture.mjs
+  var sum = (values) => values.reduce((total3, value) => total3 + value, 0);
   var rounded = (value) => String(Math.round(value * 100) / 100);
-  var pairs = (motions, values) => motions.map((motion, i) => `${motion}:${rounded(values[i])}`).join(",");
-  function linkText() {
-    const { data: data2, body: body2, chosen: chosen3, values } = now;
-    const first = body2 === 0 && chosen3.join() === data2.bodies[0].chosen.join() && values.every((v) => v === values[0]);
-    return first ? "" : pairs(chosen3, values);
-  }
-  function read(text) {
-    const found = [...(text || "").matchAll(/(\d+):([\d.]+)/g)].map(([, motion, value]) => [Number(motion), Math.min(Number(value) || 0, 1)]);
-    const body2 = now.data.bodies.findIndex(({ motions }) => found.length > 1 && found.every(([k]) => motions.some((one) => one.motion === k)));
-    if (body2 < 0) return false;
-    const kept = found.slice(0, now.data.most);
-    Object.assign(now, { body: body2, chosen: kept.map(([k]) => k), values: kept.map(([, v]) => v), written: text });
-    return true;
-  }
-  function start2(body2) {
-    const chosen3 = [...now.data.bodies[body2].chosen];
-    Object.assign(now, { body: body2, chosen: chosen3, values: chosen3.map(() => even(chosen3.length)) });
-  }
-  var even = (n) => n > 3 ? 0.5 : 1 / n;
+  var writePairs = (motions, values) => motions.map((motion, i) => `${motion}:${rounded(values[i])}`).join(",");
+  var evenWeight = (n) => n > 3 ? 0.5 : 1 / n;
   function interpolate(x, xs, ys) {
     let k = 1;
     while (k < xs.length - 1 && xs[k] < x) k++;
@@ -4352,16 +4845,58 @@
   function inStep(used) {
     const knots = used[0].one.seconds.map((_, i) => i);
     const times = knots.map((i) => sum(used.map(({ one, share: share2 }) => share2 * one.seconds[i])));
+    const last2 = times.at(-1) ?? 0;
     const fps = Math.max(...used.map(({ one }) => one.fps));
-    const n = Math.round(times.at(-1) * fps) + 1;
-    const at3 = Array.from({ length: n }, (_, j) => interpolate(j / Math.max(n - 1, 1) * times.at(-1), times, knots));
+    const n = Math.round(last2 * fps) + 1;
+    const at3 = Array.from({ length: n }, (_, j) => interpolate(j / Math.max(n - 1, 1) * last2, times, knots));
     const own2 = ({ one }) => at3.map((u) => Math.min(Math.round(interpolate(u, knots, one.seconds) * one.fps * 100) / 100, one.end - one.start - 1));
     return { mixture: at3.map((_, j) => j), sources: used.map(own2) };
   }
+  function sharesOf(values) {
+    const total3 = sum(values);
+    return values.map((value) => total3 > 0 ? value / total3 : 1 / values.length);
+  }
+  var readPairs = (text) => [...(text || "").matchAll(/(\d+):([\d.]+)/g)].map(([, motion, value]) => [Number(motion), Math.min(Number(value) || 0, 1)]);
+
+  // motifs/blend.mjs
+  var OURS = "~blend~";
+  var WAIT = 300;
+  var SOURCE = { light: "#9aa5b4", dark: "#7c8797" };
+  var now = (
+    /** @type {any} */
+    null
+  );
+  var seen;
+  var writing = 0;
+  var motionOf = (motion) => (
+    /** @type {BlendMotion} */
+    now.data.bodies[now.body].motions.find((one) => one.motion === motion)
+  );
+  var shares = () => sharesOf(now.values);
+  function linkText() {
+    const { data: data2, body: body2, chosen: chosen3, values } = now;
+    const first = body2 === 0 && chosen3.join() === data2.bodies[0].chosen.join() && values.every((v) => v === values[0]);
+    return first ? "" : writePairs(chosen3, values);
+  }
+  function read(text) {
+    const pairs = readPairs(text);
+    const body2 = now.data.bodies.findIndex(({ motions }) => pairs.length > 1 && pairs.every(([k]) => motions.some((one) => one.motion === k)));
+    if (body2 < 0) return false;
+    const kept = pairs.slice(0, now.data.most);
+    Object.assign(now, { body: body2, chosen: kept.map(([k]) => k), values: kept.map(([, v]) => v), written: text ?? "" });
+    return true;
+  }
+  function start2(body2) {
+    const chosen3 = [...now.data.bodies[body2].chosen];
+    Object.assign(now, { body: body2, chosen: chosen3, values: chosen3.map(() => evenWeight(chosen3.length)) });
+  }
   function mixtureName() {
-    const used = shares().map((share2, i) => [now.chosen[i], share2]).filter(([, share2]) => rounded(share2) !== "0");
+    const used = shares().map((share2, i) => (
+      /** @type {[number, number]} */
+      [now.chosen[i], share2]
+    )).filter(([, share2]) => rounded(share2) !== "0");
     used.sort(([a], [b]) => a - b);
-    return `${OURS}${now.data.key}~${now.data.motif}~${pairs(used.map(([k]) => k), used.map(([, share2]) => share2))}`;
+    return `${OURS}${now.data.key}~${now.data.motif}~${writePairs(used.map(([k]) => k), used.map(([, share2]) => share2))}`;
   }
   function request() {
     const { data: data2 } = now;
@@ -4370,7 +4905,7 @@
     if (!now.sources) return { dataset: data2.dataset, items: [made], layout: "overlay", sync: "warp", title };
     const used = shares().map((share2, i) => ({ share: share2, one: motionOf(now.chosen[i]) })).filter(({ share: share2 }) => rounded(share2) !== "0");
     const warps = inStep(used);
-    const colour = SOURCE[document.documentElement.dataset.mantineColorScheme] || SOURCE.light;
+    const colour = SOURCE[document.documentElement.dataset.mantineColorScheme ?? ""] || SOURCE.light;
     const items = used.map(({ one }, i) => ({
       clip: one.clip,
       start: one.start,
@@ -4384,11 +4919,11 @@
   }
   var onStage = () => Boolean(player.frameOf(0)?.dataset?.startsWith(OURS));
   function play2() {
-    const asked5 = request();
-    if (onStage()) player.replace(asked5);
-    else player.show(asked5);
+    const mixture = request();
+    if (onStage()) player.replace(mixture);
+    else player.show(mixture);
     const link2 = find("blend-bvh");
-    if (link2) link2.href = `/api/bvh/${encodeURIComponent(mixtureName())}/blend`;
+    if (link2) link2.setAttribute("href", `/api/bvh/${encodeURIComponent(mixtureName())}/blend`);
   }
   function write() {
     clearTimeout(writing);
@@ -4409,7 +4944,7 @@
     write();
   }
   var actions = {
-    mean: () => now.values.fill(even(now.values.length)),
+    mean: () => now.values.fill(evenWeight(now.values.length)),
     random() {
       const drawn7 = now.values.map(() => -Math.log(Math.max(Math.random(), 1e-9)));
       const scale3 = now.values.length > 3 ? Math.max(...drawn7) : sum(drawn7);
@@ -4419,51 +4954,56 @@
       now.sources = !now.sources;
     }
   };
-  var hands = {
+  var controlActions = {
+    /** @param {number[]} values */
     set(values) {
       now.values = values;
       changed();
     },
-    body(number3) {
-      start2(number3);
+    /** @param {number} number */
+    body(number2) {
+      start2(number2);
       chooseAgain(now.body, now.chosen, now.values);
     },
+    /** @param {number} motion */
     add(motion) {
       const chosen3 = [...now.chosen, motion];
-      chooseAgain(now.body, chosen3, chosen3.map(() => even(chosen3.length)));
+      chooseAgain(now.body, chosen3, chosen3.map(() => evenWeight(chosen3.length)));
     },
+    /** @param {number} motion */
     remove(motion) {
       const chosen3 = now.chosen.filter((one) => one !== motion);
-      chooseAgain(now.body, chosen3, chosen3.map(() => even(chosen3.length)));
+      chooseAgain(now.body, chosen3, chosen3.map(() => evenWeight(chosen3.length)));
     }
   };
   document.addEventListener("click", (event) => {
-    const button4 = event.target.closest && event.target.closest("[data-blend]");
+    const button4 = closest(event, "[data-blend]");
     if (!button4 || !now) return;
     const action = button4.dataset.blend;
     if (action === "middles") return player.show(now.data.middles);
-    actions[action]();
+    actions[action ?? ""]();
     if (action === "sources") button4.setAttribute("aria-pressed", String(now.sources));
     changed();
   });
   function show2(quiet2) {
     const { data: data2 } = now;
-    find("blend-title").textContent = data2.title;
+    need("blend-title").textContent = data2.title;
     const body2 = data2.bodies[now.body];
-    find("blend-count").textContent = `${now.chosen.length} of ${data2.total} motions`;
+    need("blend-count").textContent = `${now.chosen.length} of ${data2.total} motions`;
     const others = data2.total - body2.motions.length;
-    find("blend-note").textContent = others ? `${others} of its ${data2.total} motions are of other bodies; only motions of one body can be mixed.` : "";
-    drawControls(find("blend-controls"), now, shares(), hands);
+    need("blend-note").textContent = others ? `${others} of its ${data2.total} motions are of other bodies; only motions of one body can be mixed.` : "";
+    drawControls(need("blend-controls"), now, shares(), controlActions);
     if (!quiet2) play2();
   }
   function message(text) {
-    find("blend-hint").textContent = text;
-    find("blend-hint").classList.toggle("hidden", !text);
-    find("blend-panel").classList.toggle("hidden", Boolean(text));
+    need("blend-hint").textContent = text;
+    need("blend-hint").classList.toggle("hidden", !text);
+    need("blend-panel").classList.toggle("hidden", Boolean(text));
   }
   function leave(selection) {
     if (now && onStage() && selection) setStore("selection", { ...selection });
-    now = null;
+    now = /** @type {any} */
+    null;
   }
   function begin(data2, view4, selection, linked) {
     now = { data: data2, body: 0, chosen: [], values: [], sources: false, written: "" };
@@ -4473,27 +5013,35 @@
     const stills = !seen && new URLSearchParams(location.search).get("layout") === "pose";
     show2(stills || selection && selection.motion !== void 0);
     if (stills) player.show(data2.middles);
-    document.querySelector("[data-blend='sources']").setAttribute("aria-pressed", "false");
+    within(document, "[data-blend='sources']").setAttribute("aria-pressed", "false");
   }
   function take(data2, view4, selection) {
     const name = `${data2.key} ${data2.motif}`;
     const linked = !seen || seen === name;
     if (data2.motif === void 0 || data2.motif === null) {
-      now = null;
+      now = /** @type {any} */
+      null;
       message("Choose a motif to mix its motions.");
     } else if (!data2.bodies || !data2.bodies.length) {
-      now = null;
+      now = /** @type {any} */
+      null;
       message("No two motions of this motif are of one body, so there is nothing to mix.");
       if (data2.together && seen !== name) player.show(data2.together);
     } else {
       message("");
       if (!now || `${now.data.key} ${now.data.motif}` !== name) begin(data2, view4, selection, linked);
-      else if (!find("blend-controls").childElementCount) show2(true);
+      else if (!need("blend-controls").childElementCount) show2(true);
       else if ((view4.weights || "") !== now.written && read(view4.weights)) show2();
     }
     seen = name;
   }
   register("blend", {
+    /**
+     * @param {BlendData | null} data
+     * @param {View | null} view
+     * @param {unknown} _id
+     * @param {Selection | null} selection
+     */
     draw(data2, view4, _id, selection) {
       if (!view4 || view4.side !== "blend") {
         leave(selection);
@@ -4519,7 +5067,7 @@
   }
   function here(bar) {
     if (bar.side === "a") return bar.motif;
-    const links = shown3.data.ribbons.filter((r) => r.b === bar.motif && r.a !== null && r.kind !== "rest");
+    const links = (shown3?.data.ribbons ?? []).filter((r) => r.b === bar.motif && r.a !== null && r.kind !== "rest");
     return links.length ? links.reduce((best, r) => r.h > best.h ? r : best).a : null;
   }
   function pressable(node, label, act2) {
@@ -4555,7 +5103,7 @@
     svg.appendChild(one);
   }
   function draw2() {
-    const box2 = document.getElementById("compare-flow");
+    const box2 = find("compare-flow");
     if (!box2 || !shown3 || !shown3.data || !box2.clientWidth) return;
     const width = box2.clientWidth, { height, bars, ribbons } = shown3.data;
     const svg = drawing2("svg", { width, height, viewBox: `0 0 ${width} ${height}`, role: "group", "aria-label": "Motion that motifs of both results share" });
@@ -4568,12 +5116,12 @@
     mark();
   }
   function mark() {
-    const box2 = document.getElementById("compare-flow");
+    const box2 = find("compare-flow");
     if (!box2 || !shown3) return;
     const a = String(shown3.selection?.motif ?? ""), b = a ? "" : String(shown3.gained ?? "");
     const touches = (node) => a && node.dataset.a === a || b && node.dataset.b === b || node.dataset.side === "a" && a && node.dataset.motif === a || node.dataset.side === "b" && b && node.dataset.motif === b;
     box2.classList.toggle("some-chosen", Boolean(a || b));
-    for (const node of box2.querySelectorAll(".flow-bar, .flow-ribbon")) node.classList.toggle("chosen", Boolean(touches(node)));
+    for (const node of allWithin(box2, ".flow-bar, .flow-ribbon")) node.classList.toggle("chosen", Boolean(touches(node)));
   }
   var watched = /* @__PURE__ */ new WeakSet();
   function watch(box2) {
@@ -4586,18 +5134,21 @@
     }).observe(box2);
   }
   register("compare", {
+    /** @param {Flow | null} data @param {Selection | null} selection @param {View | null} view */
     draw(data2, selection, view4) {
-      shown3 = { data: data2, selection, gained: (view4 || {}).gained };
-      const box2 = document.getElementById("compare-flow");
+      shown3 = data2 && { data: data2, selection, gained: (view4 || {}).gained };
+      const box2 = find("compare-flow");
       if (!data2 || !box2) return clientside.no_update;
       watch(box2);
       draw2();
       return clientside.no_update;
     },
+    /** @param {any} request */
     play(request5) {
       if (request5) setStore("stage-request", request5);
       return clientside.no_update;
     },
+    /** @param {Selection | null} selection @param {View | null} view */
     mark(selection, view4) {
       if (shown3) Object.assign(shown3, { selection, gained: (view4 || {}).gained });
       mark();
@@ -4618,10 +5169,17 @@
 
   // motifs/graph.mjs
   var ID = "motif-graph";
+  var STEPS = { ArrowLeft: [60, 0], ArrowRight: [-60, 0], ArrowUp: [0, 60], ArrowDown: [0, -60] };
   async function graphReady(tries = 100) {
     for (let i = 0; i < tries; i++) {
-      const box2 = document.getElementById(ID);
-      const cy = box2 && box2._cyreg && box2._cyreg.cy;
+      const box2 = (
+        /** @type {any} */
+        find(ID)
+      );
+      const cy = (
+        /** @type {Cytoscape | undefined} */
+        box2?._cyreg?.cy
+      );
       if (cy && !cy.destroyed() && cy.elements().length) return cy;
       await new Promise((resolve) => setTimeout(resolve, 30));
     }
@@ -4630,7 +5188,7 @@
   function chosenIn(cy, selection) {
     if (!selection) return cy.collection();
     if (selection.motif !== void 0) return cy.getElementById("m" + selection.motif);
-    if (selection.motifs !== void 0) return cy.nodes().filter((node) => selection.motifs.split("-").includes(String(node.data("motif"))));
+    if (selection.motifs !== void 0) return cy.nodes().filter((node) => selection.motifs?.split("-").includes(String(node.data("motif"))) ?? false);
     if (selection.edge !== void 0) return cy.getElementById("e" + selection.edge);
     return cy.collection();
   }
@@ -4644,7 +5202,7 @@
     box2.setAttribute("role", "application");
     box2.setAttribute("aria-label", "Motif graph. Arrow keys move, plus and minus zoom, 0 shows all. The table below lists the same motifs.");
     box2.addEventListener("keydown", (event) => {
-      const step3 = { ArrowLeft: [60, 0], ArrowRight: [-60, 0], ArrowUp: [0, 60], ArrowDown: [0, -60] }[event.key];
+      const step3 = STEPS[event.key];
       if (step3) cy.panBy({ x: step3[0], y: step3[1] });
       else if (event.key === "+" || event.key === "=") zoom2(cy, 1.25);
       else if (event.key === "-") zoom2(cy, 0.8);
@@ -4687,7 +5245,7 @@
     });
     cy.on("tapend", "node, edge", (event) => {
       const [a, b] = [pressed?.renderedPosition, event.renderedPosition];
-      const tapped = pressed?.target === event.target && Math.hypot(a.x - b.x, a.y - b.y) < 6;
+      const tapped = pressed?.target === event.target && a !== void 0 && Math.hypot(a.x - b.x, a.y - b.y) < 6;
       if (tapped && !walking.on) ahead.play(selectionOf(event.target));
     });
     cy.on("zoom", () => cy.elements(".readable").data("letters", letters(cy)));
@@ -4716,7 +5274,7 @@
           const canvas = document.createElement("canvas");
           canvas.width = Math.max(1, Math.round(image.width * scale3));
           canvas.height = Math.max(1, Math.round(image.height * scale3));
-          canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
+          context2d(canvas).drawImage(image, 0, 0, canvas.width, canvas.height);
           canvas.toBlob((blob) => resolve(blob ? URL.createObjectURL(blob) : address2));
         };
         image.onerror = () => resolve(address2);
@@ -4739,6 +5297,7 @@
   }
   var taps = 0;
   register("graph", {
+    /** @param {{ motif: number } | null} node @param {{ edge: string } | null} edge */
     async tapped(node, edge) {
       if (walking.on) return clientside.no_update;
       const which = clientside.callback_context.triggered.map((item) => item.prop_id).join(" ");
@@ -4749,12 +5308,13 @@
       else if (which.includes("tapEdgeData") && edge) setStore("selection", { edge: edge.edge });
       return clientside.no_update;
     },
+    /** @param {Selection | null} selection @param {number | null} threshold */
     async mark(selection, threshold) {
       const cy = await graphReady();
       if (!cy) return clientside.no_update;
       watch2(cy);
       rasterise(cy);
-      const label = document.getElementById("edge-filter-label");
+      const label = find("edge-filter-label");
       if (label) label.textContent = `Successions seen at least ${threshold || 1}×`;
       cy.batch(() => {
         cy.elements().removeClass("chosen near faded rare");
@@ -4772,6 +5332,7 @@
       });
       return clientside.no_update;
     },
+    /** @param {{ graph?: string } | null} request @param {string | null} dataset */
     async tool(request5, dataset2) {
       const cy = request5 && await graphReady(10);
       if (!cy) return clientside.no_update;
@@ -4799,18 +5360,22 @@
     return button4;
   }
   register("motions", {
+    /** @param {{ name?: string, rows?: MotionRow[], more?: number } | null} motions */
     list(motions) {
-      const box2 = document.getElementById("motion-list");
+      const box2 = find("motion-list");
       if (!box2) return clientside.no_update;
       const { name = "", rows: rows2 = [], more: more2 = 0 } = motions || {};
       const same4 = box2.dataset.name === name;
       const top = same4 ? box2.scrollTop : 0;
-      const focused = same4 ? [...box2.children].indexOf(document.activeElement) : -1;
+      const focused = same4 ? [...box2.children].indexOf(
+        /** @type {any} */
+        document.activeElement
+      ) : -1;
       box2.dataset.name = name;
       box2.replaceChildren(...rows2.map(row3));
       if (more2) box2.append(element("div", "muted selection-more", `and ${more2} more`));
       box2.scrollTop = top;
-      if (focused >= 0) box2.children[focused]?.focus({ preventScroll: true });
+      if (focused >= 0) childrenOf(box2)[focused]?.focus({ preventScroll: true });
       return clientside.no_update;
     }
   });
@@ -4819,31 +5384,33 @@
   var LONGEST = 26;
   var short = (text) => text.length > LONGEST ? text.slice(0, LONGEST - 1) + "…" : text;
   register("names", {
-    async draw(said2) {
+    /** @param {Record<string, string[]> | null} names */
+    async draw(names2) {
       const cy = await graphReady();
       if (!cy) return clientside.no_update;
       cy.batch(() => cy.nodes("[motif >= 0]").forEach((node) => {
         if (node.data("plain") === void 0) node.data("plain", node.data("label"));
-        const [name] = (said2 || {})[node.data("motif")] || [];
+        const [name] = (names2 || {})[node.data("motif")] || [];
         const label = name ? `${short(name)} · ${node.data("plain").split(" · ").pop()}` : node.data("plain");
         if (node.data("label") !== label) node.data("label", label);
       }));
       return clientside.no_update;
     },
     // Rows that do not match leave the table, their boxes fade in the graph.
+    /** @param {string | null} text @param {Record<string, any>[] | null} rows */
     async search(text, rows2) {
-      const words3 = (text || "").toLowerCase().split(/\s+/).filter(Boolean);
+      const words2 = (text || "").toLowerCase().split(/\s+/).filter(Boolean);
       const api = await gridApi("motif-table");
       if (api) api.setGridOption("quickFilterText", text || "");
       const cy = await graphReady(3);
       if (!cy) return clientside.no_update;
       const fits = (row8) => {
         const all = ["id", "name", "tags", "note", "label"].map((field) => row8[field] ?? "").join(" ").toLowerCase();
-        return words3.every((word) => all.includes(word));
+        return words2.every((word) => all.includes(word));
       };
-      const found = new Set((rows2 || []).filter(fits).map((row8) => "m" + row8.id));
+      const matching = new Set((rows2 || []).filter(fits).map((row8) => "m" + row8.id));
       cy.batch(() => cy.nodes("[motif >= 0]").forEach((node) => {
-        node.toggleClass("unmatched", words3.length > 0 && !found.has(node.id()));
+        node.toggleClass("unmatched", words2.length > 0 && !matching.has(node.id()));
       }));
       return clientside.no_update;
     }
@@ -4851,12 +5418,12 @@
 
   // motifs/stability.mjs
   var shown4 = null;
-  var of = (motif) => shown4 ? shown4.motifs[motif] : void 0;
+  var of = (motif) => shown4?.motifs[motif ?? ""];
   function rate(node) {
-    const found = of(node.data("motif"));
-    if (!found) return;
-    const label = `${node.data("label")} · ${percent(found.overall)}`;
-    if (node.data("rated") !== label) node.data({ rated: label, stability: found.overall });
+    const shares2 = of(node.data("motif"));
+    if (!shares2) return;
+    const label = `${node.data("label")} · ${percent(shares2.overall)}`;
+    if (node.data("rated") !== label) node.data({ rated: label, stability: shares2.overall });
     node.addClass("rated");
   }
   var watched3 = /* @__PURE__ */ new WeakSet();
@@ -4865,21 +5432,22 @@
     watched3.add(cy);
     cy.on("data", "node[motif >= 0]", (event) => rate(event.target));
   }
-  function words2(motif) {
-    const found = of(motif);
-    if (!found) return "Choose a box to see how it fared.";
+  function words(motif) {
+    const shares2 = of(motif);
+    if (!shares2) return "Choose a box to see how it fared.";
     const kinds2 = [["noise", "with noise"], ["seed", "from other seeds"], ["parameters", "with settings a step away"]];
-    const each = kinds2.filter(([kind]) => kind in found).map(([kind, name]) => `${percent(found[kind])} ${name}`);
-    return `Motif ${motif}: ${percent(found.overall)}, kept in ${found.kept} of ${shown4.repeats} repeats (${each.join(", ")}).`;
+    const each = kinds2.filter(([kind]) => kind in shares2).map(([kind, name]) => `${percent(shares2[kind] ?? 0)} ${name}`);
+    return `Motif ${motif}: ${percent(shares2.overall)}, kept in ${shares2.kept} of ${shown4?.repeats} repeats (${each.join(", ")}).`;
   }
   gridFunctions.stabilityOf = (params) => (params.data && of(params.data.id)?.overall) ?? null;
   register("stability", {
+    /** @param {Stability | null} data @param {unknown} _elements @param {Selection | null} selection */
     async draw(data2, _elements, selection) {
       shown4 = data2 || null;
-      const legend3 = document.getElementById("stability-legend");
+      const legend3 = find("stability-legend");
       if (legend3) legend3.classList.toggle("hidden", !shown4);
-      const place6 = document.getElementById("stability-words");
-      if (place6 && shown4) place6.textContent = words2((selection || {}).motif);
+      const place5 = find("stability-words");
+      if (place5 && shown4) place5.textContent = words((selection || {}).motif);
       const cy = await graphReady();
       if (!cy) return clientside.no_update;
       watch3(cy);
@@ -4889,6 +5457,7 @@
       });
       return clientside.no_update;
     },
+    /** @param {Stability | null} data */
     async list(data2) {
       shown4 = data2 || null;
       const api = await gridApi("motif-table");
@@ -4900,7 +5469,7 @@
   });
 
   // motifs/timeline.mjs
-  var place2 = (node, start3, end, seconds) => {
+  var place = (node, start3, end, seconds) => {
     node.style.left = 100 * start3 / seconds + "%";
     node.style.width = Math.max(100 * (end - start3) / seconds, 0.15) + "%";
   };
@@ -4908,22 +5477,22 @@
     const block2 = element("span", "timeline-label", actions4[action]);
     block2.title = `${actions4[action]}, ${clock(start3)} to ${clock(end)}`;
     block2.style.setProperty("--tone", colours[action]);
-    place2(block2, start3, end, seconds);
+    place(block2, start3, end, seconds);
     return block2;
   }
-  function motionBlock([start3, end, motif, number3], motifs2, seconds) {
+  function motionBlock([start3, end, motif, number2], motifs2, seconds) {
     const { name, colour: tone, motions } = motifs2[motif];
     const block2 = element("button", "timeline-motion");
     block2.append(element("span", motif < 100 ? "" : "timeline-hundred", String(motif)));
     block2.type = "button";
     block2.tabIndex = -1;
-    block2.title = `${name}, motion ${number3 + 1} of ${motions}, ${clock(start3)} to ${clock(end)}`;
+    block2.title = `${name}, motion ${number2 + 1} of ${motions}, ${clock(start3)} to ${clock(end)}`;
     block2.setAttribute("aria-label", block2.title);
     block2.dataset.store = "selection";
-    block2.dataset.value = JSON.stringify({ motif, motion: number3 });
-    block2.dataset.motif = motif;
+    block2.dataset.value = JSON.stringify({ motif, motion: number2 });
+    block2.dataset.motif = String(motif);
     block2.style.setProperty("--tone", tone);
-    place2(block2, start3, end, seconds);
+    place(block2, start3, end, seconds);
     return block2;
   }
   function row4(clip, data2, longest2, fill) {
@@ -4940,8 +5509,8 @@
     const time = element("div", "timeline-time");
     time.style.width = fill ? "100%" : Math.max(100 * clip.seconds / longest2, 0.5) + "%";
     time.dataset.clip = clip.clip;
-    time.dataset.seconds = clip.seconds;
-    time.dataset.fps = clip.fps;
+    time.dataset.seconds = String(clip.seconds);
+    time.dataset.fps = String(clip.fps);
     if (data2.actions.length) {
       const labels2 = element("div", "timeline-labels");
       labels2.append(...clip.labels.map((label) => labelBlock(label, data2, clip.seconds)));
@@ -4949,7 +5518,7 @@
     }
     const motions = element("div", "timeline-motions");
     motions.append(...clip.motions.map((motion) => motionBlock(motion, data2.motifs, clip.seconds)));
-    if (motions.firstChild) motions.firstChild.tabIndex = 0;
+    if (childrenOf(motions)[0]) childrenOf(motions)[0].tabIndex = 0;
     time.append(motions, element("div", "timeline-now"));
     track.append(time);
     line2.append(head3, track);
@@ -4973,28 +5542,33 @@
     chosen2 = selection;
     const motif = selection && selection.motif !== void 0 ? String(selection.motif) : null;
     box2.classList.toggle("one-motif", motif !== null);
-    for (const block2 of box2.querySelectorAll(".timeline-motion")) {
+    for (const block2 of allWithin(box2, ".timeline-motion")) {
       block2.classList.toggle("same", block2.dataset.motif === motif);
-      const { motion } = JSON.parse(block2.dataset.value);
-      block2.setAttribute("aria-pressed", String(block2.dataset.motif === motif && String(selection.motion) === String(motion)));
+      const { motion } = JSON.parse(block2.dataset.value ?? "{}");
+      block2.setAttribute("aria-pressed", String(block2.dataset.motif === motif && String(selection?.motion) === String(motion)));
     }
-    for (const head3 of box2.querySelectorAll(".timeline-clip")) {
-      head3.classList.toggle("chosen", Boolean(selection && selection.clip === JSON.parse(head3.dataset.value).clip));
+    for (const head3 of allWithin(box2, ".timeline-clip")) {
+      head3.classList.toggle("chosen", Boolean(selection && selection.clip === JSON.parse(head3.dataset.value ?? "{}").clip));
     }
   }
   function move2(event) {
-    const block2 = event.target.closest(".timeline-motion");
+    const block2 = closest(event, ".timeline-motion");
     if (!block2) return;
-    const siblings = [...block2.parentNode.children];
-    const lines = [...block2.closest(".timeline-rows").querySelectorAll(".timeline-motions:not(:empty)")];
+    const motions = (
+      /** @type {HTMLInputElement} */
+      block2.parentNode
+    );
+    const siblings = childrenOf(motions);
+    const lines = allWithin(around(block2, ".timeline-rows"), ".timeline-motions:not(:empty)");
     const at3 = siblings.indexOf(block2);
-    const line2 = lines.indexOf(block2.parentNode);
-    const next2 = {
+    const line2 = lines.indexOf(motions);
+    const ways = {
       ArrowRight: () => siblings[at3 + 1],
       ArrowLeft: () => siblings[at3 - 1],
-      ArrowDown: () => lines[line2 + 1]?.firstChild,
-      ArrowUp: () => lines[line2 - 1]?.firstChild
-    }[event.key];
+      ArrowDown: () => lines[line2 + 1] && childrenOf(lines[line2 + 1])[0],
+      ArrowUp: () => lines[line2 - 1] && childrenOf(lines[line2 - 1])[0]
+    };
+    const next2 = ways[event.key];
     if (!next2) return;
     event.preventDefault();
     event.stopPropagation();
@@ -5003,7 +5577,7 @@
   document.addEventListener("keydown", move2);
   var shown5 = [];
   function cursor() {
-    const box2 = document.getElementById("timeline-rows");
+    const box2 = find("timeline-rows");
     if (!box2 || !box2.offsetParent) return;
     const now6 = /* @__PURE__ */ new Map();
     for (let i = 0; i < 24; i++) {
@@ -5011,14 +5585,14 @@
       if (!item) break;
       if (!String(item.dataset || "").startsWith("~")) now6.set(item.clip, item.frame);
     }
-    for (const line2 of shown5) if (!now6.has(line2.parentNode.dataset.clip)) line2.style.display = "";
+    for (const line2 of shown5) if (!now6.has(line2.parentElement?.dataset.clip ?? "")) line2.style.display = "";
     shown5 = [];
     for (const [clip, frame] of now6) {
-      const time = box2.querySelector(`.timeline-time[data-clip="${CSS.escape(clip)}"]`);
-      if (!time) continue;
-      const line2 = time.lastChild;
+      const time = allWithin(box2, `.timeline-time[data-clip="${CSS.escape(clip)}"]`)[0];
+      const line2 = time && childrenOf(time).at(-1);
+      if (!line2) continue;
       line2.style.display = "block";
-      line2.style.left = 100 * frame / time.dataset.fps / time.dataset.seconds + "%";
+      line2.style.left = 100 * frame / Number(time.dataset.fps) / Number(time.dataset.seconds) + "%";
       shown5.push(line2);
     }
   }
@@ -5026,33 +5600,34 @@
   var drawn2 = null;
   function drawing3(selection) {
     if (!drawn2) return null;
-    const motif = selection && selection.motif !== void 0 ? { motif: selection.motif } : {};
+    const motif = selection && selection.motif !== void 0 ? { motif: String(selection.motif) } : null;
     const scheme = document.documentElement.dataset.mantineColorScheme || "light";
     return `${drawn2.data.drawing}&${new URLSearchParams({ order: drawn2.order, scale: drawn2.scale, ...motif, scheme })}`;
   }
   var chosen2 = null;
   drawings.timeline = () => drawing3(chosen2);
   function draw3(data2, order, scale3, selection) {
-    const box2 = document.getElementById("timeline-rows");
+    const box2 = find("timeline-rows");
     if (!box2 || !data2) return clientside.no_update;
     const wanted2 = { data: data2, order, scale: scale3, motif: order === "chosen" ? (selection || {}).motif : null };
-    const same4 = drawn2 && box2.firstChild && Object.keys(wanted2).every((key) => wanted2[key] === drawn2[key]);
+    const same4 = drawn2 && box2.firstChild && data2 === drawn2.data && order === drawn2.order && scale3 === drawn2.scale && wanted2.motif === drawn2.motif;
     if (!same4) {
       drawn2 = wanted2;
       const longest2 = Math.max(...data2.rows.map((clip) => clip.seconds), 1e-3);
       const rows2 = ordered(data2.rows, order, (selection || {}).motif);
       box2.classList.toggle("labelled", data2.actions.length > 0);
       box2.replaceChildren(...rows2.map((clip) => row4(clip, data2, longest2, scale3 === "fill")));
-      legend2(document.getElementById("timeline-legend"), data2);
+      legend2(need("timeline-legend"), data2);
     }
     mark2(box2, selection);
     return clientside.no_update;
   }
   register("timeline", {
     draw: draw3,
+    /** @param {Selection | null} selection @param {string} order */
     mark(selection, order) {
       if (drawn2 && order === "chosen") draw3(drawn2.data, order, drawn2.scale, selection);
-      const box2 = document.getElementById("timeline-rows");
+      const box2 = find("timeline-rows");
       if (box2) mark2(box2, selection);
       return clientside.no_update;
     }
@@ -5081,7 +5656,7 @@
     const cy = await graphReady(on2 ? 100 : 1);
     if (!cy || mine2 !== turn2) return;
     watch4(cy, steps2);
-    const links = new Set((data2.path || []).slice(1).map((motif, i) => `${data2.path[i]}-${motif}`));
+    const links = new Set((data2.path || []).slice(1).map((motif, i) => `${data2.path?.[i]}-${motif}`));
     const wanted2 = on2 ? (data2.further || []).filter(([a, b]) => cy.getElementById(`m${a}`).nonempty() && cy.getElementById(`m${b}`).nonempty()) : [];
     const kept = new Set(wanted2.map(([a, b]) => `w${a}-${b}`));
     cy.batch(() => {
@@ -5107,7 +5682,21 @@
   }
 
   // motifs/walk_path.mjs
-  var path = { ids: [], hands: null, focus: void 0 };
+  var path = {
+    ids: (
+      /** @type {number[]} */
+      []
+    ),
+    actions: (
+      /** @type {PathActions} */
+      /** @type {any} */
+      null
+    ),
+    focus: (
+      /** @type {number | undefined} */
+      void 0
+    )
+  };
   var LINKS = { further: "A further transition point, inside the motions", bridge: "Bridged by a blend: not in the recordings" };
   function moved(ids, from, to) {
     const next2 = [...ids];
@@ -5115,7 +5704,7 @@
     return next2;
   }
   var without = (ids, at3) => ids.filter((_, i) => i !== at3);
-  function chip(motif, at3, data2, hands2) {
+  function chip(motif, at3, data2, actions4) {
     const name = data2.motifs?.find((one) => one.id === motif)?.name || "";
     const item = element("li", "walk-step");
     const kind = data2.kinds?.[at3 - 1];
@@ -5126,7 +5715,7 @@
     }
     const box2 = element("span", "walk-chip");
     box2.draggable = true;
-    box2.dataset.at = at3;
+    box2.dataset.at = String(at3);
     if (data2.gap && at3 && data2.path[at3 - 1] === data2.gap[0] && motif === data2.gap[1]) box2.classList.add("gap");
     if (data2.dead?.includes(motif) && at3 === data2.path.length - 1) box2.classList.add("dead");
     const go = element("button", "walk-go");
@@ -5134,26 +5723,26 @@
     go.append(element("b", "", String(motif)));
     if (name) go.append(element("span", "walk-name", name));
     go.title = `Motif ${motif}${name ? `, ${name}` : ""}: play from here. Alt and arrow keys move it, Delete takes it away.`;
-    go.addEventListener("click", () => hands2.jump(at3));
+    go.addEventListener("click", () => actions4.jump(at3));
     go.addEventListener("keydown", (event) => {
       const ids = data2.path;
       const step3 = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
       if (event.altKey && step3 && at3 + step3 >= 0 && at3 + step3 < ids.length) {
         path.focus = at3 + step3;
-        hands2.write(moved(ids, at3, at3 + step3));
+        actions4.write(moved(ids, at3, at3 + step3));
       } else if (event.key === "Delete" || event.key === "Backspace") {
         path.focus = Math.max(0, at3 - 1);
-        hands2.write(without(ids, at3));
+        actions4.write(without(ids, at3));
       } else return;
       event.preventDefault();
       event.stopPropagation();
     });
-    const away2 = element("button", "walk-away", "×");
-    away2.type = "button";
-    away2.title = "Take away";
-    away2.setAttribute("aria-label", `Take motif ${motif} away`);
-    away2.addEventListener("click", () => hands2.write(without(data2.path, at3)));
-    box2.append(go, away2);
+    const away = element("button", "walk-away", "×");
+    away.type = "button";
+    away.title = "Take away";
+    away.setAttribute("aria-label", `Take motif ${motif} away`);
+    away.addEventListener("click", () => actions4.write(without(data2.path, at3)));
+    box2.append(go, away);
     item.append(box2);
     return item;
   }
@@ -5161,43 +5750,44 @@
     if (list2.dataset.watched) return;
     list2.dataset.watched = "yes";
     let held = null;
-    const place6 = (event) => event.target.closest?.(".walk-chip");
+    const place5 = (event) => closest(event, ".walk-chip");
     list2.addEventListener("dragstart", (event) => {
-      held = Number(place6(event)?.dataset.at);
+      held = Number(place5(event)?.dataset.at);
+      if (!event.dataTransfer) return;
       event.dataTransfer.effectAllowed = "move";
       event.dataTransfer.setData("text/plain", String(held));
     });
     list2.addEventListener("dragover", (event) => {
-      if (held === null || !place6(event)) return;
+      if (held === null || !place5(event)) return;
       event.preventDefault();
-      for (const box2 of list2.querySelectorAll(".walk-chip")) box2.classList.toggle("over", box2 === place6(event));
+      for (const box2 of allWithin(list2, ".walk-chip")) box2.classList.toggle("over", box2 === place5(event));
     });
     list2.addEventListener("drop", (event) => {
-      const to = place6(event);
+      const to = place5(event);
       if (held === null || !to) return;
       event.preventDefault();
-      if (Number(to.dataset.at) !== held) path.hands.write(moved(path.ids, held, Number(to.dataset.at)));
+      if (Number(to.dataset.at) !== held) path.actions.write(moved(path.ids, held, Number(to.dataset.at)));
     });
     list2.addEventListener("dragend", () => {
       held = null;
-      for (const box2 of list2.querySelectorAll(".over")) box2.classList.remove("over");
+      for (const box2 of allWithin(list2, ".over")) box2.classList.remove("over");
     });
   }
-  function drawPath(list2, data2, hands2) {
+  function drawPath(list2, data2, actions4) {
     watch5(list2);
     path.ids = data2.path || [];
-    path.hands = hands2;
+    path.actions = actions4;
     const stamp = JSON.stringify([data2.path, data2.kinds, data2.gap, data2.dead, data2.motifs]);
     if (list2.dataset.stamp === stamp) return;
     list2.dataset.stamp = stamp;
-    list2.replaceChildren(...path.ids.map((motif, at3) => chip(motif, at3, data2, hands2)));
-    const focused = path.focus === void 0 ? null : list2.querySelectorAll(".walk-go")[path.focus];
+    list2.replaceChildren(...path.ids.map((motif, at3) => chip(motif, at3, data2, actions4)));
+    const focused = path.focus === void 0 ? null : allWithin(list2, ".walk-go")[path.focus];
     path.focus = void 0;
     if (focused) focused.focus();
   }
   function lightVisit(list2, visit) {
     if (!list2) return;
-    list2.querySelectorAll(".walk-chip").forEach((box2, at3) => {
+    allWithin(list2, ".walk-chip").forEach((box2, at3) => {
       const here3 = at3 === visit;
       box2.classList.toggle("lit", here3);
       if (here3) box2.setAttribute("aria-current", "true");
@@ -5215,12 +5805,15 @@
   var LONGEST2 = 300;
   var MOST_NAMED = 12;
   var BEFORE = 0.5;
-  var now2 = {};
+  var now2 = (
+    /** @type {any} */
+    {}
+  );
   var view = {};
   var played = "";
   var added = false;
   var lit = -1;
-  var asked2 = (shown7) => Object.fromEntries(KEYS4.filter((key) => shown7?.[key]).map((key) => [key, shown7[key]]));
+  var keysOf = (shown7) => Object.fromEntries(KEYS4.filter((key) => shown7?.[key]).map((key) => [key, shown7?.[key]]));
   var same2 = (a, b) => KEYS4.every((key) => (a?.[key] || "") === (b?.[key] || ""));
   var onStage2 = () => Boolean(player.frameOf(0)?.dataset?.startsWith(OURS2));
   var motifs = () => now2.path || [];
@@ -5236,7 +5829,7 @@
   function request2(data2) {
     const shown7 = data2.path.slice(0, 8).join(" → ") + (data2.path.length > 8 ? " …" : "");
     return {
-      dataset: data2.name,
+      dataset: data2.name ?? "",
       title: `Walk: ${shown7}`,
       layout: "overlay",
       sync: "start",
@@ -5244,18 +5837,18 @@
     };
   }
   async function play3(data2, fromEnd) {
-    played = data2.name;
+    played = data2.name ?? "";
     await player.show(request2(data2));
     if (!fromEnd || data2.path.length < 2) return;
     const back = Math.round(BEFORE * data2.frames / data2.seconds);
-    player.seek({ clip: "walk", frame: Math.max(0, data2.visits.at(-1)[0] - back) });
+    player.seek({ clip: "walk", frame: Math.max(0, (data2.visits.at(-1) ?? [0])[0] - back) });
   }
   var swap = (data2) => {
-    played = data2.name;
+    played = data2.name ?? "";
     player.replace(request2(data2));
   };
   function problem({ error, gap, detour }) {
-    const box2 = find("walk-error");
+    const box2 = need("walk-error");
     box2.replaceChildren();
     box2.classList.toggle("hidden", !error);
     if (!error) return;
@@ -5275,7 +5868,7 @@
   var without2 = ([a, b]) => motifs().filter((motif, i, all) => !(i && all[i - 1] === a && motif === b));
   var cm = (metres) => `${(100 * metres).toFixed(1)} cm/s`;
   function meters(data2) {
-    const box2 = find("walk-meters");
+    const box2 = need("walk-meters");
     box2.classList.toggle("hidden", !data2.name);
     if (!data2.name) return;
     const [source, plain3, kept] = data2.skate;
@@ -5291,9 +5884,9 @@
       row8.className = "walk-meter" + (i ? "" : " walk-meter-own");
       const name = Object.assign(document.createElement("span"), { textContent: label });
       const bar = Object.assign(document.createElement("span"), { className: "walk-bar" });
-      bar.style.setProperty("--share", value / most);
-      const number3 = Object.assign(document.createElement("span"), { className: "number", textContent: cm(value) });
-      row8.append(name, bar, number3);
+      bar.style.setProperty("--share", String(value / most));
+      const number2 = Object.assign(document.createElement("span"), { className: "number", textContent: cm(value) });
+      row8.append(name, bar, number2);
       return row8;
     }));
     const speed = document.createElement("div");
@@ -5304,51 +5897,51 @@
   }
   function waysText(data2) {
     if (!data2.parts) return "";
-    const total2 = data2.motifs.length;
-    const words3 = [];
-    if (data2.parts.length > 1) words3.push(`From ${data2.parts[0]} of ${total2} motifs one can come back to each other; ${data2.parts.length - 1} more such part${data2.parts.length > 2 ? "s" : ""}.`);
+    const total3 = data2.motifs.length;
+    const words2 = [];
+    if (data2.parts.length > 1) words2.push(`From ${data2.parts[0]} of ${total3} motifs one can come back to each other; ${data2.parts.length - 1} more such part${data2.parts.length > 2 ? "s" : ""}.`);
     const dead = data2.dead.length > MOST_NAMED ? `${data2.dead.length} motifs` : data2.dead.join(", ");
-    if (data2.dead.length) words3.push(`Dead ends, where nothing leads on: ${dead} (marked in the graph).`);
-    if (data2.asked.extra) words3.push(data2.further.length ? `${data2.further.length} further transitions (dashed).` : "No further transition points are good enough.");
-    return words3.join(" ");
+    if (data2.dead.length) words2.push(`Dead ends, where nothing leads on: ${dead} (marked in the graph).`);
+    if (data2.asked.extra) words2.push(data2.further.length ? `${data2.further.length} further transitions (dashed).` : "No further transition points are good enough.");
+    return words2.join(" ");
   }
   function show3() {
-    const busy = !same2(now2.asked, asked2(view));
-    find("walk-path").classList.toggle("busy", busy);
+    const busy = !same2(now2.asked, keysOf(view));
+    need("walk-path").classList.toggle("busy", busy);
     if (busy) {
-      find("walk-hint").textContent = view.walk ? "Making the walk …" : "";
+      need("walk-hint").textContent = view.walk ? "Making the walk …" : "";
       return;
     }
     const walks = Boolean(now2.name);
-    find("walk-path").dataset.shown = now2.asked.walk || "";
-    find("walk-length").textContent = walks ? `${now2.path.length} motif${now2.path.length > 1 ? "s" : ""}, ${now2.seconds.toFixed(1)} s` : "";
-    find("walk-hint").textContent = walks || now2.error ? "" : "Click motifs in the graph one after the other, or let chance choose.";
-    find("walk-notes").replaceChildren(...(now2.warnings || []).map((text) => Object.assign(document.createElement("p"), { textContent: text })));
-    find("walk-ways").textContent = waysText(now2);
-    drawPath(find("walk-path"), now2, { write: write2, jump: seekTo });
+    need("walk-path").dataset.shown = now2.asked.walk || "";
+    need("walk-length").textContent = walks ? `${now2.path.length} motif${now2.path.length > 1 ? "s" : ""}, ${now2.seconds.toFixed(1)} s` : "";
+    need("walk-hint").textContent = walks || now2.error ? "" : "Click motifs in the graph one after the other, or let chance choose.";
+    need("walk-notes").replaceChildren(...(now2.warnings || []).map((text) => Object.assign(document.createElement("p"), { textContent: text })));
+    need("walk-ways").textContent = waysText(now2);
+    drawPath(need("walk-path"), now2, { write: write2, jump: seekTo });
     problem(now2);
     meters(now2);
-    for (const button4 of document.querySelectorAll("[data-walk='play']")) button4.disabled = !walks;
-    for (const button4 of document.querySelectorAll("[data-walk='clear']")) button4.disabled = !view.walk;
-    setLink("walk-bvh", walks && `/api/bvh/${encodeURIComponent(now2.name)}/walk`);
+    for (const button4 of allWithin(document, "[data-walk='play']")) button4.disabled = !walks;
+    for (const button4 of allWithin(document, "[data-walk='clear']")) button4.disabled = !view.walk;
+    setLink("walk-bvh", walks && `/api/bvh/${encodeURIComponent(now2.name ?? "")}/walk`);
     const recipes = Object.values(walks && now2.recipes || {});
-    document.querySelectorAll(".walk-recipe").forEach((button4, i) => {
+    allWithin(document, ".walk-recipe").forEach((button4, i) => {
       button4.disabled = !recipes[i];
       button4.title = `Copy the walk as ${i ? "a Python script" : "commands"}`;
       button4.dataset.copy = recipes[i] || "";
     });
-    setLink("walk-json", walks && `/api/walk/${now2.name.slice(OURS2.length)}.json`);
+    setLink("walk-json", walks && `/api/walk/${now2.name?.slice(OURS2.length)}.json`);
     lists();
     markWalk(now2, walking.on, steps);
   }
   function lists() {
     for (const [id, first] of [["walk-add", "a motif …"], ["walk-from", "motif"], ["walk-to", "motif"]]) {
-      const list2 = find(id);
+      const list2 = need(id);
       const stamp = `${now2.key} ${JSON.stringify(now2.motifs)}`;
       if (list2.dataset.stamp === stamp) continue;
       list2.dataset.stamp = stamp;
       const chosen3 = list2.value;
-      list2.replaceChildren(new Option(first, ""), ...now2.motifs.map(({ id: motif, name }) => new Option(name ? `${motif} ${name}` : motif, motif)));
+      list2.replaceChildren(new Option(first, ""), ...now2.motifs.map(({ id: motif, name }) => new Option(name ? `${motif} ${name}` : String(motif), String(motif))));
       list2.value = chosen3;
     }
   }
@@ -5373,27 +5966,27 @@
     fewest: () => between("fewest"),
     used: () => between("used"),
     random() {
-      const whole3 = (id, low, high) => Math.min(Math.max(Math.round(Number(find(id).value) || low), low), high);
-      const seconds = whole3("walk-seconds", 1, Number(find("walk-seconds").max));
+      const whole3 = (id, low, high) => Math.min(Math.max(Math.round(Number(need(id).value) || low), low), high);
+      const seconds = whole3("walk-seconds", 1, Number(need("walk-seconds").max));
       let seed = whole3("walk-seed", 0, 999999999);
       if (view.walk === `random:${seconds}:${seed}`) seed += 1;
       changeView({ walk: `random:${seconds}:${seed}` });
     }
   };
   function between(by) {
-    const [from, to] = ["walk-from", "walk-to"].map((id) => find(id).value);
-    const missing = ["walk-from", "walk-to"].find((id) => !find(id).value);
-    if (missing) return find(missing).focus();
+    const [from, to] = ["walk-from", "walk-to"].map((id) => need(id).value);
+    const missing = ["walk-from", "walk-to"].find((id) => !need(id).value);
+    if (missing) return need(missing).focus();
     changeView({ walk: `${by}:${from}:${to}` });
   }
   document.addEventListener("click", (event) => {
-    const button4 = event.target.closest?.("[data-walk]");
-    if (button4 && !button4.disabled && walking.on) actions2[button4.dataset.walk]();
+    const button4 = closest(event, "[data-walk]");
+    if (button4 && !button4.disabled && walking.on) actions2[button4.dataset.walk ?? ""]();
   });
   document.addEventListener("change", (event) => {
-    if (event.target.id !== "walk-add" || !event.target.value) return;
-    add2(Number(event.target.value));
-    event.target.value = "";
+    if (targetOf(event).id !== "walk-add" || !targetOf(event).value) return;
+    add2(Number(targetOf(event).value));
+    targetOf(event).value = "";
   });
   function leave2(selection) {
     if (!walking.on) return;
@@ -5404,7 +5997,11 @@
   }
   var steps = {
     add: add2,
-    /** A click on an edge: on to its target, if the path has come to its source. */
+    /**
+     * A click on an edge: on to its target, if the path has come to its source.
+     * @param {number} source
+     * @param {number} target
+     */
     follow(source, target2) {
       const last2 = motifs().at(-1);
       if (last2 === source) add2(target2);
@@ -5416,8 +6013,24 @@
   };
   ahead.unless((selection) => walking.on && (selection.edge !== void 0 || selection.motif !== void 0 && selection.motion === void 0));
   var OPTIONS = { extra: "walk-extra", gaps: "walk-bridge", ends: "walk-stop", feet: "walk-feet" };
-  var checkedFor = { extra: (v) => v === "1", gaps: (v) => v === "bridge", ends: (v) => v === "stop", feet: (v) => v !== "0" };
+  var checkedFor = {
+    /** @param {string | undefined} v */
+    extra: (v) => v === "1",
+    /** @param {string | undefined} v */
+    gaps: (v) => v === "bridge",
+    /** @param {string | undefined} v */
+    ends: (v) => v === "stop",
+    /** @param {string | undefined} v */
+    feet: (v) => v !== "0"
+  };
   register("walk", {
+    /**
+     * @param {Walk | null} data
+     * @param {View | null} shown
+     * @param {unknown} _id
+     * @param {unknown} _elements
+     * @param {Selection | null} selection
+     */
     draw(data2, shown7, _id, _elements, selection) {
       view = shown7 || {};
       if (view.side !== "walk") return leave2(selection), clientside.no_update;
@@ -5434,7 +6047,7 @@
       const before2 = now2;
       now2 = data2;
       show3();
-      if (!now2.name || !same2(now2.asked, asked2(view))) return clientside.no_update;
+      if (!now2.name || !same2(now2.asked, keysOf(view))) return clientside.no_update;
       const chosen3 = selection && Object.keys(selection).length > 0;
       if (entered && chosen3 && !before2.key) return clientside.no_update;
       if (entered && chosen3) setStore("selection", {});
@@ -5447,6 +6060,13 @@
       return clientside.no_update;
     },
     // One of the switches: it goes into the link, where it differs.
+    /**
+     * @param {boolean} extra
+     * @param {boolean} bridge
+     * @param {boolean} stop
+     * @param {boolean} feet
+     * @param {View | null} shown
+     */
     option(extra, bridge, stop, feet, shown7) {
       if (!walking.on) return clientside.no_update;
       const wanted2 = { extra: extra ? "1" : "", gaps: bridge ? "bridge" : "", ends: stop ? "stop" : "", feet: feet ? "" : "0" };
@@ -5456,28 +6076,71 @@
   });
 
   // motion_map/state.mjs
+  var none = null;
   var state = {
-    map: null,
-    known: null,
-    keys: [],
+    map: (
+      /** @type {MapData} */
+      none
+    ),
+    known: (
+      /** @type {KnownMap} */
+      none
+    ),
+    keys: (
+      /** @type {number[]} */
+      []
+    ),
+    // nodes
     reach: 0,
-    pace: null,
-    facts: null,
+    // metres that keys grow
+    pace: (
+      /** @type {Pace | null} */
+      null
+    ),
+    facts: (
+      /** @type {Facts | null} */
+      null
+    ),
     mode: "keys",
-    selection: null,
-    hits: [],
+    // what a click does
+    selection: (
+      /** @type {Selection | null} */
+      null
+    ),
+    hits: (
+      /** @type {Hit[]} */
+      []
+    ),
     path: "",
-    lit: [],
-    overlay: null,
+    // one drawn by hand
+    lit: (
+      /** @type {number[]} */
+      []
+    ),
+    shownOn: (
+      /** @type {string | null} */
+      null
+    ),
+    // key of the map on which keys and reach were shown last
+    overlay: (
+      /** @type {Overlay} */
+      none
+    ),
     // over the heatmap of the page, with its follower
-    follower: null
+    follower: (
+      /** @type {Follower} */
+      none
+    )
   };
 
   // motion_map/export.mjs
   var LOOK = ["fill", "fill-opacity", "stroke", "stroke-width", "stroke-opacity", "stroke-dasharray", "font", "text-anchor"];
   function copied(source) {
-    const copy2 = source.cloneNode(true);
-    const from = [source, ...source.querySelectorAll("*")], to = [copy2, ...copy2.querySelectorAll("*")];
+    const copy2 = (
+      /** @type {SVGElement} */
+      source.cloneNode(true)
+    );
+    const from = [source, ...allWithin(source, "*")], to = [copy2, ...allWithin(copy2, "*")];
     from.forEach((node, k) => {
       const style = getComputedStyle(node);
       for (const name of LOOK) if (style.getPropertyValue(name)) to[k].style.setProperty(name, style.getPropertyValue(name));
@@ -5487,18 +6150,18 @@
     return copy2;
   }
   async function drawing4() {
-    const { overlay } = state, plot = overlay.plot;
+    const { overlay } = state, plot = within(overlay.box, ".js-plotly-plot");
     const { width, height } = plot.getBoundingClientRect();
     const address2 = await window.Plotly.toImage(plot, { format: "svg", width, height });
     const text = decodeURIComponent(address2.slice(address2.indexOf(",") + 1));
-    const page3 = new DOMParser().parseFromString(text, "image/svg+xml").documentElement;
+    const page2 = new DOMParser().parseFromString(text, "image/svg+xml").documentElement;
     const ground = getComputedStyle(document.documentElement).getPropertyValue("--surface");
-    page3.prepend(svgElement("rect", { width: "100%", height: "100%", fill: ground.trim() }));
-    page3.append(copied(overlay.view));
-    return new XMLSerializer().serializeToString(page3);
+    page2.prepend(svgElement("rect", { width: "100%", height: "100%", fill: ground.trim() }));
+    page2.append(copied(overlay.view));
+    return new XMLSerializer().serializeToString(page2);
   }
   document.addEventListener("click", async (event) => {
-    const button4 = event.target.closest?.("[data-map-save]");
+    const button4 = closest(event, "[data-map-save]");
     if (!button4 || !state.map) return;
     const made = await drawing4(), name = `${state.known.dataset} map`;
     if (button4.dataset.mapSave === "svg") save(made, `${name}.svg`, "image/svg+xml");
@@ -5509,7 +6172,10 @@
   var SCALE = ["completely different", "", "", "", "", "", "", "", "", "identical"];
   var CHOICES = { left: ["A", "#3a9b7a", "A"], same: ["No difference", "", "S"], right: ["B", "#d2762b", "B"] };
   var VALUES = { A: "left", S: "same", B: "right" };
-  var data = null;
+  var data = (
+    /** @type {any} */
+    null
+  );
   var view2 = {};
   var at2 = { rate: 0, vote: 0 };
   var shown6 = "";
@@ -5517,8 +6183,8 @@
   var awaited = () => data.asked[2] !== (person.name || person.id);
   var rows = () => awaited() ? [] : (mode() === "vote" ? data.duels : data.pairs) || [];
   var visible = () => Boolean(find("study-setup")?.offsetParent) && data && !data.error;
-  var button2 = (words3, name, className = "search-button") => {
-    const made = element("button", className, ...[words3].flat());
+  var button2 = (words2, name, className = "search-button") => {
+    const made = element("button", className, ...[words2].flat());
     made.type = "button";
     made.dataset.study = name;
     return made;
@@ -5527,11 +6193,11 @@
     const queries = data.queries.map(({ name: name2, clip, when, strip }) => {
       const picture = element("img", "study-strip");
       Object.assign(picture, { src: strip, alt: "", draggable: false });
-      const away2 = button2(icon("close", 12), "remove", "search-tool");
-      away2.dataset.name = name2;
-      away2.title = `Leave ${clip} out`;
-      away2.setAttribute("aria-label", away2.title);
-      return element("div", "study-query", picture, element("span", "study-query-words", element("b", "ellipsis", clip), element("span", "muted", when)), away2);
+      const away = button2(icon("close", 12), "remove", "search-tool");
+      away.dataset.name = name2;
+      away.title = `Leave ${clip} out`;
+      away.setAttribute("aria-label", away.title);
+      return element("div", "study-query", picture, element("span", "study-query-words", element("b", "ellipsis", clip), element("span", "muted", when)), away);
     });
     const engines = data.engines.map(({ method, label: label2, ready: ready2 }) => {
       if (ready2) return element("span", "study-engine", icon("check", 13), label2);
@@ -5547,7 +6213,7 @@
     const add3 = button2([icon("plus", 13), "The query of the search"], "add");
     add3.disabled = !whole();
     add3.title = whole() ? "" : "Choose a query of this dataset, for the whole body, under Search first";
-    find("study-setup").replaceChildren(
+    need("study-setup").replaceChildren(
       element("div", "study-line", element("span", "search-label", "Queries"), ...queries, add3, button2([icon("dice", 15), "Draw three"], "draw")),
       element("div", "study-line", element("span", "search-label", "Engines"), ...engines),
       element("div", "study-line", label, name)
@@ -5557,13 +6223,13 @@
     const text = view2.query || "";
     return text && !text.includes(",") && text.split(":").length === 2 ? text : "";
   }
-  function nothing(words3) {
-    return element("p", "muted study-nothing", words3);
+  function nothing(words2) {
+    return element("p", "muted study-nothing", words2);
   }
   function draw4() {
     const which = mode();
     if (which === "results") return;
-    const box2 = find(which === "vote" ? "study-vote" : "study-rate");
+    const box2 = need(which === "vote" ? "study-vote" : "study-rate");
     const all = rows();
     if (awaited()) return box2.replaceChildren(nothing(`Fetching the pairs for ${person.name || "you"} …`));
     if (!data.queries.length) return box2.replaceChildren(nothing("Choose queries above: the one of the search, or three drawn by chance."));
@@ -5575,28 +6241,28 @@
     const row8 = all[at2[which]];
     const done = all.filter((one) => one.value).length;
     const bar = element("div", "job-progress", element("div"));
-    bar.firstChild.style.width = `${100 * done / all.length}%`;
+    childrenOf(bar)[0].style.width = `${100 * done / all.length}%`;
     const walk2 = element("div", "study-walk", move3("Back", -1, "back"), element("span", "muted number", `${at2[which] + 1} of ${all.length}, ${done} answered`), move3("Skip", 1, "next"));
-    box2.replaceChildren(...[
+    box2.replaceChildren(
       element("div", "study-progress", bar),
       element("h2", "study-question", which === "vote" ? "Which is more like the query: A or B?" : "How alike are the two motions on the Stage?"),
       which === "vote" ? choices(row8) : scale2(row8),
       walk2,
-      done === all.length ? element("p", "study-thanks", "All pairs are answered. Thank you! Results shows what came of it.") : null
-    ].filter(Boolean));
+      ...done === all.length ? [element("p", "study-thanks", "All pairs are answered. Thank you! Results shows what came of it.")] : []
+    );
     play4(row8);
     return void 0;
   }
-  function move3(words3, by, symbol) {
-    const made = button2([icon(symbol, 13), words3], "move");
-    made.dataset.by = by;
+  function move3(words2, by, symbol) {
+    const made = button2([icon(symbol, 13), words2], "move");
+    made.dataset.by = String(by);
     return made;
   }
   function scale2(row8) {
-    const buttons = SCALE.map((words3, k) => {
-      const one = button2([element("b", "", String(k + 1)), element("span", "", words3)], "answer", "study-value");
-      one.dataset.value = k + 1;
-      one.setAttribute("aria-label", `${k + 1}${words3 ? `: ${words3}` : ""}`);
+    const buttons = SCALE.map((words2, k) => {
+      const one = button2([element("b", "", String(k + 1)), element("span", "", words2)], "answer", "study-value");
+      one.dataset.value = String(k + 1);
+      one.setAttribute("aria-label", `${k + 1}${words2 ? `: ${words2}` : ""}`);
       one.setAttribute("aria-pressed", String(row8.value === k + 1));
       return one;
     });
@@ -5604,10 +6270,10 @@
     return element("div", "", element("div", "study-scale", ...buttons), keys);
   }
   function choices(row8) {
-    const buttons = Object.entries(CHOICES).map(([value, [words3, colour, key]]) => {
+    const buttons = Object.entries(CHOICES).map(([value, [words2, colour, key]]) => {
       const dot3 = element("span", "study-dot");
       dot3.style.background = colour;
-      const one = button2([...colour ? [dot3] : [], element("b", "", words3), element("kbd", "", key)], "answer", "study-choice");
+      const one = button2([...colour ? [dot3] : [], element("b", "", words2), element("kbd", "", key)], "answer", "study-choice");
       one.dataset.value = value;
       one.setAttribute("aria-pressed", String(row8.value === value));
       return one;
@@ -5628,9 +6294,9 @@
     const row8 = rows()[at2[which]];
     if (!row8) return;
     row8.value = value;
-    given.set(nameOf(row8), value);
-    const told = which === "vote" ? { kind: "vote", query: row8.query, left: row8.left, right: row8.right, choice: value } : { kind: "rating", query: row8.query, hit: row8.hit, value };
-    pending.push({ ...told, person: person.name || person.id, id: `${Date.now()} ${Math.random()}` });
+    given.set(nameOf2(row8), value);
+    const message2 = which === "vote" ? { kind: "vote", query: row8.query, left: row8.left, right: row8.right, choice: value } : { kind: "rating", query: row8.query, hit: row8.hit, value };
+    pending.push({ ...message2, person: person.name || person.id, id: `${Date.now()} ${Math.random()}` });
     send();
     step2(1);
   }
@@ -5646,10 +6312,10 @@
     draw4();
   }
   var given = /* @__PURE__ */ new Map();
-  var nameOf = (row8) => JSON.stringify([person.name || person.id, row8.query, row8.hit, row8.left, row8.right]);
-  function place3(number3, before2, all) {
-    const same4 = before2[number3] && before2.length === all.length && nameOf(before2[number3]) === nameOf(all[number3]);
-    return same4 ? number3 : Math.max(all.findIndex((row8) => !row8.value), 0);
+  var nameOf2 = (row8) => JSON.stringify([person.name || person.id, row8.query, row8.hit, row8.left, row8.right]);
+  function place2(number2, before2, all) {
+    const same4 = before2[number2] && before2.length === all.length && nameOf2(before2[number2]) === nameOf2(all[number2]);
+    return same4 ? number2 : Math.max(all.findIndex((row8) => !row8.value), 0);
   }
   var PATIENCE2 = 2e4;
   var pending = [];
@@ -5663,16 +6329,18 @@
     }
   }
   register("study", {
+    /** @param {{ kept?: string[] } | null} confirmed */
     kept(confirmed) {
       if (!confirmed || !confirmed.kept) return clientside.no_update;
       for (const id of confirmed.kept) {
-        const number3 = pending.findIndex((one) => one.id === id);
-        if (number3 >= 0) pending.splice(number3, 1);
+        const number2 = pending.findIndex((one) => one.id === id);
+        if (number2 >= 0) pending.splice(number2, 1);
       }
       sent = 0;
       send();
       return clientside.no_update;
     },
+    /** @param {Study | null} found @param {View | null} seen @param {Person | null} stored */
     draw(found, seen3, stored) {
       view2 = seen3 || {};
       if (!found || view2.look !== "agree" || !find("study-setup")) {
@@ -5685,12 +6353,16 @@
       const before2 = data && data.asked[2] === found.asked[2] ? data : null;
       data = found;
       if (data.error) {
-        find("study-setup").replaceChildren(nothing(data.error));
-        for (const id of ["study-rate", "study-vote"]) find(id).replaceChildren();
+        need("study-setup").replaceChildren(nothing(data.error));
+        for (const id of ["study-rate", "study-vote"]) need(id).replaceChildren();
         return clientside.no_update;
       }
-      if (fresh) for (const row8 of [...data.pairs, ...data.duels]) row8.value = given.get(nameOf(row8)) ?? row8.value;
-      if (fresh) for (const [which, all] of [["rate", "pairs"], ["vote", "duels"]]) at2[which] = place3(at2[which], before2 && before2[all] || [], data[all]);
+      if (fresh) for (const row8 of [...data.pairs, ...data.duels]) row8.value = given.get(nameOf2(row8)) ?? row8.value;
+      if (fresh) for (
+        const [which, all] of
+        /** @type {["rate" | "vote", "pairs" | "duels"][]} */
+        [["rate", "pairs"], ["vote", "duels"]]
+      ) at2[which] = place2(at2[which], before2 && before2[all] || [], data[all]);
       setup();
       draw4();
       return clientside.no_update;
@@ -5698,8 +6370,10 @@
   });
   var ACTS = {
     add: () => asks([...data.queries.map((query) => query.name), whole()]),
+    /** @param {HTMLElement} on */
     remove: (on2) => asks(data.queries.map((query) => query.name).filter((name) => name !== on2.dataset.name)),
     draw: () => setStore("study-wish", { draw: 1 + Math.floor(Math.random() * 1e6) }),
+    /** @param {HTMLElement} on */
     build: (on2) => setStore("study-wish", { build: on2.dataset.method, at: Date.now() }),
     clear() {
       if (!window.confirm("Remove all ratings and votes about this dataset, of all people?")) return;
@@ -5708,23 +6382,25 @@
       for (const row8 of [...data.pairs, ...data.duels]) row8.value = null;
       setStore("study-wish", { clear: true, at: Date.now() });
     },
+    /** @param {HTMLElement} on */
     move: (on2) => step2(Number(on2.dataset.by)),
-    answer: (on2) => answer(mode() === "vote" ? on2.dataset.value : Number(on2.dataset.value))
+    /** @param {HTMLElement} on */
+    answer: (on2) => answer(mode() === "vote" ? on2.dataset.value ?? "" : Number(on2.dataset.value))
   };
   var asks = (names2) => changeView({ asks: [...new Set(names2.filter(Boolean))].join(",") });
   document.addEventListener("click", (event) => {
-    const on2 = event.target.closest && event.target.closest("[data-study]");
-    if (on2 && !on2.disabled) ACTS[on2.dataset.study](on2);
+    const on2 = closest(event, "[data-study]");
+    if (on2 && !on2.disabled) ACTS[on2.dataset.study ?? ""](on2);
   });
   document.addEventListener("change", (event) => {
-    if (event.target.id !== "study-name") return;
-    who({ ...person, name: event.target.value.trim() });
+    if (targetOf(event).id !== "study-name") return;
+    who({ ...person, name: targetOf(event).value.trim() });
     setStore("study-person", person);
     draw4();
   });
   document.addEventListener("keydown", (event) => {
     if (!visible() || mode() === "results" || !rows().length || event.ctrlKey || event.metaKey || event.altKey) return;
-    if (event.target.closest && event.target.closest("input:not([type='radio']), textarea, select")) return;
+    if (closest(event, "input:not([type='radio']), textarea, select")) return;
     const key = event.key.toUpperCase();
     let done = true;
     if (mode() === "rate" && /^[0-9]$/.test(key)) answer(key === "0" ? 10 : Number(key));
@@ -5743,26 +6419,33 @@
     searchParams.delete("dataset");
     setStore("selection", {});
     openPage(pathname, { parameters: Object.fromEntries(searchParams) });
-    document.getElementById("page").scrollTo(0, 0);
+    need("page").scrollTo(0, 0);
   }
   var plain2 = (event) => !(event.button || event.metaKey || event.ctrlKey || event.shiftKey || event.altKey);
   cellRenderers.PointLink = (props) => props.data ? reactElement("a", { className: "text-link point-link", href: props.data.href, tabIndex: -1 }, props.value) : null;
   document.addEventListener("click", (event) => {
-    const link2 = event.target.closest && event.target.closest("a.point-link");
+    const link2 = closest(event, "a.point-link");
     if (!link2 || !plain2(event)) return;
     event.preventDefault();
     event.stopPropagation();
-    open2(link2.href);
+    open2(
+      /** @type {any} */
+      link2.href
+    );
   }, true);
   document.addEventListener("keydown", (event) => {
-    const row8 = event.key === "Enter" && event.target.closest && event.target.closest("#sweep-table .ag-row");
+    const row8 = event.key === "Enter" && closest(event, "#sweep-table .ag-row");
     const link2 = row8 && row8.querySelector("a.point-link");
     if (!link2) return;
     event.preventDefault();
     event.stopPropagation();
-    open2(link2.href);
+    open2(
+      /** @type {any} */
+      link2.href
+    );
   }, true);
   register("sweeps", {
+    /** @param {{ points?: { customdata?: any }[] } | null} click */
     open(click) {
       const address2 = click && click.points && click.points[0] && click.points[0].customdata;
       if (typeof address2 === "string" && address2) open2(address2);
@@ -5771,8 +6454,11 @@
   });
 
   // grammar/state.mjs
-  var state2 = { data: {} };
-  var actionOf = (id) => (state2.data.actions || [])[id] || { id, name: `Action ${id}`, short: String(id), colour: "#8793a3", count: 0, seconds: 0 };
+  var state2 = { data: (
+    /** @type {GrammarData} */
+    {}
+  ) };
+  var actionOf = (id) => (state2.data.actions || [])[id] || { id, name: `Action ${id}`, short: String(id), colour: "#8793a3", count: 0, seconds: 0, named: 0 };
   var playsSelection = (button4, selection) => {
     button4.dataset.store = "selection";
     button4.dataset.value = JSON.stringify(selection);
@@ -5789,15 +6475,18 @@
     if (action.hint) button4.append(element("span", "action-hint-word", action.hint));
     paintAction(button4, action);
     button4.title = `${action.name}: ${plural(action.count, "time")}`;
-    button4.dataset.action = id;
+    button4.dataset.action = String(id);
     return button4;
   };
   var redraw = (box2, children) => {
-    const focused = [...box2.querySelectorAll("button, input, [tabindex]")].indexOf(document.activeElement);
+    const focused = allWithin(box2, "button, input, [tabindex]").indexOf(
+      /** @type {any} */
+      document.activeElement
+    );
     const top = box2.scrollTop;
     box2.replaceChildren(...children);
     box2.scrollTop = top;
-    if (focused >= 0) [...box2.querySelectorAll("button, input, [tabindex]")][focused]?.focus({ preventScroll: true });
+    if (focused >= 0) allWithin(box2, "button, input, [tabindex]")[focused]?.focus({ preventScroll: true });
   };
   var isFresh = (box2, stamp) => {
     const text = typeof stamp === "string" ? stamp : JSON.stringify(stamp);
@@ -5806,10 +6495,10 @@
     return true;
   };
   var downloadQuery = (view4, more2 = {}) => {
-    const pairs2 = new URLSearchParams({ dataset: state2.data.dataset || "" });
-    for (const [key, value] of Object.entries(view4 || {})) if (key.startsWith("grammar-")) pairs2.set(key, value);
-    for (const [key, value] of Object.entries(more2)) pairs2.set(key, value);
-    return pairs2.toString();
+    const pairs = new URLSearchParams({ dataset: state2.data.dataset || "" });
+    for (const [key, value] of Object.entries(view4 || {})) if (key.startsWith("grammar-")) pairs.set(key, value);
+    for (const [key, value] of Object.entries(more2)) pairs.set(key, String(value));
+    return pairs.toString();
   };
 
   // grammar/actions.mjs
@@ -5817,7 +6506,7 @@
   function card(action) {
     const button4 = playsSelection(element("button", "action-card"), { action: action.id });
     button4.type = "button";
-    button4.dataset.action = action.id;
+    button4.dataset.action = String(action.id);
     button4.style.setProperty("--tone", action.colour);
     button4.title = `Play all occurrences of ${action.name}`;
     const head3 = element("span", "action-head");
@@ -5830,19 +6519,22 @@
     button4.append(head3, strip, facts);
     return button4;
   }
-  function occurrence([clip, start3, end, number3], id, chosen3) {
-    const button4 = playsSelection(element("button", "occurrence" + (chosen3 ? " chosen" : "")), { action: id, segment: number3 });
+  function occurrence([clip, start3, end, number2], id, chosen3) {
+    const button4 = playsSelection(element("button", "occurrence" + (chosen3 ? " chosen" : "")), { action: id, segment: number2 });
     button4.type = "button";
     button4.title = `Play ${clip.clip}, ${clock(start3)} to ${clock(end)}`;
     button4.setAttribute("aria-pressed", String(chosen3));
     const strip = element("img", "occurrence-strip");
-    const frames = new URLSearchParams({ start: Math.round(start3 * clip.fps), end: Math.round(end * clip.fps), n: 4, v: state2.data.version });
+    const frames = new URLSearchParams({ start: String(Math.round(start3 * clip.fps)), end: String(Math.round(end * clip.fps)), n: "4", v: state2.data.version });
     strip.src = `/api/filmstrip/${encodeURIComponent(state2.data.dataset)}/${encodeURIComponent(clip.clip)}?${frames}`;
     Object.assign(strip, { alt: "", loading: "lazy", draggable: false });
     button4.append(icon("play"), element("span", "ellipsis", clip.brief), element("span", "muted number", `${clock(start3)} to ${clock(end)}`), strip);
     return button4;
   }
-  var occurrences = (data2, id) => data2.rows.flatMap((clip) => clip.pieces.filter((piece) => piece[2] === id).map((piece) => [clip, piece[0], piece[1], piece[3]])).sort((a, b) => a[3] - b[3]);
+  var occurrences = (data2, id) => data2.rows.flatMap((clip) => clip.pieces.filter((piece) => piece[2] === id).map((piece) => (
+    /** @type {[StringRow, number, number, number]} */
+    [clip, piece[0], piece[1], piece[3]]
+  ))).sort((a, b) => a[3] - b[3]);
   var drawActions = (data2, order) => {
     const box2 = find("action-cards");
     if (!box2 || !isFresh(box2, [data2.key, data2.names, order])) return;
@@ -5856,39 +6548,50 @@
     const box2 = find("occurrences");
     if (!box2) return;
     const id = selection?.action === void 0 ? null : Number(selection.action);
-    const known3 = id !== null && data2.actions?.[id];
-    for (const one of document.querySelectorAll(".action-card")) one.classList.toggle("chosen", known3 && Number(one.dataset.action) === id);
-    find("action-hint").classList.toggle("hidden", Boolean(known3));
-    find("action-detail").classList.toggle("hidden", !known3);
-    if (!known3 || !isFresh(box2, [data2.key, data2.names, id, selection.segment])) return;
+    const known3 = id === null ? void 0 : data2.actions?.[id];
+    for (const one of allWithin(document, ".action-card")) one.classList.toggle("chosen", known3 !== void 0 && Number(one.dataset.action) === id);
+    need("action-hint").classList.toggle("hidden", Boolean(known3));
+    need("action-detail").classList.toggle("hidden", !known3);
+    if (!known3 || id === null || !isFresh(box2, [data2.key, data2.names, id, selection?.segment])) return;
     const all = occurrences(data2, id);
-    find("action-title").textContent = `Action ${id}`;
-    find("action-count").textContent = `${plural(all.length, "time")} in ${plural(known3.clips, "recording")}`;
-    const shown7 = all.slice(0, ROWS).map((one) => occurrence(one, id, String(one[3]) === String(selection.segment)));
+    need("action-title").textContent = `Action ${id}`;
+    need("action-count").textContent = `${plural(all.length, "time")} in ${plural(known3.clips ?? 0, "recording")}`;
+    const shown7 = all.slice(0, ROWS).map((one) => occurrence(one, id, String(one[3]) === String(selection?.segment)));
     redraw(box2, shown7);
     if (all.length > ROWS) box2.append(element("div", "muted selection-more", `and ${all.length - ROWS} more, all of them in the recordings above`));
-    playsSelection(find("action-all"), { action: id });
+    playsSelection(need("action-all"), { action: id });
   };
+
+  // grammar/history.mjs
+  var MOST = 100;
+  function visited(past2, sentence) {
+    const { key, list: list2, at: at3 } = past2;
+    if (list2[at3] === sentence) return past2;
+    if (list2[at3 - 1] === sentence) return { key, list: list2, at: at3 - 1 };
+    if (list2[at3 + 1] === sentence) return { key, list: list2, at: at3 + 1 };
+    const kept = [...list2.slice(Math.max(0, at3 + 2 - MOST), at3 + 1), sentence];
+    return { key, list: kept, at: kept.length - 1 };
+  }
 
   // grammar/tree.mjs
   var showTree = (box2, svg, choose5) => {
     box2.choose = choose5;
     if (isFresh(box2, svg || "")) {
       const left = box2.scrollLeft;
-      const focused = document.activeElement?.closest?.(".tree-node");
+      const focused = closest({ target: document.activeElement }, ".tree-node");
       const path2 = focused && box2.contains(focused) ? focused.dataset.path : null;
       box2.innerHTML = svg || "";
       box2.scrollLeft = left;
-      const nodes = [...box2.querySelectorAll(".tree-node")];
+      const nodes = allWithin(box2, ".tree-node");
       const first = nodes.find((node) => node.dataset.path === path2) || nodes[0];
       first?.setAttribute("tabindex", "0");
       if (path2 !== null) first?.focus({ preventScroll: true });
     }
     if (box2.watched) return;
     box2.watched = true;
-    box2.addEventListener("click", (event) => act(box2, event.target.closest(".tree-node")));
+    box2.addEventListener("click", (event) => act(box2, closest(event, ".tree-node")));
     box2.addEventListener("keydown", (event) => {
-      const node = event.target.closest(".tree-node");
+      const node = closest(event, ".tree-node");
       if (!node) return;
       if (event.key === "Enter" || event.key === " ") act(box2, node);
       else if (!move4(box2, node, event.key)) return;
@@ -5899,42 +6602,43 @@
   function act(box2, node) {
     if (!node) return;
     focus(box2, node);
-    const { path: path2, first, end } = node.dataset;
+    const { path: path2 = "", first, end } = node.dataset;
     box2.choose?.({ path: path2, first: Number(first), end: Number(end), leaf: node.classList.contains("tree-leaf") });
   }
   function focus(box2, node) {
-    for (const other of box2.querySelectorAll('.tree-node[tabindex="0"]')) other.setAttribute("tabindex", "-1");
+    for (const other of allWithin(box2, '.tree-node[tabindex="0"]')) other.setAttribute("tabindex", "-1");
     node.setAttribute("tabindex", "0");
     node.focus();
   }
   function move4(box2, node, key) {
-    const at3 = node.dataset.path;
+    const at3 = node.dataset.path ?? "";
     const cut = at3.lastIndexOf(".");
     const above = at3 === "" ? null : cut < 0 ? "" : at3.slice(0, cut);
-    const inside3 = (path2) => [...box2.querySelectorAll(".tree-node")].filter((one) => {
-      const own2 = one.dataset.path;
+    const inside2 = (path2) => allWithin(box2, ".tree-node").filter((one) => {
+      const own2 = one.dataset.path ?? "";
       if (own2 === "" || own2 === path2) return false;
       const parent = own2.includes(".") ? own2.slice(0, own2.lastIndexOf(".")) : "";
       return parent === path2;
     });
-    const siblings = above === null ? [node] : inside3(above);
-    const number3 = siblings.indexOf(node);
-    const next2 = {
-      ArrowUp: () => above !== null && [...box2.querySelectorAll(".tree-node")].find((one) => one.dataset.path === above),
-      ArrowDown: () => inside3(at3)[0],
-      ArrowLeft: () => siblings[number3 - 1],
-      ArrowRight: () => siblings[number3 + 1]
-    }[key];
+    const siblings = above === null ? [node] : inside2(above);
+    const number2 = siblings.indexOf(node);
+    const ways = {
+      ArrowUp: () => above === null ? null : allWithin(box2, ".tree-node").find((one) => one.dataset.path === above),
+      ArrowDown: () => inside2(at3)[0],
+      ArrowLeft: () => siblings[number2 - 1],
+      ArrowRight: () => siblings[number2 + 1]
+    };
+    const next2 = ways[key];
     if (!next2) return false;
     const found = next2();
     if (found) focus(box2, found);
     return true;
   }
-  var lightTree = (box2, number3) => {
-    if (!box2 || box2.lit === number3) return;
-    box2.lit = number3;
-    for (const leaf of box2.querySelectorAll(".tree-leaf")) {
-      const here3 = Number(leaf.dataset.first) === number3;
+  var lightTree = (box2, number2) => {
+    if (!box2 || box2.lit === number2) return;
+    box2.lit = number2;
+    for (const leaf of allWithin(box2, ".tree-leaf")) {
+      const here3 = Number(leaf.dataset.first) === number2;
       leaf.classList.toggle("lit", here3);
       if (!here3) continue;
       const [outer, inner] = [box2.getBoundingClientRect(), leaf.getBoundingClientRect()];
@@ -5942,8 +6646,9 @@
     }
   };
   document.addEventListener("click", (event) => {
-    const button4 = event.target.closest?.(".tree-png");
-    const link2 = button4 && find(button4.dataset.link);
+    const button4 = closest(event, ".tree-png");
+    const link2 = button4 && /** @type {HTMLAnchorElement | null} */
+    document.getElementById(button4.dataset.link ?? "");
     if (link2?.href) savePicture(link2.href, "png", `${state2.data.dataset || "motionscape"} tree`);
   });
 
@@ -5951,14 +6656,17 @@
   var KEYS5 = ["sentence", "pick", "up"];
   var HISTORY = "motionscape-routines";
   var on = false;
-  var now3 = {};
+  var now3 = (
+    /** @type {any} */
+    {}
+  );
   var view3 = {};
   var played2 = "";
   var lit2 = -1;
   var past = { key: "", list: [], at: -1 };
-  var asked3 = (shown7) => Object.fromEntries(KEYS5.filter((key) => shown7?.[key]).map((key) => [key, shown7[key]]));
+  var keysOf2 = (shown7) => Object.fromEntries(KEYS5.filter((key) => shown7?.[key]).map((key) => [key, shown7?.[key]]));
   var same3 = (a, b) => KEYS5.every((key) => (a?.[key] || "") === (b?.[key] || ""));
-  var ready = () => Boolean(now3.name) && same3(now3.asked, asked3(view3));
+  var ready = () => Boolean(now3.name) && same3(now3.asked, keysOf2(view3));
   var here2 = () => on && Boolean(find("compose-tree")?.offsetParent);
   var onStage3 = () => String(player.frameOf(0)?.dataset || "").startsWith("~derive~");
   var goTo = (sentence, more2 = {}) => changeView({ sentence, pick: "", up: "", alt: "", ...more2 });
@@ -5971,10 +6679,9 @@
       } catch {
       }
     }
-    if (past.list[past.at] === sentence) return;
-    if (past.list[past.at - 1] === sentence) past.at -= 1;
-    else if (past.list[past.at + 1] === sentence) past.at += 1;
-    else past = { key: past.key, list: [...past.list.slice(Math.max(0, past.at - 98), past.at + 1), sentence], at: Math.min(past.at + 1, 99) };
+    const next2 = visited(past, sentence);
+    if (next2 === past) return;
+    past = next2;
     try {
       sessionStorage.setItem(HISTORY, JSON.stringify(past));
     } catch {
@@ -5982,7 +6689,7 @@
   }
   function request3(data2) {
     return {
-      dataset: data2.name,
+      dataset: data2.name ?? "",
       title: `New routine: ${plural(data2.actions.length, "action")}`,
       layout: "overlay",
       sync: "start",
@@ -5990,19 +6697,19 @@
     };
   }
   async function play5(data2, from) {
-    played2 = data2.name;
+    played2 = data2.name ?? "";
     await player.show(request3(data2));
     if (from !== void 0) player.seek({ clip: data2.clip, frame: data2.spans[from][0] });
     player.play();
   }
   function string(data2) {
-    const list2 = find("compose-string");
+    const list2 = need("compose-string");
     if (!isFresh(list2, [data2.name, data2.actions, state2.data.names, now3.asked, now3.chosen])) return;
     const chips = data2.actions.map((id, at3) => {
       const line2 = element("li", "compose-step");
       const button4 = actionChip(id);
       delete button4.dataset.store;
-      button4.dataset.pick = at3;
+      button4.dataset.pick = String(at3);
       button4.title = `${actionOf(id).name}: choose it`;
       button4.setAttribute("aria-pressed", String(String(at3) === now3.asked.pick));
       line2.classList.toggle("within", Boolean(now3.chosen && at3 >= now3.chosen.first && at3 < now3.chosen.end));
@@ -6012,17 +6719,18 @@
     redraw(list2, chips);
   }
   function meters2(data2) {
-    const box2 = find("compose-meters");
+    const box2 = need("compose-meters");
     box2.classList.toggle("hidden", !data2.skate);
     if (!data2.skate) return;
     const [source, plain3, kept] = data2.skate;
     const most = Math.max(source, plain3, kept, 1e-6);
     const title = element("div", "walk-meter-title", "Foot skate");
     title.title = "How far standing feet slide, in centimetres per second of contact";
-    box2.replaceChildren(title, ...[["This routine", kept], ["Blending alone", plain3], ["Recordings", source]].map(([label, value], i) => {
+    const rows2 = [["This routine", kept], ["Blending alone", plain3], ["Recordings", source]];
+    box2.replaceChildren(title, ...rows2.map(([label, value], i) => {
       const row8 = element("div", "walk-meter" + (i ? "" : " walk-meter-own"));
       const bar = element("span", "walk-bar");
-      bar.style.setProperty("--share", value / most);
+      bar.style.setProperty("--share", String(value / most));
       row8.append(element("span", "", label), bar, element("span", "number", `${(100 * value).toFixed(1)} cm/s`));
       return row8;
     }));
@@ -6038,14 +6746,14 @@
     return `${chosen3.name}: ${span}, ${ways}`;
   }
   function show4() {
-    const busy = Boolean(view3.sentence) && !same3(now3.asked, asked3(view3));
-    find("compose-string").classList.toggle("busy", busy);
+    const busy = Boolean(view3.sentence) && !same3(now3.asked, keysOf2(view3));
+    need("compose-string").classList.toggle("busy", busy);
     const error = !busy && now3.error;
-    find("compose-error").classList.toggle("hidden", !error);
-    find("compose-error").textContent = error || "";
+    need("compose-error").classList.toggle("hidden", !error);
+    need("compose-error").textContent = error || "";
     const there = ready();
-    find("compose-string").dataset.shown = busy ? "" : KEYS5.map((key) => now3.asked?.[key] || "").join(" ");
-    find("compose-said").textContent = busy ? "Making the routine …" : there ? `${plural(now3.actions.length, "action")}, ${now3.seconds.toFixed(1)} s. ${now3.novel ? "Nobody performed it like this." : "It occurs like this in the recordings."}` : error ? "" : "Press New routine: chance makes one that keeps to the rules.";
+    need("compose-string").dataset.shown = busy ? "" : KEYS5.map((key) => now3.asked?.[key] || "").join(" ");
+    need("compose-said").textContent = busy ? "Making the routine …" : there ? `${plural(now3.actions.length, "action")}, ${now3.seconds.toFixed(1)} s. ${now3.novel ? "Nobody performed it like this." : "It occurs like this in the recordings."}` : error ? "" : "Press New routine: chance makes one that keeps to the rules.";
     for (const name of ["play", "larger", "smaller", "others", "undo", "redo"]) {
       const usable2 = {
         play: there,
@@ -6055,29 +6763,29 @@
         smaller: there && now3.chosen?.smaller,
         others: there && now3.chosen?.varies
       }[name];
-      document.querySelector(`[data-compose="${name}"]`).disabled = !usable2;
+      within(document, `[data-compose="${name}"]`).disabled = !usable2;
     }
     if (busy && !now3.actions) return;
-    find("compose-chosen").textContent = there ? chosenWords() : "";
+    need("compose-chosen").textContent = there ? chosenWords() : "";
     if (!there) {
       if (error) for (const id of ["compose-string", "compose-tree"]) {
-        find(id).replaceChildren();
-        find(id).drawnFrom = "";
+        need(id).replaceChildren();
+        isFresh(need(id), "");
       }
     } else {
       string(now3);
-      showTree(find("compose-tree"), now3.svg, choose2);
+      showTree(need("compose-tree"), now3.svg, choose2);
       meters2(now3);
     }
-    find("compose-warnings").replaceChildren(...(there && now3.warnings || []).map((text) => element("p", "", text)));
-    setLink("compose-bvh", there && `/api/bvh/${encodeURIComponent(now3.name)}/${encodeURIComponent(now3.clip)}`);
-    setLink("compose-json", there && `/api/derivation/${now3.name.split("~")[2]}.json`);
+    need("compose-warnings").replaceChildren(...(there && now3.warnings || []).map((text) => element("p", "", text)));
+    setLink("compose-bvh", there && `/api/bvh/${encodeURIComponent(now3.name ?? "")}/${encodeURIComponent(now3.clip)}`);
+    setLink("compose-json", there && `/api/derivation/${now3.name?.split("~")[2]}.json`);
     setLink("compose-svg", there && `/api/grammar-tree.svg?${downloadQuery(view3, { sentence: now3.code })}`);
-    find("compose-save").disabled = !there;
-    for (const button4 of document.querySelectorAll(".compose-recipe")) {
-      const text = there && now3.recipes?.[button4.dataset.recipe];
+    need("compose-save").disabled = !there;
+    for (const button4 of allWithin(document, ".compose-recipe")) {
+      const text = there && now3.recipes?.[button4.dataset.recipe ?? ""];
       button4.disabled = !text;
-      button4.title = button4.dataset.recipe;
+      button4.title = button4.dataset.recipe ?? "";
       button4.dataset.copy = text || "";
     }
   }
@@ -6096,7 +6804,7 @@
   var whole2 = (text, low, high) => Math.min(Math.max(Math.round(Number(text) || low), low), high);
   var actions3 = {
     new() {
-      const most = whole2(find("compose-most").value, 1, Number(find("compose-most").max));
+      const most = whole2(need("compose-most").value, 1, Number(need("compose-most").max));
       const seed = Number((/^random:(\d+)/.exec(view3.sentence || "") || [0, past.list.length])[1]) + 1;
       goTo(`random:${seed}:${most}`);
     },
@@ -6108,14 +6816,14 @@
     others: () => changeView({ alt: String(Number(view3.alt || 0) + 1) })
   };
   document.addEventListener("click", (event) => {
-    const button4 = event.target.closest?.("[data-compose]");
-    if (button4 && !button4.disabled && here2()) actions3[button4.dataset.compose]();
-    const chip2 = event.target.closest?.("[data-pick]");
+    const button4 = closest(event, "[data-compose]");
+    if (button4 && !button4.disabled && here2()) actions3[button4.dataset.compose ?? ""]();
+    const chip2 = closest(event, "[data-pick]");
     if (chip2 && here2() && ready()) pick(Number(chip2.dataset.pick));
   });
   document.addEventListener("keydown", (event) => {
     if (!here2() || !(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
-    if (event.target.closest?.("input, textarea")) return;
+    if (closest(event, "input, textarea")) return;
     event.preventDefault();
     actions3[event.shiftKey ? "redo" : "undo"]();
   });
@@ -6126,7 +6834,7 @@
     if (at3 === lit2) return;
     lit2 = at3;
     lightTree(find("compose-tree"), at3);
-    find("compose-string")?.querySelectorAll(".compose-step").forEach((step3, number3) => step3.classList.toggle("lit", number3 === at3));
+    allWithin(document, "#compose-string .compose-step").forEach((step3, number2) => step3.classList.toggle("lit", number2 === at3));
   });
   var composition = () => ({ on, now: now3, view: view3, ready: ready(), play: () => play5(now3) });
   var drawCompose = (data2, shown7, selection) => {
@@ -6139,7 +6847,8 @@
     if (most && document.activeElement?.id !== "compose-most") clientside.set_props("compose-most", { value: Number(most) });
     remember2(view3.sentence);
     if (data2) now3 = data2;
-    if (data2 && data2.key !== state2.data.key && !data2.error) now3 = {};
+    if (data2 && data2.key !== state2.data.key && !data2.error) now3 = /** @type {any} */
+    {};
     show4();
     if (!ready()) return;
     if (entered && selection && Object.keys(selection).length) setStore("selection", {});
@@ -6196,31 +6905,31 @@
       playing = "";
       return;
     }
-    const there = matches(data2, view4);
-    if (!isFresh(box2, [there, there && data2, state2.data.names])) return;
+    const shown7 = data2 !== null && matches(data2, view4) ? data2 : null;
+    if (!isFresh(box2, [shown7, state2.data.names])) return;
     const head3 = element("div", "other-title");
-    head3.append(element("h3", "", there && data2.others ? `Other ways for ${data2.part}` : "Other ways"));
+    head3.append(element("h3", "", shown7?.others ? `Other ways for ${shown7.part}` : "Other ways"));
     const close = element("button", "walk-button", "Keep it as it is");
     close.type = "button";
     close.addEventListener("click", () => changeView({ alt: "" }));
     const again = element("button", "walk-button", "Another four");
     again.type = "button";
-    again.disabled = !there;
+    again.disabled = !shown7;
     again.addEventListener("click", () => changeView({ alt: String(Number(view4.alt) + 1) }));
     const replay = element("button", "walk-button", "Play again");
     replay.type = "button";
-    replay.disabled = !there || !data2.others?.length;
-    replay.addEventListener("click", () => player.show(request4(data2)).then(() => player.play()));
+    replay.disabled = !shown7?.others?.length;
+    replay.addEventListener("click", () => shown7 && player.show(request4(shown7))?.then(() => player.play()));
     head3.append(element("span", "spacer"), replay, again, close);
     const body2 = element("div", "other-cards");
-    if (!there) body2.append(element("p", "muted", "Making four other ways …"));
-    else if (data2.error || !data2.others.length) body2.append(element("p", "muted", data2.error || "There is no other way for this part; choose a larger one."));
-    else body2.append(...data2.others.map(card2));
+    if (!shown7) body2.append(element("p", "muted", "Making four other ways …"));
+    else if (shown7.error || !shown7.others.length) body2.append(element("p", "muted", shown7.error || "There is no other way for this part; choose a larger one."));
+    else body2.append(...shown7.others.map(card2));
     box2.replaceChildren(head3, body2);
-    const stamp = there && data2.others?.length ? JSON.stringify(data2.asked) : "";
-    if (!stamp || stamp === playing) return;
+    const stamp = shown7?.others?.length ? JSON.stringify(shown7.asked) : "";
+    if (!shown7 || !stamp || stamp === playing) return;
     playing = stamp;
-    player.show(request4(data2));
+    player.show(request4(shown7));
   };
 
   // grammar/routines.mjs
@@ -6231,13 +6940,13 @@
     end: routine.leaves[end - 1][1],
     as: "actions"
   });
-  function row5(routine, number3, brief) {
+  function row5(routine, number2, brief) {
     const line2 = element("li");
     const button4 = element("button", "routine-row");
     button4.type = "button";
-    button4.dataset.routine = number3;
+    button4.dataset.routine = String(number2);
     const name = `${routine.clip}, ${clock(routine.seconds[0])} to ${clock(routine.seconds[1])}`;
-    button4.setAttribute("aria-label", `Routine ${number3 + 1}: ${name}, ${plural(routine.actions.length, "action")}`);
+    button4.setAttribute("aria-label", `Routine ${number2 + 1}: ${name}, ${plural(routine.actions.length, "action")}`);
     button4.title = `${name}: ${routine.actions.map((id) => actionOf(id).name).join(", ")}`;
     const squares = element("span", "routine-squares");
     squares.append(...routine.actions.map((id) => {
@@ -6246,7 +6955,7 @@
       return square;
     }));
     button4.append(
-      element("span", "number routine-number", String(number3 + 1)),
+      element("span", "number routine-number", String(number2 + 1)),
       element("span", "ellipsis routine-clip", brief),
       element("span", "muted number", clock(routine.seconds[0])),
       squares
@@ -6264,28 +6973,28 @@
     if (!list2 || !data2?.routines) return;
     if (isFresh(list2, [data2.key, data2.names])) {
       const brief = new Map(data2.rows.map((clip) => [clip.clip, clip.brief]));
-      redraw(list2, data2.routines.map((routine2, number3) => row5(routine2, number3, brief.get(routine2.clip))));
+      redraw(list2, data2.routines.map((routine2, number2) => row5(routine2, number2, brief.get(routine2.clip))));
     }
     if (!shown7 || shown7.key !== data2.key) return;
     const routine = data2.routines[shown7.number];
     now4 = { routine, number: shown7.number };
-    for (const button4 of list2.querySelectorAll(".routine-row")) {
+    for (const button4 of allWithin(list2, ".routine-row")) {
       const here3 = Number(button4.dataset.routine) === shown7.number;
       button4.classList.toggle("chosen", here3);
       button4.setAttribute("aria-pressed", String(here3));
     }
-    find("routine-title").textContent = `Routine ${shown7.number + 1}`;
-    find("routine-count").textContent = `${routine.clip}, ${plural(routine.actions.length, "action")}`;
-    showTree(find("routine-tree"), shown7.svg, ({ first, end }) => play6(routine, first, end));
+    need("routine-title").textContent = `Routine ${shown7.number + 1}`;
+    need("routine-count").textContent = `${routine.clip}, ${plural(routine.actions.length, "action")}`;
+    showTree(need("routine-tree"), shown7.svg, ({ first, end }) => play6(routine, first, end));
     setLink("routine-svg", `/api/grammar-tree.svg?${downloadQuery(view4, { routine: shown7.number })}`);
   };
   document.addEventListener("click", (event) => {
-    if (event.target.closest?.("#routine-play") && now4.routine) play6(now4.routine);
-    const button4 = event.target.closest?.(".routine-row");
+    if (closest(event, "#routine-play") && now4.routine) play6(now4.routine);
+    const button4 = closest(event, ".routine-row");
     if (!button4) return;
-    const number3 = Number(button4.dataset.routine);
-    changeView({ routine: number3 ? String(number3) : "" });
-    play6(state2.data.routines[number3]);
+    const number2 = Number(button4.dataset.routine);
+    changeView({ routine: number2 ? String(number2) : "" });
+    play6(state2.data.routines[number2]);
   });
   window.addEventListener("stage-frame", (event) => {
     const box2 = find("routine-tree");
@@ -6310,7 +7019,7 @@
   function way({ parts: symbols, count }, seen3) {
     const line2 = element("li", "way");
     const bar = element("span", "way-bar");
-    bar.style.setProperty("--share", seen3 ? count / seen3 : 0);
+    bar.style.setProperty("--share", String(seen3 ? count / seen3 : 0));
     const many = element("span", "number way-count", `${count}×`);
     many.title = `Taken ${plural(count, "time")} of ${seen3}`;
     const body2 = element("span", "way-parts");
@@ -6342,7 +7051,7 @@
       more2.addEventListener("click", () => {
         open3.add(phrase.id);
         box2.replaceWith(card3(phrase, start3));
-        find(`phrase-${phrase.id}`).querySelectorAll(".way")[FIRST]?.querySelector("button")?.focus();
+        allWithin(need(`phrase-${phrase.id}`), ".way")[FIRST]?.querySelector("button")?.focus();
       });
       box2.append(more2);
     }
@@ -6352,10 +7061,10 @@
     const box2 = find("grammar-rules");
     if (!box2 || !isFresh(box2, [data2.key, data2.names])) return;
     open3.clear();
-    box2.replaceChildren(...data2.rules.map((phrase, number3) => card3(phrase, number3 === 0)));
+    box2.replaceChildren(...data2.rules.map((phrase, number2) => card3(phrase, number2 === 0)));
   };
   document.addEventListener("click", (event) => {
-    const chip2 = event.target.closest?.(".phrase-chip");
+    const chip2 = closest(event, ".phrase-chip");
     const phraseCard = chip2 && find(`phrase-${chip2.dataset.phrase}`);
     if (!phraseCard || !phraseCard.offsetParent) return;
     phraseCard.scrollIntoView({ block: "center", behavior: "smooth" });
@@ -6366,22 +7075,22 @@
 
   // grammar/strings.mjs
   var MOST_FIGURES2 = 24;
-  var place4 = (node, start3, end, seconds) => {
+  var place3 = (node, start3, end, seconds) => {
     node.style.left = `${100 * start3 / seconds}%`;
     node.style.width = `${Math.max(100 * (end - start3) / seconds, 0.15)}%`;
   };
-  function block([start3, end, id, number3], seconds) {
+  function block([start3, end, id, number2], seconds) {
     const action = actionOf(id);
-    const made = playsSelection(element("button", "string-block"), { action: id, segment: number3 });
+    const made = playsSelection(element("button", "string-block"), { action: id, segment: number2 });
     made.type = "button";
     made.append(element("span", "", action.short));
     made.tabIndex = -1;
-    made.title = `${action.name}, ${number3 + 1} of ${action.count}, ${clock(start3)} to ${clock(end)}`;
+    made.title = `${action.name}, ${number2 + 1} of ${action.count}, ${clock(start3)} to ${clock(end)}`;
     made.setAttribute("aria-label", made.title);
-    made.dataset.action = id;
-    made.dataset.segment = number3;
+    made.dataset.action = String(id);
+    made.dataset.segment = String(number2);
     paintAction(made, action);
-    place4(made, start3, end, seconds);
+    place3(made, start3, end, seconds);
     return made;
   }
   function row6(clip, longest2) {
@@ -6399,14 +7108,14 @@
       labels2.append(...clip.labels.map(([start3, end, name]) => {
         const made = element("span", "string-label", name);
         made.title = `${name}, ${clock(start3)} to ${clock(end)}`;
-        place4(made, start3, end, clip.seconds);
+        place3(made, start3, end, clip.seconds);
         return made;
       }));
       time.append(labels2);
     }
     const blocks = element("div", "string-blocks");
     blocks.append(...clip.pieces.map((piece) => block(piece, clip.seconds)));
-    if (blocks.firstChild) blocks.firstChild.tabIndex = 0;
+    if (childrenOf(blocks)[0]) childrenOf(blocks)[0].tabIndex = 0;
     for (const cut of clip.cuts) {
       const mark3 = element("span", "string-cut");
       mark3.style.left = `${100 * cut / clip.seconds}%`;
@@ -6429,26 +7138,31 @@
     const box2 = find("grammar-string");
     if (!box2) return;
     box2.classList.toggle("one-action", chosen3 !== null);
-    for (const made of box2.querySelectorAll(".string-block")) {
+    for (const made of allWithin(box2, ".string-block")) {
       const same4 = made.dataset.action === chosen3;
       made.classList.toggle("same", same4);
-      made.setAttribute("aria-pressed", String(same4 && made.dataset.segment === String(selection.segment)));
+      made.setAttribute("aria-pressed", String(same4 && made.dataset.segment === String(selection?.segment)));
     }
-    for (const head3 of box2.querySelectorAll(".string-clip")) head3.classList.toggle("chosen", selection?.clip === head3.dataset.clip);
+    for (const head3 of allWithin(box2, ".string-clip")) head3.classList.toggle("chosen", selection?.clip === head3.dataset.clip);
   };
   document.addEventListener("keydown", (event) => {
-    const at3 = event.target.closest?.(".string-block");
+    const at3 = closest(event, ".string-block");
     if (!at3) return;
-    const lines = [...at3.closest("#grammar-string").querySelectorAll(".string-blocks")];
-    const line2 = lines.indexOf(at3.parentNode);
-    const blocks = [...at3.parentNode.querySelectorAll(".string-block")];
-    const number3 = blocks.indexOf(at3);
-    const next2 = {
-      ArrowRight: () => blocks[number3 + 1],
-      ArrowLeft: () => blocks[number3 - 1],
+    const lines = allWithin(around(at3, "#grammar-string"), ".string-blocks");
+    const siblings = (
+      /** @type {any} */
+      at3.parentNode
+    );
+    const line2 = lines.indexOf(siblings);
+    const blocks = allWithin(siblings, ".string-block");
+    const number2 = blocks.indexOf(at3);
+    const ways = {
+      ArrowRight: () => blocks[number2 + 1],
+      ArrowLeft: () => blocks[number2 - 1],
       ArrowDown: () => lines[line2 + 1]?.querySelector(".string-block"),
       ArrowUp: () => lines[line2 - 1]?.querySelector(".string-block")
-    }[event.key];
+    };
+    const next2 = ways[event.key];
     if (!next2) return;
     event.preventDefault();
     event.stopPropagation();
@@ -6456,14 +7170,14 @@
   });
   var LARGEST = 32;
   document.addEventListener("click", (event) => {
-    const button4 = event.target.closest?.(".string-zoom");
+    const button4 = closest(event, ".string-zoom");
     const box2 = button4 && find("grammar-string");
     if (!box2) return;
     const before2 = Number(box2.dataset.zoom || 1);
     const zoom4 = Math.min(Math.max(before2 * (button4.dataset.zoom === "in" ? 2 : 0.5), 1), LARGEST);
     const middle = box2.scrollLeft + box2.clientWidth / 2;
-    box2.dataset.zoom = zoom4;
-    box2.style.setProperty("--zoom", zoom4);
+    box2.dataset.zoom = String(zoom4);
+    box2.style.setProperty("--zoom", String(zoom4));
     box2.scrollLeft = middle * zoom4 / before2 - box2.clientWidth / 2;
   });
   function follow2(box2, line2) {
@@ -6481,11 +7195,11 @@
       const item = player.frameOf(i);
       if (!item) break;
       if (String(item.dataset || "").startsWith("~")) continue;
-      const time = box2.querySelector(`.string-time[data-clip="${CSS.escape(item.clip)}"]`);
-      const line2 = time?.lastChild;
+      const time = allWithin(box2, `.string-time[data-clip="${CSS.escape(item.clip)}"]`)[0];
+      const line2 = time && childrenOf(time).at(-1);
       if (!line2 || lit3.includes(line2)) continue;
       line2.style.display = "block";
-      line2.style.left = `${100 * item.frame / time.dataset.fps / time.dataset.seconds}%`;
+      line2.style.left = `${100 * item.frame / Number(time.dataset.fps) / Number(time.dataset.seconds)}%`;
       lit3.push(line2);
     }
     if (lit3.length === 1) follow2(box2, lit3[0]);
@@ -6494,6 +7208,12 @@
 
   // grammar/grammar.mjs
   register("grammar", {
+    /**
+     * @param {GrammarData | null} data
+     * @param {Selection | null} selection
+     * @param {string | null} order
+     * @param {unknown} _place
+     */
     draw(data2, selection, order, _place) {
       if (!data2 || !find("grammar-string")) return clientside.no_update;
       state2.data = data2;
@@ -6504,22 +7224,33 @@
       markChosen(selection);
       return clientside.no_update;
     },
-    /** A point of a chart over the number of actions: its result comes on the page. */
+    /**
+     * A point of a chart over the number of actions: its result comes on the page.
+     * @param {{ points?: { customdata?: any }[] } | null} click
+     */
     open(click) {
       const change = click?.points?.[0]?.customdata;
       if (typeof change === "string") changeView(JSON.parse(change));
       return clientside.no_update;
     },
+    /** @param {ShownRoutine | null} shown @param {GrammarData | null} data @param {View | null} view */
     routine(shown7, data2, view4) {
       if (data2) state2.data = data2;
       drawRoutines(shown7, data2, view4 || {});
       return clientside.no_update;
     },
+    /**
+     * @param {Composition | null} made
+     * @param {View | null} view
+     * @param {GrammarData | null} data
+     * @param {Selection | null} selection
+     */
     compose(made, view4, data2, selection) {
       if (data2) state2.data = data2;
       drawCompose(made, view4, selection);
       return clientside.no_update;
     },
+    /** @param {OtherWays | null} data @param {View | null} view */
     others(data2, view4) {
       drawOthers(data2, view4 || {});
       return clientside.no_update;
@@ -6528,23 +7259,35 @@
 
   // motion_map/data.mjs
   var MapData = class {
+    /** @param {ArrayBuffer} buffer @param {string} key */
     constructor(buffer, key) {
       const length = new DataView(buffer).getUint32(0, true);
-      Object.assign(this, JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length))));
+      const header = (
+        /** @type {MapHeader} */
+        JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length)))
+      );
       this.key = key;
-      [this.nx, this.ny] = this.grid;
+      this.nx = header.grid[0];
+      this.ny = header.grid[1];
+      this.fps = header.fps;
+      this.runs = header.runs;
+      this.joints = header.joints;
+      this.roles = header.roles;
+      this.sides = header.sides;
+      this.parents = header.parents;
+      this.lengths = header.lengths;
+      this.clips = header.clips;
+      this.regions = header.regions;
+      this.icons = header.icons;
+      this.usual = header.usual;
       this.n = this.nx * this.ny;
       this.width = 3 * this.joints.length;
       let at3 = 4 + length;
-      const take3 = (Kind, n) => {
-        const array = new Kind(buffer, at3, n);
-        at3 += 4 * n;
-        return array;
-      };
-      this.weights = take3(Float32Array, this.n * this.width);
-      const table3 = {};
-      for (const name of ["clip", "start", "end", "node"]) table3[name] = take3(Int32Array, this.runs);
-      for (const name of ["distance", "ahead", "aside"]) table3[name] = take3(Float32Array, this.runs);
+      const take3 = (n) => (at3 += 4 * n) - 4 * n;
+      this.weights = new Float32Array(buffer, take3(this.n * this.width), this.n * this.width);
+      const ints = () => new Int32Array(buffer, take3(this.runs), this.runs);
+      const floats = () => new Float32Array(buffer, take3(this.runs), this.runs);
+      const table3 = { clip: ints(), start: ints(), end: ints(), node: ints(), distance: floats(), ahead: floats(), aside: floats() };
       this.table = table3;
       this.seconds = new Float32Array(this.n);
       this.speed = new Float32Array(this.runs);
@@ -6554,6 +7297,7 @@
         this.speed[r] = Math.hypot(table3.ahead[r], table3.aside[r]);
         this.fastest = Math.max(this.fastest, this.speed[r]);
       }
+      this.numbers = new Map(this.clips.map((clip, k) => [clip.name, k]));
       this.reach = Math.ceil(10 * this.spread()) / 10;
       this.postures = /* @__PURE__ */ new Map();
       this.near = /* @__PURE__ */ new Map();
@@ -6566,32 +7310,48 @@
       for (let node = 0; node < this.n; node++) most = Math.max(most, this.apart(node, mean));
       return most;
     }
+    /** @param {number} x @param {number} y */
     index(x, y) {
       return x * this.ny + y;
     }
+    /** @param {number} node */
     place(node) {
       return [Math.floor(node / this.ny), node % this.ny];
     }
-    /** Distance of a node's model vector to a vector. */
+    /**
+     * Distance of a node's model vector to a vector.
+     * @param {number} node
+     * @param {ArrayLike<number>} vector
+     */
     apart(node, vector) {
       let sum2 = 0;
       for (let k = 0, at3 = node * this.width; k < this.width; k++, at3++) sum2 += (this.weights[at3] - vector[k]) ** 2;
       return Math.sqrt(sum2);
     }
+    /** @param {number} node */
     model(node) {
       return this.weights.subarray(node * this.width, (node + 1) * this.width);
     }
-    /** Distances (n) of all nodes to a key node's model vector. */
+    /**
+     * Distances (n) of all nodes to a key node's model vector.
+     * @param {number} node
+     */
     distances(node) {
       if (!this.near.has(node)) {
-        const own2 = this.model(node), found = new Float32Array(this.n);
-        for (let k = 0; k < this.n; k++) found[k] = this.apart(k, own2);
+        const own2 = this.model(node), distances = new Float32Array(this.n);
+        for (let k = 0; k < this.n; k++) distances[k] = this.apart(k, own2);
         if (this.near.size > 64) this.near.clear();
-        this.near.set(node, found);
+        this.near.set(node, distances);
       }
-      return this.near.get(node);
+      return (
+        /** @type {Float32Array} */
+        this.near.get(node)
+      );
     }
-    /** The node nearest to a vector of joint positions, and the distance. */
+    /**
+     * The node nearest to a vector of joint positions, and the distance.
+     * @param {ArrayLike<number>} vector
+     */
     nearest(vector) {
       let [best, least] = [0, Infinity];
       for (let node = 0; node < this.n; node++) {
@@ -6600,11 +7360,18 @@
       }
       return { node: best, distance: least };
     }
-    /** The posture of a node, bones at their real lengths: positions (3 n_joints), the pelvis at the origin. */
+    /**
+     * The posture of a node, bones at their real lengths: positions (3 n_joints), the pelvis at the origin.
+     * @param {number} node
+     */
     posture(node) {
       if (!this.postures.has(node)) this.postures.set(node, this.withBones(this.model(node)));
-      return this.postures.get(node);
+      return (
+        /** @type {Float64Array} */
+        this.postures.get(node)
+      );
     }
+    /** @param {ArrayLike<number>} vector */
     withBones(vector) {
       const made = new Float64Array(this.width);
       this.parents.forEach((parent, joint) => {
@@ -6616,7 +7383,11 @@
       });
       return made;
     }
-    /** Whether a run travels as a pace says: {slowest, fastest, way}. */
+    /**
+     * Whether a run travels as a pace says: {slowest, fastest, way}.
+     * @param {number} run
+     * @param {Pace | null} pace
+     */
     allows(run, pace) {
       if (!pace) return true;
       const speed = this.speed[run];
@@ -6631,6 +7402,9 @@
     /**
      * Stretches that pass all keys in order, best first; as core/motion_map/keypose_search.py, which says why. keys: node
      * numbers; reach: the paper's T. Gives [{clip, start, end, distance}], clip a number, analysis frames.
+     * @param {number[]} keys
+     * @param {number} reach
+     * @param {Pace | null} pace
      */
     search(keys, reach, pace) {
       if (!keys.length) return [];
@@ -6666,16 +7440,22 @@
       const rough = (value) => Math.round(value * 1e5);
       return hits.sort((a, b) => rough(a.distance) - rough(b.distance) || a.end - a.start - (b.end - b.start) || a.clip - b.clip || a.start - b.start);
     }
-    /** A stretch in frames of the clip's own rate: {clip: name, start, end}. */
+    /**
+     * A stretch in frames of the clip's own rate: {clip: name, start, end}.
+     * @param {{ clip: number, start: number, end: number }} hit
+     */
     segment({ clip, start: start3, end }) {
       const { name, frames, fps } = this.clips[clip];
-      const even3 = (value) => value % 1 === 0.5 ? 2 * Math.round(value / 2) : Math.round(value);
-      const first = Math.min(even3(start3 * fps / this.fps), frames - 1);
-      return { clip: name, start: first, end: Math.max(Math.min(even3(end * fps / this.fps), frames), first + 1) };
+      const even = (value) => value % 1 === 0.5 ? 2 * Math.round(value / 2) : Math.round(value);
+      const first = Math.min(even(start3 * fps / this.fps), frames - 1);
+      return { clip: name, start: first, end: Math.max(Math.min(even(end * fps / this.fps), frames), first + 1) };
     }
-    /** The node on which a frame (of the clip's own rate) of a clip of the map lies, or -1. */
+    /**
+     * The node on which a frame (of the clip's own rate) of a clip of the map lies, or -1.
+     * @param {string} name
+     * @param {number} frame
+     */
     nodeAt(name, frame) {
-      this.numbers ||= new Map(this.clips.map((clip2, k2) => [clip2.name, k2]));
       const k = this.numbers.get(name);
       if (k === void 0) return -1;
       const { clip, start: start3, end, node } = this.table;
@@ -6698,9 +7478,15 @@
       });
       loaded.set(key, answer2);
       answer2.catch(() => loaded.delete(key));
-      if (loaded.size > 4) loaded.delete(loaded.keys().next().value);
+      if (loaded.size > 4) loaded.delete(
+        /** @type {string} */
+        loaded.keys().next().value
+      );
     }
-    return loaded.get(key);
+    return (
+      /** @type {Promise<MapData>} */
+      loaded.get(key)
+    );
   };
 
   // motion_map/figure.mjs
@@ -6807,8 +7593,12 @@
     });
     map.parents.forEach((parent, j) => {
       if (turns.has(j) || !turns.has(parent)) return;
-      turns.set(j, turns.get(parent));
-      const bone = turns.get(parent)([0, 1, 2].map((d) => posture[3 * j + d] - posture[3 * parent + d]));
+      const rotate = (
+        /** @type {(vector: Point) => Point} */
+        turns.get(parent)
+      );
+      turns.set(j, rotate);
+      const bone = rotate([0, 1, 2].map((d) => posture[3 * j + d] - posture[3 * parent + d]));
       bone.forEach((v, d) => moved2[3 * j + d] = moved2[3 * parent + d] + v);
     });
     return map.withBones(moved2);
@@ -6829,12 +7619,19 @@
   // motion_map/posture_editor.mjs
   var AXES = { front: [[1, 0, 0], [0, -1, 0]], side: [[0, 0, 1], [0, -1, 0]], top: [[1, 0, 0], [0, 0, 1]] };
   var BOX = [-1, -1.05, 2, 2.1];
-  var edited = null;
+  var edited;
+  var viewOf = (svg) => (
+    /** @type {HTMLElement} */
+    svg.parentNode.dataset.view ?? "front"
+  );
   var NAMES = (role, name) => (role || name).replace(/_/g, " ");
   function dialog() {
-    let box2 = document.getElementById("map-editor");
-    if (box2) return box2;
-    box2 = element("dialog", "map-editor card");
+    const there = (
+      /** @type {HTMLDialogElement | null} */
+      document.getElementById("map-editor")
+    );
+    if (there) return there;
+    const box2 = element("dialog", "map-editor card");
     box2.id = "map-editor";
     box2.setAttribute("aria-labelledby", "map-editor-title");
     const title = element("h2", "", "Shape a posture");
@@ -6847,60 +7644,75 @@
       figure2.append(svgElement("svg", { viewBox: BOX.join(" "), class: "map-picture map-editor-picture" }), element("figcaption", "muted", view4));
       views.append(figure2);
     }
-    const said2 = element("div", "map-editor-said number muted");
-    said2.setAttribute("role", "status");
+    const status2 = element("div", "map-editor-said number muted");
+    status2.setAttribute("role", "status");
     const foot = element("div", "map-editor-foot");
     const nearest2 = element("div", "map-editor-nearest");
     const actions4 = element("div", "map-editor-actions");
-    for (const [label, action, main] of [["Cancel", "cancel"], ["As it was", "reset"], ["Use as key", "use", true]]) {
-      const button4 = element("button", main ? "map-button main" : "map-button", label);
+    for (const [label, action, main] of [["Cancel", "cancel", ""], ["As it was", "reset", ""], ["Use as key", "use", "main"]]) {
+      const button4 = element("button", `map-button ${main}`.trim(), label);
       button4.type = "button";
       button4.dataset.editor = action;
       actions4.append(button4);
     }
-    foot.append(nearest2, said2, actions4);
+    foot.append(nearest2, status2, actions4);
     box2.append(title, hint, views, foot);
-    document.getElementById("shell").append(box2);
+    need("shell").append(box2);
     listen(box2);
     return box2;
   }
   function listen(box2) {
     let held = null;
-    const place6 = (svg, event) => {
-      const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
+    const place5 = (svg, event) => {
+      const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM()?.inverse());
       return [x, y];
     };
     box2.addEventListener("pointerdown", (event) => {
-      const handle2 = event.target.closest(".map-joint");
+      const handle2 = (
+        /** @type {SVGElement | null} */
+        /** @type {Element | null} */
+        closest(event, ".map-joint")
+      );
       if (!handle2) return;
-      const svg = handle2.ownerSVGElement;
-      held = { svg, joint: Number(handle2.dataset.joint), view: svg.parentNode.dataset.view, from: place6(svg, event) };
-      held.start = jointOf(edited.posture, held.joint);
-      edited.joint = held.joint;
+      const svg = (
+        /** @type {SVGSVGElement} */
+        handle2.ownerSVGElement
+      );
+      const joint = Number(handle2.dataset.joint);
+      held = { svg, joint, view: viewOf(svg), from: place5(svg, event), start: jointOf(edited.posture, joint) };
+      edited.joint = joint;
       svg.setPointerCapture(event.pointerId);
       event.preventDefault();
     });
     box2.addEventListener("pointermove", (event) => {
       if (!held) return;
-      const [x, y] = place6(held.svg, event), [right, down] = AXES[held.view];
-      move5(held.joint, held.start.map((v, k) => v + (x - held.from[0]) * right[k] + (y - held.from[1]) * down[k]));
+      const { joint, start: start3, from, svg, view: view4 } = held;
+      const [x, y] = place5(svg, event), [right, down] = AXES[view4];
+      move5(joint, start3.map((v, k) => v + (x - from[0]) * right[k] + (y - from[1]) * down[k]));
     });
     box2.addEventListener("pointerup", () => {
       held = null;
     });
     box2.addEventListener("keydown", (event) => {
-      const handle2 = event.target.closest(".map-joint");
+      const handle2 = (
+        /** @type {SVGElement | null} */
+        /** @type {Element | null} */
+        closest(event, ".map-joint")
+      );
       const step3 = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] }[event.key];
       if (!handle2 || !step3) return;
       event.preventDefault();
       event.stopPropagation();
-      const view4 = handle2.ownerSVGElement.parentNode.dataset.view, joint = Number(handle2.dataset.joint);
+      const view4 = viewOf(
+        /** @type {SVGSVGElement} */
+        handle2.ownerSVGElement
+      ), joint = Number(handle2.dataset.joint);
       const [right, down] = AXES[view4], from = jointOf(edited.posture, joint);
       move5(joint, from.map((v, k) => v + 0.04 * (step3[0] * right[k] + step3[1] * down[k])));
-      box2.querySelector(`[data-view="${view4}"] .map-joint[data-joint="${joint}"]`)?.focus();
+      within(box2, `[data-view="${view4}"] .map-joint[data-joint="${joint}"]`).focus();
     });
     box2.addEventListener("click", (event) => {
-      const action = event.target.closest("[data-editor]")?.dataset.editor;
+      const action = closest(event, "[data-editor]")?.dataset.editor;
       if (action === "cancel") box2.close();
       if (action === "reset") {
         edited.posture = edited.start;
@@ -6919,30 +7731,30 @@
   }
   function draw5() {
     const { map, posture } = edited, box2 = dialog();
-    for (const figure2 of box2.querySelectorAll("[data-view]")) {
-      const svg = figure2.querySelector("svg"), see = VIEWS[figure2.dataset.view];
+    for (const figure2 of allWithin(box2, "[data-view]")) {
+      const svg = within(figure2, "svg"), view4 = figure2.dataset.view ?? "", see = VIEWS[view4];
       const handles = map.parents.map((_, j) => {
         const [x, y] = see(jointOf(posture, j));
         const handle2 = svgElement("circle", { cx: x.toFixed(3), cy: y.toFixed(3), r: 0.045, class: "map-joint", tabindex: "0", role: "button", "data-joint": j });
-        handle2.setAttribute("aria-label", `${NAMES(map.roles[j], map.joints[j])}, ${figure2.dataset.view}`);
+        handle2.setAttribute("aria-label", `${NAMES(map.roles[j], map.joints[j])}, ${view4}`);
         const title = svgElement("title");
         title.textContent = NAMES(map.roles[j], map.joints[j]);
         handle2.append(title);
         return handle2;
       });
-      svg.replaceChildren(drawFigure(map, posture, figure2.dataset.view), ...handles);
+      svg.replaceChildren(drawFigure(map, posture, view4), ...handles);
     }
     const { node, distance } = map.nearest(posture);
     Object.assign(edited, { node, distance });
     const far = distance > 2.5 * map.usual;
-    box2.querySelector(".map-editor-said").textContent = `Nearest posture on the map: ${distance.toFixed(2)} m away${far ? ", so nothing there is like this" : ""}`;
-    box2.querySelector(".map-editor-nearest").replaceChildren(figurePicture(map, map.posture(node), "icon"));
+    within(box2, ".map-editor-said").textContent = `Nearest posture on the map: ${distance.toFixed(2)} m away${far ? ", so nothing there is like this" : ""}`;
+    within(box2, ".map-editor-nearest").replaceChildren(figurePicture(map, map.posture(node), "icon"));
     state.overlay.squares("cursor", [node]);
   }
   function editPosture(node, key, change) {
     const { map } = state;
     const posture = map.posture(node);
-    edited = { map, posture, start: posture, key, change, joint: -1 };
+    edited = { map, posture, start: posture, key, change, joint: -1, node, distance: 0 };
     dialog();
     draw5();
     dialog().showModal();
@@ -6963,7 +7775,7 @@
   };
   var short2 = (seconds) => (seconds >= 10 ? seconds.toFixed(0) : seconds.toFixed(1)) + " s";
   function drawPreview(map, node, facts) {
-    const box2 = document.getElementById("map-preview");
+    const box2 = find("map-preview");
     if (!box2) return;
     if (node < 0) {
       box2.replaceChildren(element("p", "muted map-hint", "Point at the map to see a posture. Click postures in the order in which they should come."));
@@ -6977,21 +7789,24 @@
     });
     const row8 = element("div", "map-views");
     row8.append(...views);
-    const said2 = box2.querySelector(".map-caption") || element("div", "map-caption number");
-    said2.textContent = caption(map, node, facts);
-    box2.replaceChildren(row8, said2);
+    const words2 = box2.querySelector(".map-caption") || element("div", "map-caption number");
+    words2.textContent = caption(map, node, facts ?? null);
+    box2.replaceChildren(row8, words2);
   }
   function caption(map, node, facts) {
     const [x, y] = map.place(node);
     const labels2 = (facts && facts.labels || [])[node] || [];
-    const named3 = labels2.filter(([, seconds]) => seconds >= 0.05).slice(0, 3).map(([k, seconds]) => `${facts.names[k]} ${short2(seconds)}`).join(", ");
+    const named3 = labels2.filter(([, seconds]) => seconds >= 0.05).slice(0, 3).map(([k, seconds]) => `${facts?.names[k]} ${short2(seconds)}`).join(", ");
     const time = map.seconds[node] > 0 ? `${short2(map.seconds[node])} of motion` : "no motion here";
     return `Node ${x}, ${y} · region ${map.regions[node]} · ${time}${named3 ? ` · ${named3}` : ""}`;
   }
   function drawStrip(map, keys, change) {
-    const box2 = document.getElementById("map-keys");
+    const box2 = find("map-keys");
     if (!box2) return;
-    const focused = [...box2.children].indexOf(document.activeElement?.closest?.(".map-key-card"));
+    const focused = childrenOf(box2).indexOf(
+      /** @type {any} */
+      document.activeElement?.closest(".map-key-card")
+    );
     const move6 = (from, to) => {
       if (to < 0 || to >= keys.length || from === to) return;
       const next2 = [...keys];
@@ -7013,11 +7828,11 @@
         button3(`Move key ${k + 1} behind the next`, "right", () => move6(k, k + 1)),
         button3(`Remove key ${k + 1}`, "close", () => remove(k))
       );
-      tools.children[0].disabled = k === 0;
-      tools.children[2].disabled = k === keys.length - 1;
+      childrenOf(tools)[0].disabled = k === 0;
+      childrenOf(tools)[2].disabled = k === keys.length - 1;
       card4.append(element("span", "map-key-number", String(k + 1)), figurePicture(map, map.posture(node), "icon"), tools);
       card4.addEventListener("keydown", (event) => {
-        if (event.target !== card4) return;
+        if (targetOf(event) !== card4) return;
         if (event.key === "ArrowLeft") move6(k, k - 1);
         else if (event.key === "ArrowRight") move6(k, k + 1);
         else if (event.key === "Delete" || event.key === "Backspace") remove(k);
@@ -7025,28 +7840,28 @@
         event.preventDefault();
         event.stopPropagation();
       });
-      card4.addEventListener("dragstart", (event) => event.dataTransfer.setData("text/plain", String(k)));
+      card4.addEventListener("dragstart", (event) => event.dataTransfer?.setData("text/plain", String(k)));
       card4.addEventListener("dragover", (event) => event.preventDefault());
       card4.addEventListener("drop", (event) => {
         event.preventDefault();
-        const from = Number.parseInt(event.dataTransfer.getData("text/plain"), 10);
+        const from = Number.parseInt(event.dataTransfer?.getData("text/plain") ?? "", 10);
         if (Number.isInteger(from)) move6(from, k);
       });
       return card4;
     }));
     if (!keys.length) box2.append(element("p", "muted map-hint", "No keys yet: click a posture on the map."));
-    if (focused >= 0) box2.children[Math.min(focused, box2.children.length - 1)]?.focus?.({ preventScroll: true });
+    if (focused >= 0) childrenOf(box2)[Math.min(focused, box2.children.length - 1)]?.focus?.({ preventScroll: true });
   }
-  var said = (n, keys) => !keys.length ? "" : n === 1 ? "1 hit" : `${n} hits`;
+  var hitsInWords = (n, keys) => !keys.length ? "" : n === 1 ? "1 hit" : `${n} hits`;
   function drawCount(n, keys, files) {
-    const box2 = document.getElementById("map-count");
-    if (box2) box2.textContent = said(n, keys) + (n ? ` in ${files} clip${files === 1 ? "" : "s"}` : "");
+    const box2 = find("map-count");
+    if (box2) box2.textContent = hitsInWords(n, keys) + (n ? ` in ${files} clip${files === 1 ? "" : "s"}` : "");
   }
-  var later = 0;
+  var later2 = 0;
   function drawHits(map, hits, keys, { dataset: dataset2, version, chosen: chosen3 }) {
-    const box2 = document.getElementById("map-hits");
+    const box2 = find("map-hits");
     if (!box2) return;
-    clearTimeout(later);
+    clearTimeout(later2);
     if (!hits.length) {
       const hint = keys.length ? "Nothing passes these postures in this order. Let the keys reach farther, or remove one." : "Choose one or more postures on the map: every stretch of motion that passes through them in order is listed here.";
       box2.replaceChildren(element("p", "muted map-hint", hint));
@@ -7059,14 +7874,14 @@
       made.type = "button";
       made.dataset.store = "selection";
       made.dataset.value = JSON.stringify(segment);
-      const on2 = Boolean(chosen3) && chosen3.clip === segment.clip && chosen3.start === segment.start && chosen3.end === segment.end;
+      const on2 = chosen3 !== null && chosen3.clip === segment.clip && chosen3.start === segment.start && chosen3.end === segment.end;
       made.classList.toggle("chosen", on2);
       made.setAttribute("aria-pressed", String(on2));
       const when = `${clock(segment.start / fps)} to ${clock(segment.end / fps)}`;
       made.title = `Play ${segment.clip}, ${when}; postures ${hit.distance.toFixed(2)} m from the keys`;
       const picture = element("img", "motion-strip");
-      const asked5 = new URLSearchParams({ start: segment.start, end: segment.end, n: 5, v: version });
-      const address2 = `/api/filmstrip/${encodeURIComponent(dataset2)}/${segment.clip.split("/").map(encodeURIComponent).join("/")}?${asked5}`;
+      const query = new URLSearchParams({ start: String(segment.start), end: String(segment.end), n: "5", v: version });
+      const address2 = `/api/filmstrip/${encodeURIComponent(dataset2)}/${segment.clip.split("/").map(encodeURIComponent).join("/")}?${query}`;
       Object.assign(picture, { loading: "lazy", alt: "", draggable: false, src: address2 });
       made.append(
         element("span", "map-rank number muted", String(k + 1)),
@@ -7081,15 +7896,35 @@
       box2.append(...hits.slice(AT_ONCE2, MOST_ROWS2).map((hit, k) => row8(hit, AT_ONCE2 + k)));
       if (hits.length > MOST_ROWS2) box2.append(element("div", "muted selection-more", `and ${hits.length - MOST_ROWS2} more`));
     };
-    if (hits.length > AT_ONCE2) later = setTimeout(rest, 50);
+    if (hits.length > AT_ONCE2) later2 = setTimeout(rest, 50);
   }
   function markHit(chosen3) {
-    for (const row8 of document.querySelectorAll(".map-hit")) {
-      const segment = JSON.parse(row8.dataset.value);
-      const on2 = Boolean(chosen3) && ["clip", "start", "end"].every((key) => segment[key] === chosen3[key]);
+    for (const row8 of allWithin(document, ".map-hit")) {
+      const segment = JSON.parse(row8.dataset.value ?? "{}");
+      const on2 = chosen3 !== null && chosen3.clip === segment.clip && chosen3.start === segment.start && chosen3.end === segment.end;
       row8.classList.toggle("chosen", on2);
       row8.setAttribute("aria-pressed", String(on2));
     }
+  }
+
+  // motion_map/link.mjs
+  var MOST_KEYS = 20;
+  var WAYS = ["forward", "backward", "left", "right"];
+  var writeKeys = (keys, map) => keys.map((node) => map.place(node).join("-")).join(",");
+  function readKeys(text, map) {
+    const nodes = [];
+    for (const word of String(text || "").split(",")) {
+      const match = /^(\d+)-(\d+)$/.exec(word);
+      if (match && Number(match[1]) < map.nx && Number(match[2]) < map.ny) nodes.push(map.index(Number(match[1]), Number(match[2])));
+    }
+    return nodes.slice(0, MOST_KEYS);
+  }
+  var readNumber = (text, otherwise) => /^\d+(\.\d+)?$/.test(text ?? "") ? Number(text) : otherwise;
+  function paceOf(view4) {
+    const [low, high] = String(view4.pace || "").split("-").map((word) => readNumber(word, NaN));
+    const way2 = WAYS.includes(view4.way) ? view4.way : "any";
+    const [slowest, fastest] = Number.isFinite(low) && Number.isFinite(high) && low <= high ? [low, high] : [0, Infinity];
+    return way2 === "any" && slowest === 0 && fastest === Infinity ? null : { slowest, fastest, way: way2 };
   }
 
   // motion_map/overlay.mjs
@@ -7097,6 +7932,7 @@
   var JUMP = 3;
   var HELP = "Map of postures. Arrow keys move the cursor, Enter adds the posture under it as a key, Backspace takes the last key away.";
   var Overlay = class {
+    /** @param {HTMLElement} box @param {OverlayActions} on */
     constructor(box2, on2) {
       this.box = box2;
       this.on = on2;
@@ -7104,30 +7940,42 @@
       this.svg = svgElement("svg", { class: "map-overlay", tabindex: "0", role: "application", "aria-label": HELP });
       this.view = svgElement("svg", { preserveAspectRatio: "none", overflow: "visible" });
       this.layers = {};
+      this.map = /** @type {any} */
+      null;
+      this.scale = 0;
+      this.drawn = "";
       for (const name of LAYERS) this.view.append(this.layers[name] = svgElement("g", { class: `map-layer-${name}` }));
       this.svg.append(this.view);
       box2.append(this.svg);
       this.listen();
     }
+    /** The heatmap, as Plotly has it. @returns {any} */
     get plot() {
       return this.box.querySelector(".js-plotly-plot");
     }
-    /** Lie exactly over the heatmap. */
+    /**
+     * Lie exactly over the heatmap.
+     * @param {MapData} map
+     */
     fit(map) {
       const layout = this.plot?._fullLayout;
       if (!layout?.xaxis || !map) return;
       const { xaxis: x, yaxis: y } = layout;
-      const place6 = { x: x._offset, y: y._offset, width: x._length, height: y._length, viewBox: `-0.5 -0.5 ${map.nx} ${map.ny}` };
-      for (const [key, value] of Object.entries(place6)) this.view.setAttribute(key, value);
+      const place5 = { x: x._offset, y: y._offset, width: x._length, height: y._length, viewBox: `-0.5 -0.5 ${map.nx} ${map.ny}` };
+      for (const [key, value] of Object.entries(place5)) this.view.setAttribute(key, value);
       this.scale = x._length / map.nx;
     }
-    /** [x, y] in node units of a pointer event; null where it is not over the map. */
+    /**
+     * [x, y] in node units of a pointer event; null where it is not over the map.
+     * @param {PointerEvent | MouseEvent} event
+     */
     at(event) {
       const matrix = this.map && this.view.getScreenCTM();
       if (!matrix) return null;
-      const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.layers.cursor.getScreenCTM().inverse());
+      const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(this.layers.cursor.getScreenCTM()?.inverse());
       return x >= -0.5 && y >= -0.5 && x < this.map.nx - 0.5 && y < this.map.ny - 0.5 ? [x, y] : null;
     }
+    /** @param {PointerEvent | MouseEvent} event */
     node(event) {
       const at3 = this.at(event);
       return at3 ? this.map.index(Math.round(at3[0]), Math.round(at3[1])) : -1;
@@ -7160,15 +8008,16 @@
       this.svg.addEventListener("pointerleave", () => !drawing5 && this.on.leave());
       this.svg.addEventListener("keydown", (event) => this.key(event));
     }
+    /** @param {KeyboardEvent} event */
     key(event) {
       if (!this.map || event.ctrlKey || event.metaKey || event.altKey) return;
       const steps2 = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
-      const within = (value, n) => Math.min(Math.max(value, 0), n - 1);
+      const limit = (value, n) => Math.min(Math.max(value, 0), n - 1);
       const [x, y] = this.cursor < 0 ? this.map.icons[0] : this.map.place(this.cursor);
       if (steps2[event.key]) {
         const far = event.shiftKey ? 5 : 1;
         const [a, b] = this.cursor < 0 ? [0, 0] : steps2[event.key];
-        this.move(this.map.index(within(x + far * a, this.map.nx), within(y + far * b, this.map.ny)));
+        this.move(this.map.index(limit(x + far * a, this.map.nx), limit(y + far * b, this.map.ny)));
       } else if (event.key === "Enter" || event.key === " ") {
         if (this.cursor >= 0) this.on.choose(this.cursor);
       } else if (event.key === "Backspace" || event.key === "Delete") this.on.undo();
@@ -7176,12 +8025,17 @@
       event.preventDefault();
       event.stopPropagation();
     }
+    /** @param {number} node */
     move(node) {
       this.cursor = node;
       this.squares("cursor", node < 0 ? [] : [node]);
       if (node >= 0) this.on.hover(node);
     }
-    /** Fill a layer with the squares of nodes, as one path. */
+    /**
+     * Fill a layer with the squares of nodes, as one path.
+     * @param {string} layer
+     * @param {number[]} nodes
+     */
     squares(layer, nodes) {
       if (!this.map) return;
       const d = nodes.map((node) => {
@@ -7190,7 +8044,10 @@
       }).join("");
       this.layers[layer].replaceChildren(...d ? [svgElement("path", { d, class: `map-${layer}` })] : []);
     }
-    /** Nodes of every key: [{node, nodes}], numbered. */
+    /**
+     * Nodes of every key: [{node, nodes}], numbered.
+     * @param {{ node: number, nodes: number[] }[]} keys
+     */
     drawKeys(keys) {
       const every = new Set(keys.flatMap((key) => key.nodes));
       this.squares("reach", [...every]);
@@ -7204,7 +8061,10 @@
         return mark3;
       }));
     }
-    /** Ways over the map: [{points, colour}], the first drawn last; jumps over a fold of the map are thin and dotted. */
+    /**
+     * Ways over the map: [{points, colour}], the first drawn last; jumps over a fold of the map are thin and dotted.
+     * @param {{ points: Point[], colour: string }[]} paths
+     */
     drawPaths(paths) {
       this.layers.paths.replaceChildren(...[...paths].reverse().flatMap(({ points, colour }) => {
         const [ways, jumps] = [[], []];
@@ -7216,20 +8076,24 @@
         return [made(jumps, "map-jump"), made(ways, "map-way")];
       }));
     }
+    /** @param {Point[]} points */
     drawPath(points) {
       const line2 = points?.length > 1 ? [svgElement("polyline", { points: points.map((p) => p.map((v) => v.toFixed(2)).join(",")).join(" "), class: "map-drawn" })] : [];
       this.layers.drawn.replaceChildren(...line2);
     }
-    /** Where the playing figures are: [{x, y, colour}]. */
+    /**
+     * Where the playing figures are: [{x, y, colour}].
+     * @param {Dot[]} dots
+     */
     drawDots(dots) {
       const layer = this.layers.dots;
-      while (layer.childElementCount > dots.length) layer.lastChild.remove();
+      while (layer.childElementCount > dots.length) layer.lastChild?.remove();
       while (layer.childElementCount < dots.length) layer.append(svgElement("circle", { class: "map-dot" }));
       dots.forEach(({ x, y, colour }, k) => {
-        const dot3 = layer.children[k];
-        dot3.setAttribute("cx", x);
-        dot3.setAttribute("cy", y);
-        dot3.setAttribute("r", Math.max(0.3, 5.5 / (this.scale || 18)));
+        const dot3 = childrenOf(layer)[k];
+        dot3.setAttribute("cx", String(x));
+        dot3.setAttribute("cy", String(y));
+        dot3.setAttribute("r", String(Math.max(0.3, 5.5 / (this.scale || 18))));
         dot3.style.setProperty("--tone", colour);
       });
     }
@@ -7237,20 +8101,20 @@
 
   // motion_map/paths.mjs
   var TONES = ["#d1495b", "#00798c", "#edae49", "#6a4c93", "#3a7d44", "#c8553d", "#1982c4", "#8a6d3b"];
-  var MOST = 24;
+  var MOST2 = 24;
   var known = /* @__PURE__ */ new Map();
-  var nameOf2 = (map, item) => [map.key, item.dataset, item.clip, item.start, item.end].join("\n");
+  var nameOf3 = (map, item) => [map.key, item.dataset, item.clip, item.start, item.end].join("\n");
   async function pathsOf(map, items) {
-    const missing = items.filter((item) => !known.has(nameOf2(map, item)));
+    const missing = items.filter((item) => !known.has(nameOf3(map, item)));
     for (const dataset2 of new Set(missing.map((item) => item.dataset))) {
       const mine2 = missing.filter((item) => item.dataset === dataset2);
-      const asked5 = new URLSearchParams({ dataset: dataset2 });
-      for (const { clip, start: start3, end } of mine2) for (const [key, value] of Object.entries({ clip, start: start3, end })) asked5.append(key, value);
-      const answer2 = fetch(`/api/map/${map.key}/paths?${asked5}`).then((response) => response.ok ? response.json() : [], () => []);
-      mine2.forEach((item, k) => known.set(nameOf2(map, item), answer2.then((found) => found[k] || null)));
+      const query = new URLSearchParams({ dataset: dataset2 });
+      for (const { clip, start: start3, end } of mine2) for (const [key, value] of Object.entries({ clip, start: start3, end })) query.append(key, String(value));
+      const answer2 = fetch(`/api/map/${map.key}/paths?${query}`).then((response) => response.ok ? response.json() : [], () => []);
+      mine2.forEach((item, k) => known.set(nameOf3(map, item), answer2.then((paths) => paths[k] || null)));
     }
     while (known.size > 600) known.delete(known.keys().next().value);
-    return Promise.all(items.map((item) => known.get(nameOf2(map, item)) ?? null));
+    return Promise.all(items.map((item) => known.get(nameOf3(map, item)) ?? null));
   }
   function along(path2, frame) {
     const at3 = Math.min(Math.max((frame - path2.start) / path2.step, 0), path2.points.length - 1);
@@ -7260,15 +8124,22 @@
     return [0, 1].map((d) => path2.points[k][d] + t * (path2.points[k + 1][d] - path2.points[k][d]));
   }
   var Follower = class {
+    /** @param {Overlay} overlay */
     constructor(overlay) {
       this.overlay = overlay;
       this.items = [];
       this.paths = [];
+      this.dots = [];
+      this.name = "";
       this.on = true;
     }
-    /** Take up what the Stage shows. */
+    /**
+     * Take up what the Stage shows.
+     * @param {MapData} map
+     * @param {Followed[]} items
+     */
     async take(map, items) {
-      const shown7 = this.on ? items.slice(0, MOST).map(({ dataset: dataset2, clip, start: start3, end, index }) => ({ dataset: dataset2, clip, start: start3, end, index })) : [];
+      const shown7 = this.on ? items.slice(0, MOST2).map(({ dataset: dataset2, clip, start: start3, end, index }) => ({ dataset: dataset2, clip, start: start3, end, index })) : [];
       const name = JSON.stringify([map.key, shown7]);
       if (name === this.name) return;
       this.name = name;
@@ -7279,7 +8150,10 @@
       this.overlay.drawPaths(paths.flatMap((path2, k) => path2 ? [{ points: path2.points, colour: TONES[k % TONES.length] }] : []));
       this.step(items);
     }
-    /** Move the dots to where the figures are. */
+    /**
+     * Move the dots to where the figures are.
+     * @param {Followed[]} items
+     */
     step(items) {
       const now6 = new Map(items.map((item) => [item.index, item.frame]));
       this.dots = this.items.flatMap((item, k) => {
@@ -7295,24 +8169,8 @@
   // motion_map/map.mjs
   var USUAL = { colour: "height", click: "keys", pace: "any", way: "any" };
   var live = 0;
-  var put3 = (change) => changeView({ ...change, at: Date.now() });
-  var page2 = () => document.getElementById("map-plot");
-  var write3 = (keys) => keys.map((node) => state.map.place(node).join("-")).join(",");
-  function read2(text, map) {
-    const found = [];
-    for (const word of String(text || "").split(",")) {
-      const match = /^(\d+)-(\d+)$/.exec(word);
-      if (match && Number(match[1]) < map.nx && Number(match[2]) < map.ny) found.push(map.index(Number(match[1]), Number(match[2])));
-    }
-    return found.slice(0, 20);
-  }
-  var number2 = (text, otherwise) => /^\d+(\.\d+)?$/.test(text ?? "") ? Number(text) : otherwise;
-  function paceOf(view4) {
-    const [low, high] = String(view4.pace || "").split("-").map((word) => number2(word, NaN));
-    const way2 = ["forward", "backward", "left", "right"].includes(view4.way) ? view4.way : "any";
-    const limits2 = Number.isFinite(low) && Number.isFinite(high) && low <= high ? [low, high] : [0, Infinity];
-    return way2 === "any" && limits2[0] === 0 && limits2[1] === Infinity ? null : { slowest: limits2[0], fastest: limits2[1], way: way2 };
-  }
+  var put2 = (change) => changeView({ ...change, at: Date.now() });
+  var page = () => find("map-plot");
   function drawKeys() {
     const { map, keys, reach } = state;
     state.overlay.drawKeys(keys.map((node) => {
@@ -7325,7 +8183,7 @@
     const { map, keys, reach, pace, path: path2 } = state;
     if (!path2) state.hits = map.search(keys, reach, pace);
     drawCount(state.hits.length, path2 ? [path2] : keys, new Set(state.hits.map((hit) => hit.clip)).size);
-    const all = document.getElementById("map-play-all");
+    const all = find("map-play-all");
     if (all) all.disabled = state.hits.length === 0;
     return state.hits;
   }
@@ -7350,10 +8208,10 @@
     const { map } = state;
     state.path = path2;
     state.overlay.drawPath(path2.split(",").map((point) => point.split("-").map(Number)));
-    const found = await ask3(`/api/map/${map.key}/drawn?${new URLSearchParams({ path: path2 })}`);
+    const answer2 = await ask3(`/api/map/${map.key}/drawn?${new URLSearchParams({ path: path2 })}`);
     if (state.path !== path2 || state.map !== map) return;
-    if (found.error) notify("This path was not followed", found.error);
-    state.hits = found.error ? [] : found;
+    if (answer2.error) notify("This path was not followed", answer2.error);
+    state.hits = answer2.error ? [] : answer2;
     refresh();
   }
   function drawn3(points) {
@@ -7362,7 +8220,7 @@
     const path2 = few.map((point) => point.map((value) => Math.max(value, 0).toFixed(1)).join("-")).join(",");
     state.keys = [];
     drawStrip(state.map, [], setKeys);
-    put3({ drawn: path2, keys: "" });
+    put2({ drawn: path2, keys: "" });
     return followPath(path2);
   }
   function setKeys(keys, focus2) {
@@ -7372,34 +8230,35 @@
     }
     state.keys = keys.slice(0, 20);
     drawStrip(state.map, state.keys, setKeys);
-    if (focus2 !== void 0) document.getElementById("map-keys").children[focus2]?.focus?.();
+    if (focus2 !== void 0) childrenOf(need("map-keys"))[focus2]?.focus();
     refresh();
-    put3({ keys: write3(state.keys), drawn: "" });
+    put2({ keys: writeKeys(state.keys, state.map), drawn: "" });
   }
   function setReach(reach, done) {
     state.reach = reach;
     showReach();
     refresh(done);
-    if (done) put3({ within: reach ? reach.toFixed(2) : "" });
+    if (done) put2({ within: reach ? reach.toFixed(2) : "" });
   }
   function showReach() {
-    const slider2 = document.getElementById("map-reach"), label = document.getElementById("map-reach-value");
-    if (!slider2 || !state.map) return;
-    slider2.max = state.map.reach;
-    slider2.value = state.reach;
+    const slider2 = find("map-reach"), label = find("map-reach-value");
+    if (!slider2 || !label || !state.map) return;
+    slider2.max = String(state.map.reach);
+    slider2.value = String(state.reach);
     slider2.setAttribute("aria-valuetext", `${state.reach.toFixed(2)} metres`);
     label.textContent = `${state.reach.toFixed(2)} m`;
   }
   function choose3(node) {
     if (state.mode === "regions") {
       const region = state.map.regions[node];
-      put3({ region: String(region), below: "region" });
+      put2({ region: String(region), below: "region" });
     } else setKeys([...state.keys, node]);
   }
   function mount2() {
-    const box2 = page2();
+    const box2 = page();
     if (!box2 || state.overlay?.box === box2) return Boolean(box2);
     state.overlay = new Overlay(box2, {
+      /** @param {number} node */
       hover: (node) => drawPreview(state.map, node, state.facts),
       leave: () => {
       },
@@ -7411,7 +8270,7 @@
     state.follower = new Follower(state.overlay);
     const slider2 = Object.assign(document.createElement("input"), { type: "range", id: "map-reach", className: "map-slider", min: 0, step: 0.01, value: 0 });
     slider2.setAttribute("aria-labelledby", "map-reach-label");
-    document.getElementById("map-reach-box").replaceChildren(slider2);
+    need("map-reach-box").replaceChildren(slider2);
     slider2.addEventListener("input", () => state.map && setReach(Number(slider2.value), false));
     slider2.addEventListener("change", () => state.map && setReach(Number(slider2.value), true));
     new ResizeObserver(() => requestAnimationFrame(fit)).observe(box2);
@@ -7425,10 +8284,10 @@
   function show5(view4) {
     const { map } = state;
     if (!map || !mount2()) return;
-    const keys = read2(view4.keys, map), reach = Math.min(number2(view4.within, 0), map.reach), pace = paceOf(view4);
+    const keys = readKeys(view4.keys, map), reach = Math.min(readNumber(view4.within, 0), map.reach), pace = paceOf(view4);
     state.mode = ["regions", "draw"].includes(view4.click) ? view4.click : "keys";
-    page2().dataset.mode = state.mode;
-    const region = number2(view4.region, -1);
+    need("map-plot").dataset.mode = state.mode;
+    const region = readNumber(view4.region, -1);
     state.overlay.squares("region", region < 0 ? [] : [...map.regions.keys()].filter((node) => map.regions[node] === region));
     const path2 = view4.drawn || "";
     const shown7 = JSON.stringify([keys, reach, pace, path2]);
@@ -7445,22 +8304,22 @@
     }
   }
   window.addEventListener("stage-state", (event) => {
-    if (state.map && state.follower && page2()) state.follower.take(state.map, own(event.detail.items));
+    if (state.map && state.follower && page()) state.follower.take(state.map, own(event.detail.items));
   });
   window.addEventListener("stage-frame", (event) => {
-    if (state.map && state.follower && page2() && event.detail.items) state.follower.step(own(event.detail.items));
+    if (state.map && state.follower && page() && event.detail.items) state.follower.step(own(event.detail.items));
   });
-  var own = (items) => (items || []).map((item) => ({ ...item, dataset: item.dataset || state.known?.dataset }));
+  var own = (items) => (items || []).map((item) => ({ ...item, dataset: item.dataset || state.known?.dataset || "" }));
   async function keyFromStage() {
     const item = player.frameOf(0);
     if (!item) return notify("Nothing is on the Stage", "Play a clip or a motif first; its current frame then becomes a key.");
-    const asked5 = new URLSearchParams({ dataset: item.dataset || state.known.dataset, clip: item.clip, frame: item.frame });
-    const found = await ask3(`/api/map/${state.map.key}/node?${asked5}`);
-    if (found.error) return notify("That posture cannot be a key", found.error);
-    const node = state.map.index(...found.node);
+    const query = new URLSearchParams({ dataset: item.dataset || state.known.dataset, clip: item.clip, frame: String(item.frame) });
+    const answer2 = await ask3(`/api/map/${state.map.key}/node?${query}`);
+    if (answer2.error) return notify("That posture cannot be a key", answer2.error);
+    const node = state.map.index(answer2.node[0], answer2.node[1]);
     state.overlay.move(node);
     setKeys([...state.keys, node]);
-    if (found.distance > 2.5 * found.usual) notify("Added, but it fits badly", `No posture of the map is like this one: the nearest is ${found.distance.toFixed(2)} m away, ${found.usual.toFixed(2)} m is usual.`);
+    if (answer2.distance > 2.5 * answer2.usual) notify("Added, but it fits badly", `No posture of the map is like this one: the nearest is ${answer2.distance.toFixed(2)} m away, ${answer2.usual.toFixed(2)} m is usual.`);
   }
   function playAll() {
     const items = state.hits.slice(0, 12).map((hit) => {
@@ -7475,7 +8334,7 @@
     player.show(request5);
   }
   document.addEventListener("click", (event) => {
-    const button4 = event.target.closest?.("[data-map-do]");
+    const button4 = closest(event, "[data-map-do]");
     if (!button4 || !state.map) return;
     const actions4 = {
       stage: keyFromStage,
@@ -7483,13 +8342,18 @@
       clear: () => setKeys([]),
       edit: () => editPosture(state.overlay.cursor >= 0 ? state.overlay.cursor : state.map.index(...state.map.icons[0]), -1, setKeys)
     };
-    actions4[button4.dataset.mapDo]?.();
+    actions4[button4.dataset.mapDo ?? ""]?.();
   });
   register("map", {
-    /** A map has come: fetch it, then show what the link says of it. */
+    /**
+     * A map has come: fetch it, then show what the link says of it.
+     * @param {KnownMap | null} known
+     * @param {View | null} view
+     */
     async load(known3, view4) {
       if (!known3 || !known3.key) {
-        state.map = null;
+        state.map = /** @type {any} */
+        null;
         return clientside.no_update;
       }
       const map = await loadMap(known3.key).catch(() => null);
@@ -7503,11 +8367,10 @@
       show5(view4 || {});
       fit();
       state.overlay.squares("lit", state.lit);
-      const items = [];
-      for (let k = 0; player.frameOf(k); k++) items.push(player.frameOf(k));
-      state.follower.take(map, own(items));
+      state.follower.take(map, own(player.standing()));
       return map.key;
     },
+    /** @param {View | null} view */
     view(view4) {
       show5(view4 || {});
       return clientside.no_update;
@@ -7517,51 +8380,102 @@
       requestAnimationFrame(() => requestAnimationFrame(fit));
       return clientside.no_update;
     },
+    /** @param {{ nodes?: number[] } | null} lit */
     lit(lit4) {
       state.lit = lit4 && lit4.nodes || [];
       if (state.overlay && state.map) state.overlay.squares("lit", state.lit);
       return clientside.no_update;
     },
+    /** @param {Selection | null} selection */
     selection(selection) {
       state.selection = selection && selection.clip !== void 0 ? selection : null;
       markHit(state.selection);
       return clientside.no_update;
     },
-    /** A control was used: its choice goes into the link, the usual one leaves it. */
+    /**
+     * A control was used: its choice goes into the link, the usual one leaves it.
+     * @param {string | null} value
+     * @param {View | null} view
+     */
     chosen(value, view4) {
       const key = clientside.callback_context.inputs_list[0].id.slice("map-".length);
-      const wanted2 = value === USUAL[key] ? "" : value;
-      if (value && ((view4 || {})[key] || "") !== wanted2) put3({ [key]: wanted2 });
+      const wanted2 = value === USUAL[key] ? "" : value ?? "";
+      if (value && ((view4 || {})[key] || "") !== wanted2) put2({ [key]: wanted2 });
       return clientside.no_update;
     },
+    /** @param {View | null} view @param {string} id */
     choice(view4, id) {
       const key = id.slice("map-".length);
       return (view4 || {})[key] || USUAL[key];
     },
-    /** Those parts of the view that the server draws by. */
+    /**
+     * Those parts of the view that the server draws by.
+     * @param {View | null} view
+     * @param {View | null} current
+     */
     look(view4, current2) {
       const keys = ["colour", "below", "region", "icons"];
-      const next2 = Object.fromEntries(keys.filter((key) => (view4 || {})[key]).map((key) => [key, view4[key]]));
+      const next2 = Object.fromEntries(keys.filter((key) => (view4 || {})[key]).map((key) => [key, (view4 || {})[key]]));
       return current2 && JSON.stringify(next2) === JSON.stringify(current2) ? clientside.no_update : next2;
     }
   });
 
   // search/state.mjs
-  var now5 = { found: null, view: {}, clips: null, motifs: [], scheme: "light", presets: {}, body: null, engines: [], key: null, selection: {}, active: 0 };
+  var none2 = null;
+  var now5 = {
+    found: (
+      /** @type {Found} */
+      none2
+    ),
+    view: (
+      /** @type {View} */
+      {}
+    ),
+    clips: (
+      /** @type {ClipList} */
+      none2
+    ),
+    motifs: (
+      /** @type {MotifQuery[]} */
+      []
+    ),
+    scheme: "light",
+    presets: (
+      /** @type {Record<string, Weights>} */
+      {}
+    ),
+    body: (
+      /** @type {Body} */
+      none2
+    ),
+    engines: (
+      /** @type {any[]} */
+      []
+    ),
+    key: (
+      /** @type {any} */
+      null
+    ),
+    selection: (
+      /** @type {Selection} */
+      {}
+    ),
+    active: 0
+  };
   var changeSearch = (values) => changeView({ hit: "", ...values });
   var bytes = new TextEncoder();
   var escapeName = (name) => [...name].map((c) => /[-0-9A-Za-z._ ]/.test(c) ? c : [...bytes.encode(c)].map((byte) => "~" + byte.toString(16).padStart(2, "0")).join("")).join("");
   var nodesOf = (leaves) => {
     const wanted2 = new Set(leaves);
-    const found = [];
+    const nodes = [];
     const left = new Set(leaves);
     for (const [node, below] of Object.entries(now5.body.nodes)) {
       if (below.every((leaf) => wanted2.has(leaf)) && below.some((leaf) => left.has(leaf))) {
-        found.push(node);
+        nodes.push(node);
         below.forEach((leaf) => left.delete(leaf));
       }
     }
-    return found;
+    return nodes;
   };
   var writeQuery = (pieces) => pieces.filter((piece) => piece.leaves.length).map((piece) => [
     ...piece.leaves.length === now5.body.leaves.length ? [] : [nodesOf(piece.leaves).join("+")],
@@ -7578,29 +8492,54 @@
   var before = [];
   var remember3 = () => {
     const { query, parts: weights } = now5.view;
-    if (query && (!before.length || before.at(-1).query !== query)) before.push({ query, parts: weights || "" });
+    if (query && (!before.length || before.at(-1)?.query !== query)) before.push({ query, parts: weights || "" });
     if (before.length > 30) before.shift();
   };
   var goBack = () => {
     while (before.length) {
       const last2 = before.pop();
-      if (last2.query !== now5.view.query) return changeSearch(last2);
+      if (last2 && last2.query !== now5.view.query) return changeSearch(last2);
     }
     return void 0;
   };
   var canGoBack = () => before.some((one) => one.query !== now5.view.query);
   var searchAddress = (hit) => {
-    const pairs2 = new URLSearchParams({ dataset: now5.clips.dataset, v: now5.clips.version.slice(0, 8) });
+    const pairs = new URLSearchParams({ dataset: now5.clips.dataset, v: now5.clips.version.slice(0, 8) });
     for (const [key, value] of Object.entries(now5.view)) {
-      if (["query", "parts"].includes(key) || key.startsWith("search-")) pairs2.set(key, value);
+      if (["query", "parts"].includes(key) || key.startsWith("search-")) pairs.set(key, value);
     }
-    if (hit) pairs2.set("hit", hit);
-    return pairs2.toString();
+    if (hit) pairs.set("hit", hit);
+    return pairs.toString();
   };
 
-  // search/body.mjs
-  var MOST2 = 50;
+  // search/weights.mjs
   var EVEN = 10;
+  var evenWeights = (body2) => Object.fromEntries(body2.leaves.map((leaf) => [leaf, EVEN]));
+  function readWeights(text, body2) {
+    const weights = Object.fromEntries(body2.leaves.map((leaf) => [leaf, 0]));
+    let total3 = 0;
+    for (const word of (text || "").split(",")) {
+      const [node, weight] = word.split(":");
+      const leaves = body2.nodes[node];
+      if (!leaves || !(Number(weight) > 0)) continue;
+      for (const leaf of leaves) weights[leaf] += Number(weight) / leaves.length;
+      total3 += Number(weight);
+    }
+    return total3 ? weights : evenWeights(body2);
+  }
+  function writeWeights(weights, body2) {
+    const values = Object.values(weights);
+    if (values.every((value) => value === values[0])) return "";
+    return body2.leaves.filter((leaf) => weights[leaf] > 0).map((leaf) => `${leaf}:${Number(weights[leaf].toFixed(2))}`).join(",");
+  }
+  var total = (weights) => Object.values(weights).reduce((sum2, value) => sum2 + value, 0) || 1;
+  function sameWeights(a, b, body2) {
+    const [sumA, sumB] = [total(a), total(b)];
+    return body2.leaves.every((leaf) => Math.abs((a[leaf] || 0) / sumA - (b[leaf] || 0) / sumB) < 2e-3);
+  }
+
+  // search/body.mjs
+  var MOST3 = 50;
   var SHAPES = {
     torso: ["M48 44 Q60 39 72 44 L69 74 L71 92 Q60 97 49 92 L51 74 Z"],
     head: ["M60 8 a12.5 13.500 0 1 1 -.01 0 Z"],
@@ -7616,42 +8555,26 @@
   var THICK = { left_arm: 11, right_arm: 11, left_hand: 9, right_hand: 9, left_leg: 14, right_leg: 14, left_foot: 10, right_foot: 10 };
   var assigning = () => Boolean(now5.found && now5.found.pieces && now5.found.pieces.length > 1) && mode2 === "pieces";
   var mode2 = "weights";
-  var raw = null;
+  var raw = (
+    /** @type {any} */
+    null
+  );
   var drawn4 = "";
   var waiting = 0;
-  var even2 = () => Object.fromEntries(now5.body.leaves.map((leaf) => [leaf, EVEN]));
-  function readWeights(text) {
-    const found = Object.fromEntries(now5.body.leaves.map((leaf) => [leaf, 0]));
-    let total2 = 0;
-    for (const word of (text || "").split(",")) {
-      const [node, weight] = word.split(":");
-      const below = now5.body.nodes[node];
-      if (!below || !(Number(weight) > 0)) continue;
-      for (const leaf of below) found[leaf] += Number(weight) / below.length;
-      total2 += Number(weight);
-    }
-    return total2 ? found : even2();
-  }
-  function writeWeights(weights) {
-    const values = Object.values(weights);
-    if (values.every((value) => value === values[0])) return "";
-    const short3 = (value) => String(Number(value.toFixed(2)));
-    return now5.body.leaves.filter((leaf) => weights[leaf] > 0).map((leaf) => `${leaf}:${short3(weights[leaf])}`).join(",");
-  }
-  var total = () => Object.values(raw).reduce((sum2, value) => sum2 + value, 0);
-  var share = (leaf) => raw[leaf] / Math.max(total(), 1e-9);
+  var total2 = () => Object.values(raw).reduce((sum2, value) => sum2 + value, 0);
+  var share = (leaf) => raw[leaf] / Math.max(total2(), 1e-9);
   var percent2 = (value) => value === 0 ? "0 %" : `${(100 * value).toFixed(100 * value < 9.95 ? 1 : 0)} %`.replace(".0 ", " ");
   function send2() {
     clearTimeout(waiting);
     waiting = setTimeout(() => {
       waiting = 0;
-      if (total() > 0) changeSearch({ parts: writeWeights(raw) });
+      if (total2() > 0) changeSearch({ parts: writeWeights(raw, now5.body) });
     }, 140);
   }
-  function put4(leaf, value) {
-    raw[leaf] = Math.min(Math.max(value, 0), MOST2);
+  function put3(leaf, value) {
+    raw[leaf] = Math.min(Math.max(value, 0), MOST3);
     paint();
-    find("search-body").classList.toggle("search-none", total() === 0);
+    need("search-body").classList.toggle("search-none", total2() === 0);
     send2();
   }
   function shape(leaf) {
@@ -7664,7 +8587,7 @@
       path2.setAttribute("d", d);
       if (THICK[leaf]) {
         path2.setAttribute("fill", "none");
-        path2.setAttribute("stroke-width", THICK[leaf]);
+        path2.setAttribute("stroke-width", String(THICK[leaf]));
         path2.setAttribute("class", "search-limb");
       }
       group.append(path2);
@@ -7681,20 +8604,24 @@
     svg.setAttribute("aria-label", "Parts of the body, seen from the front");
     const order = ["torso", ...now5.body.leaves.filter((leaf) => leaf !== "torso")];
     svg.append(...order.map(shape));
-    for (const [letter, x] of [["R", 17], ["L", 103]]) {
+    for (
+      const [letter, x] of
+      /** @type {[string, number][]} */
+      [["R", 17], ["L", 103]]
+    ) {
       const text = svgElement("text");
-      text.setAttribute("x", x);
-      text.setAttribute("y", 40);
+      text.setAttribute("x", String(x));
+      text.setAttribute("y", String(40));
       text.setAttribute("class", "search-side");
       text.textContent = letter;
-      text.append(Object.assign(svgElement("title"), { textContent: letter === "L" ? "Their left" : "Their right" }));
+      text.append(svgElement("title", {}, letter === "L" ? "Their left" : "Their right"));
       svg.append(text);
     }
     return svg;
   }
   function slider(leaf) {
     const input2 = element("input", "search-weight");
-    Object.assign(input2, { type: "range", min: 0, max: MOST2, step: 0.5 });
+    Object.assign(input2, { type: "range", min: 0, max: MOST3, step: 0.5 });
     input2.dataset.weight = leaf;
     input2.setAttribute("aria-label", `Weight of the ${now5.body.words[leaf].toLowerCase()}`);
     const label = element("span", "search-weight-name", now5.body.words[leaf]);
@@ -7715,8 +8642,8 @@
     const modes = element("div", "search-modes hidden");
     modes.setAttribute("role", "radiogroup");
     modes.setAttribute("aria-label", "What a click in the figure does");
-    for (const [value, words3] of [["weights", "Weigh"], ["pieces", "Assign"]]) {
-      const one = element("button", "search-mode", words3);
+    for (const [value, words2] of [["weights", "Weigh"], ["pieces", "Assign"]]) {
+      const one = element("button", "search-mode", words2);
       one.type = "button";
       one.dataset.mode = value;
       one.setAttribute("role", "radio");
@@ -7727,20 +8654,16 @@
     const right = element("div", "search-body-right", presets, element("div", "search-weights", ...now5.body.leaves.map(slider)), hint);
     box2.replaceChildren(left, right);
   }
-  var sameWeights = (a, b) => {
-    const [sa, sb] = [a, b].map((weights) => Object.values(weights).reduce((sum2, value) => sum2 + value, 0) || 1);
-    return now5.body.leaves.every((leaf) => Math.abs((a[leaf] || 0) / sa - (b[leaf] || 0) / sb) < 2e-3);
-  };
   function paint() {
-    const box2 = find("search-body");
+    const box2 = need("search-body");
     const pieces = now5.found && now5.found.pieces || [];
     const owner = (leaf) => pieces.findIndex((piece) => piece.leaves.includes(leaf));
     const several = pieces.length > 1;
     const most = Math.max(...Object.values(raw), 1e-9);
-    box2.querySelector(".search-modes").classList.toggle("hidden", !several);
-    for (const one of box2.querySelectorAll("[data-mode]")) one.setAttribute("aria-checked", String(one.dataset.mode === mode2));
-    for (const group of box2.querySelectorAll(".search-part")) {
-      const leaf = group.dataset.part;
+    within(box2, ".search-modes").classList.toggle("hidden", !several);
+    for (const one of allWithin(box2, "[data-mode]")) one.setAttribute("aria-checked", String(one.dataset.mode === mode2));
+    for (const group of allWithin(box2, ".search-part")) {
+      const leaf = group.dataset.part ?? "";
       const own2 = owner(leaf);
       const colour = several ? own2 >= 0 ? pieces[own2].colour : "var(--muted)" : "var(--accent)";
       const strength = assigning() ? own2 >= 0 ? 0.85 : 0.1 : raw[leaf] > 0 ? 0.25 + 0.75 * Math.sqrt(raw[leaf] / most) : 0;
@@ -7754,27 +8677,27 @@
         for (const name of ["aria-valuenow", "aria-valuemin", "aria-valuemax", "aria-valuetext"]) group.removeAttribute(name);
         group.setAttribute("aria-label", `${now5.body.words[leaf]}: ${says}`);
       } else {
-        group.setAttribute("aria-valuemin", 0);
-        group.setAttribute("aria-valuemax", 100);
-        group.setAttribute("aria-valuenow", Math.round(100 * share(leaf)));
+        group.setAttribute("aria-valuemin", String(0));
+        group.setAttribute("aria-valuemax", String(100));
+        group.setAttribute("aria-valuenow", String(Math.round(100 * share(leaf))));
         group.setAttribute("aria-valuetext", says);
       }
-      group.querySelector("title").textContent = `${now5.body.words[leaf]}: ${says}`;
+      within(group, "title").textContent = `${now5.body.words[leaf]}: ${says}`;
     }
-    for (const row8 of box2.querySelectorAll(".search-weight-row")) {
-      const leaf = row8.dataset.part;
-      const input2 = row8.querySelector("input");
-      if (Number(input2.value) !== raw[leaf]) input2.value = raw[leaf];
-      input2.style.setProperty("--share", `${100 * raw[leaf] / MOST2}%`);
+    for (const row8 of allWithin(box2, ".search-weight-row")) {
+      const leaf = row8.dataset.part ?? "";
+      const input2 = within(row8, "input");
+      if (Number(input2.value) !== raw[leaf]) input2.value = String(raw[leaf]);
+      input2.style.setProperty("--share", `${100 * raw[leaf] / MOST3}%`);
       input2.setAttribute("aria-valuetext", percent2(share(leaf)));
-      row8.querySelector(".search-weight-share").textContent = percent2(share(leaf));
+      within(row8, ".search-weight-share").textContent = percent2(share(leaf));
       row8.classList.toggle("off", raw[leaf] === 0);
       const own2 = owner(leaf);
       row8.style.setProperty("--tone", several && own2 >= 0 ? pieces[own2].colour : "var(--accent)");
     }
-    const named3 = Object.entries(now5.presets).find(([, weights]) => sameWeights(weights, raw));
-    box2.querySelector("#search-preset").value = named3 ? named3[0] : "";
-    box2.querySelector(".search-body-hint").textContent = total() === 0 ? "All parts are off: switch on at least one." : assigning() ? `Click parts to take them from ${"ABCDEF"[now5.active]}. Shift + click: the whole limb.` : "Click a part to switch it on or off, Shift + click for this one alone; arrow keys change its weight.";
+    const named3 = Object.entries(now5.presets).find(([, weights]) => sameWeights(weights, raw, now5.body));
+    within(box2, "#search-preset").value = named3 ? named3[0] : "";
+    within(box2, ".search-body-hint").textContent = total2() === 0 ? "All parts are off: switch on at least one." : assigning() ? `Click parts to take them from ${"ABCDEF"[now5.active]}. Shift + click: the whole limb.` : "Click a part to switch it on or off, Shift + click for this one alone; arrow keys change its weight.";
   }
   var drawBody = () => {
     const box2 = find("search-body");
@@ -7786,23 +8709,23 @@
     const pieces = now5.found && now5.found.pieces || [];
     if (pieces.length < 2) mode2 = "weights";
     else if (pieces.length !== Number(box2.dataset.pieces || 0)) mode2 = "pieces";
-    box2.dataset.pieces = pieces.length;
+    box2.dataset.pieces = String(pieces.length);
     const text = now5.view.parts || "";
     if (!raw || text !== drawn4 && !waiting) {
-      raw = readWeights(text);
+      raw = readWeights(text, now5.body);
       drawn4 = text;
     }
     paint();
   };
   var counts = (leaf) => {
-    const weights = readWeights(now5.view.parts);
+    const weights = readWeights(now5.view.parts, now5.body);
     return weights[leaf] > 0 && now5.found.pieces.some((piece) => piece.leaves.includes(leaf));
   };
   var lightPart = (leaf) => {
-    for (const one of document.querySelectorAll(".search-page [data-part]")) one.classList.toggle("lit", one.dataset.part === leaf);
+    for (const one of allWithin(document, ".search-page [data-part]")) one.classList.toggle("lit", one.dataset.part === leaf);
   };
   var LIMBS = ["head_torso", "left_arm_hand", "right_arm_hand", "left_leg_foot", "right_leg_foot"];
-  var limbOf = (leaf) => now5.body.nodes[LIMBS.find((node) => now5.body.nodes[node].includes(leaf))];
+  var limbOf = (leaf) => now5.body.nodes[LIMBS.find((node) => now5.body.nodes[node].includes(leaf)) ?? ""];
   function assign(leaves) {
     const pieces = copyPieces();
     const taker = pieces[now5.active];
@@ -7818,49 +8741,50 @@
     if (assigning()) return assign(shift ? limbOf(leaf) : [leaf]);
     if (shift) {
       raw = Object.fromEntries(now5.body.leaves.map((one) => [one, one === leaf ? EVEN : 0]));
-      return put4(leaf, EVEN);
+      return put3(leaf, EVEN);
     }
-    return put4(leaf, raw[leaf] > 0 ? 0 : Math.max(...Object.values(raw)) || EVEN);
+    return put3(leaf, raw[leaf] > 0 ? 0 : Math.max(...Object.values(raw)) || EVEN);
   }
   document.addEventListener("click", (event) => {
-    const part2 = event.target.closest && event.target.closest(".search-part");
-    if (part2) press3(part2.dataset.part, event.shiftKey);
-    const chosen3 = event.target.closest && event.target.closest("[data-mode]");
+    const part2 = closest(event, ".search-part");
+    if (part2) press3(part2.dataset.part ?? "", event.shiftKey);
+    const chosen3 = closest(event, "[data-mode]");
     if (chosen3 && chosen3.closest("#search-body")) {
-      mode2 = chosen3.dataset.mode;
+      mode2 = chosen3.dataset.mode ?? "weights";
       paint();
     }
   });
   document.addEventListener("keydown", (event) => {
-    const part2 = event.target.closest && event.target.closest(".search-part");
+    const part2 = closest(event, ".search-part");
     if (!part2) return;
-    const leaf = part2.dataset.part;
+    const leaf = part2.dataset.part ?? "";
     const step3 = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[event.key];
     if (event.key === "Enter" || event.key === " ") press3(leaf, event.shiftKey);
-    else if (step3 && !assigning()) put4(leaf, raw[leaf] + step3);
-    else if (event.key === "Home" && !assigning()) put4(leaf, 0);
-    else if (event.key === "End" && !assigning()) put4(leaf, MOST2);
+    else if (step3 && !assigning()) put3(leaf, raw[leaf] + step3);
+    else if (event.key === "Home" && !assigning()) put3(leaf, 0);
+    else if (event.key === "End" && !assigning()) put3(leaf, MOST3);
     else return;
     event.preventDefault();
     event.stopPropagation();
   });
   document.addEventListener("input", (event) => {
-    if (event.target.dataset && event.target.dataset.weight) put4(event.target.dataset.weight, Number(event.target.value));
+    const { dataset: dataset2, value } = targetOf(event);
+    if (dataset2?.weight) put3(dataset2.weight, Number(value));
   });
   document.addEventListener("change", (event) => {
-    if (event.target.id !== "search-preset" || !event.target.value) return;
-    const weights = now5.presets[event.target.value];
-    const scale3 = event.target.value === "whole body" ? 100 : Math.min(100, MOST2 / Math.max(...Object.values(weights)));
+    if (targetOf(event).id !== "search-preset" || !targetOf(event).value) return;
+    const weights = now5.presets[targetOf(event).value];
+    const scale3 = targetOf(event).value === "whole body" ? 100 : Math.min(100, MOST3 / Math.max(...Object.values(weights)));
     raw = Object.fromEntries(now5.body.leaves.map((leaf) => [leaf, scale3 * (weights[leaf] || 0)]));
-    if (event.target.value === "whole body") raw = even2();
+    if (targetOf(event).value === "whole body") raw = evenWeights(now5.body);
     paint();
     send2();
   });
   for (const kind of ["pointerover", "focusin"]) {
     document.addEventListener(kind, (event) => {
-      const page3 = event.target.closest && event.target.closest(".search-page");
-      if (!page3) return;
-      const part2 = event.target.closest("[data-part]");
+      const page2 = closest(event, ".search-page");
+      if (!page2) return;
+      const part2 = closest(event, "[data-part]");
       lightPart(part2 ? part2.dataset.part : null);
     });
   }
@@ -7885,7 +8809,10 @@
         known2.delete(old);
       }
     }
-    return reasons.get(address2);
+    return (
+      /** @type {Promise<Reason>} */
+      reasons.get(address2)
+    );
   };
   var reasonNow = (name) => known2.get(`/api/search/explain?${searchAddress(name)}`);
   function paintStrip(canvas, strip) {
@@ -7893,7 +8820,7 @@
     const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((size) => Math.max(1, Math.round(size * ratio)));
     canvas.width = width;
     canvas.height = height;
-    const context = canvas.getContext("2d");
+    const context = context2d(canvas);
     const style = getComputedStyle(canvas);
     const [full, dull] = [style.getPropertyValue("--strip-full").trim(), style.getPropertyValue("--strip-dull").trim()];
     const rows2 = strip.rows.length;
@@ -7912,16 +8839,23 @@
       });
     });
   }
+  var canvasOf = (row8) => (
+    /** @type {HTMLCanvasElement} */
+    row8.querySelector("canvas")
+  );
   function drawStrip2(row8) {
-    const canvas = row8.querySelector("canvas");
-    const name = row8.dataset.hit;
+    const canvas = canvasOf(row8);
+    const name = row8.dataset.hit ?? "";
     reasonOf(name).then(({ strip }) => {
       if (!canvas.isConnected) return;
       paintStrip(canvas, strip);
       row8.strip = strip;
       row8.classList.add("explained");
-      const best = now5.body.leaves.map((leaf, k) => [strip.means[k], now5.body.words[leaf].toLowerCase()]).filter(([mean]) => mean !== null).sort((a, b) => b[0] - a[0]);
-      if (best.length) canvas.setAttribute("aria-label", `Most alike: ${best.slice(0, 3).map(([mean, words3]) => `${words3} ${Math.round(100 * mean)} %`).join(", ")}`);
+      const best = now5.body.leaves.map((leaf, k) => (
+        /** @type {[number, string]} */
+        [strip.means[k] ?? -1, now5.body.words[leaf].toLowerCase()]
+      )).filter(([mean]) => mean >= 0).sort((a, b) => b[0] - a[0]);
+      if (best.length) canvas.setAttribute("aria-label", `Most alike: ${best.slice(0, 3).map(([mean, words2]) => `${words2} ${Math.round(100 * mean)} %`).join(", ")}`);
     }, (error) => {
       if (canvas.isConnected) canvas.title = error.message;
     });
@@ -7930,26 +8864,32 @@
     for (const { isIntersecting, target: target2 } of entries) {
       if (!isIntersecting) continue;
       seen2.unobserve(target2);
-      drawStrip2(target2);
+      drawStrip2(
+        /** @type {HitRow} */
+        target2
+      );
     }
   }, { rootMargin: "120px" });
   function describe(event) {
-    const row8 = event.target.closest(".search-hit");
+    const row8 = (
+      /** @type {HitRow | null} */
+      closest(event, ".search-hit")
+    );
     if (!row8 || !row8.strip) return;
-    const box2 = event.target.getBoundingClientRect();
+    const box2 = targetOf(event).getBoundingClientRect();
     const leaf = Math.min(Math.floor((event.clientY - box2.top) / box2.height * 10), 9);
     const cells = row8.strip.rows[leaf];
     const share2 = Math.min(Math.max((event.clientX - box2.left) / box2.width, 0), 0.9999);
     const value = cells[Math.floor(share2 * cells.length)];
     const lead = now5.found.pieces[0];
     const when = `${(share2 * (lead.end - lead.start) / lead.fps).toFixed(1)} s`;
-    event.target.title = `${now5.body.words[now5.body.leaves[leaf]]}, ${when} into the query: ${value < 0 ? "not compared" : `${value} % alike`}`;
+    targetOf(event).title = `${now5.body.words[now5.body.leaves[leaf]]}, ${when} into the query: ${value < 0 ? "not compared" : `${value} % alike`}`;
     lightPart(now5.body.leaves[leaf]);
   }
-  function link(symbol, words3, href) {
+  function link(symbol, words2, href) {
     const made = element("a", "search-tool", icon(symbol));
-    Object.assign(made, { href, title: words3 });
-    made.setAttribute("aria-label", words3);
+    Object.assign(made, { href, title: words2 });
+    made.setAttribute("aria-label", words2);
     return made;
   }
   function hitRow(hit, low, top) {
@@ -7962,8 +8902,8 @@
     bar.style.width = `${Math.round(100 * (hit.score - low) / Math.max(top - low, 1e-9))}%`;
     const score = element("span", "search-score", bar, element("b", "number", hit.score.toFixed(3)));
     const facts = element("span", "search-facts muted", [hit.when, hit.label].filter(Boolean).join(" · "));
-    const words3 = element("span", "search-words", element("span", "search-name ellipsis", hit.clip), facts, score);
-    const open4 = element("button", "search-open", element("span", "search-rank number", String(hit.rank)), picture, words3);
+    const words2 = element("span", "search-words", element("span", "search-name ellipsis", hit.clip), facts, score);
+    const open4 = element("button", "search-open", element("span", "search-rank number", String(hit.rank)), picture, words2);
     open4.type = "button";
     open4.title = `Compare with the query on the Stage: ${hit.clip}, frames ${hit.start} to ${hit.end}`;
     const canvas = element("canvas", "search-why");
@@ -7985,20 +8925,21 @@
   }
   var took = (ms) => ms < 10 ? `${ms.toFixed(1)} ms` : ms < 2e3 ? `${Math.round(ms)} ms` : `${(ms / 1e3).toFixed(1)} s`;
   function head2(box2, found) {
-    const { total: total2, hits, milliseconds } = found;
-    const count = hits.length < total2 ? `${hits.length} of ${total2}` : `${total2}`;
+    const { total: total3, hits, milliseconds } = found;
+    const count = hits.length < total3 ? `${hits.length} of ${total3}` : `${total3}`;
     const noun = found.level === "clip" ? "clip" : "moment";
     box2.replaceChildren(
       element("h2", "", "Hits"),
-      element("span", "muted number", `${count} ${noun}${total2 === 1 ? "" : "s"}, found in ${took(milliseconds)}`),
+      element("span", "muted number", `${count} ${noun}${total3 === 1 ? "" : "s"}, found in ${took(milliseconds)}`),
       element("span", "spacer"),
       element("span", "search-key muted", "which parts match when: ", element("i", "search-key-none"), " not at all", element("i", "search-key-full"), " alike")
     );
   }
   var drawn5 = "";
   var drawHits2 = () => {
-    const [box2, title, error] = ["search-hits", "search-hits-head", "search-error"].map(find);
+    const box2 = find("search-hits");
     if (!box2) return;
+    const title = need("search-hits-head"), error = need("search-error");
     const found = now5.found || {};
     error.textContent = found.error || "";
     error.classList.toggle("hidden", !found.error);
@@ -8031,39 +8972,43 @@
     return made;
   }
   function choose4() {
-    for (const one of document.querySelectorAll(".search-hit")) {
+    for (const one of allWithin(document, ".search-hit")) {
       const chosen3 = one.dataset.hit === now5.view.hit;
       if (chosen3 !== one.classList.contains("chosen")) {
         one.classList.toggle("chosen", chosen3);
-        const names2 = one.querySelector(".search-why-names");
+        const names2 = within(one, ".search-why-names");
         names2.replaceChildren(...chosen3 ? now5.body.leaves.map((leaf) => {
           const name = element("span", "", now5.body.words[leaf]);
           name.dataset.part = leaf;
           return name;
         }) : []);
-        if (one.strip) paintStrip(one.querySelector("canvas"), one.strip);
+        const { strip } = (
+          /** @type {HitRow} */
+          one
+        );
+        if (strip) paintStrip(canvasOf(one), strip);
       }
-      one.querySelector(".search-open").setAttribute("aria-pressed", String(chosen3));
+      within(one, ".search-open").setAttribute("aria-pressed", String(chosen3));
     }
   }
-  var asked4 = "";
+  var playing2 = "";
   var playHits = async () => {
     const { found, view: view4 } = now5;
     if (!found || !found.request || view4.look && view4.look !== "search") return;
     const wanted2 = JSON.stringify([found.request, view4.hit || "", view4.parts || ""]);
-    if (wanted2 === asked4 && player.status !== "empty") return;
-    const first = asked4 === "";
-    asked4 = wanted2;
-    if (!view4.hit) return put5(found.request, first);
+    if (wanted2 === playing2 && player.status !== "empty") return;
+    const first = playing2 === "";
+    playing2 = wanted2;
+    if (!view4.hit) return put4(found.request, first);
     try {
       const { request: request5 } = reasonNow(view4.hit) || await reasonOf(view4.hit);
-      if (asked4 === wanted2) put5(request5, first);
+      if (playing2 === wanted2) put4(request5, first);
     } catch (error) {
-      notify("This hit cannot be shown", error.message);
+      notify("This hit cannot be shown", error instanceof Error ? error.message : "");
       changeView({ hit: "" });
     }
   };
-  function put5(request5, first) {
+  function put4(request5, first) {
     const stage2 = player;
     const paired = (stage2.layout === "side" || stage2.layout === "overlay") && !first && last > 1;
     const layout = request5.items.length > 1 && paired ? stage2.layout : request5.layout;
@@ -8074,68 +9019,71 @@
   var last = 0;
   var seekPiece = (index, frame) => {
     const piece = now5.found.pieces[index];
-    const inside3 = player.seek({ clip: piece.clip, frame, dataset: piece.source });
-    if (!inside3) setStore("stage-request", { ...now5.found.request, at: void 0 });
+    const inside2 = player.seek({ clip: piece.clip, frame, dataset: piece.source });
+    if (!inside2) setStore("stage-request", { ...now5.found.request, at: void 0 });
   };
   window.addEventListener("stage-frame", (event) => {
     if (!find("search-hits") || !now5.found || !now5.found.pieces) return;
     const { items, time, duration } = event.detail;
     const share2 = duration ? time / duration : 0;
-    document.querySelectorAll(".search-hit .search-why-cursor").forEach((line2) => {
-      const on2 = line2.closest(".search-hit").classList.contains("chosen") && items.length > 1;
+    allWithin(document, ".search-hit .search-why-cursor").forEach((line2) => {
+      const on2 = around(line2, ".search-hit").classList.contains("chosen") && items.length > 1;
       line2.style.display = on2 ? "block" : "none";
-      if (on2) line2.style.setProperty("--at", share2);
+      if (on2) line2.style.setProperty("--at", String(share2));
     });
     now5.found.pieces.forEach((piece, k) => {
-      const node = document.querySelector(`.search-source[data-index="${k}"] .search-cursor`);
+      const node = allWithin(document, `.search-source[data-index="${k}"] .search-cursor`)[0];
       const item = items.find((one) => one.clip === piece.clip && one.index === (now5.found.pieces.length > 1 ? k : 0));
-      const shade = node && node.parentNode.querySelector(".search-selection");
       if (!node) return;
+      const shade = within(around(node, ".search-track"), ".search-selection");
       node.style.display = item ? "block" : "none";
       if (!item) return;
-      const inside3 = (item.frame - piece.start) / Math.max(piece.end - piece.start, 1);
-      node.style.left = `calc(${shade.style.left} + (${shade.style.width}) * ${inside3.toFixed(4)})`;
+      const inside2 = (item.frame - piece.start) / Math.max(piece.end - piece.start, 1);
+      node.style.left = `calc(${shade.style.left} + (${shade.style.width}) * ${inside2.toFixed(4)})`;
     });
   });
   document.addEventListener("click", (event) => {
-    const open4 = event.target.closest && event.target.closest(".search-open");
+    const open4 = closest(event, ".search-open");
     if (open4) {
-      const { hit: hit2 } = open4.closest(".search-hit").dataset;
+      const { hit: hit2 } = around(open4, ".search-hit").dataset;
       changeView({ hit: hit2 === now5.view.hit ? "" : hit2 });
     }
-    const why = event.target.closest && event.target.closest(".search-why");
+    const why = closest(event, ".search-why");
     if (!why) return;
-    const hit = why.closest(".search-hit");
+    const hit = around(why, ".search-hit");
     const box2 = why.getBoundingClientRect();
     const share2 = (event.clientX - box2.left) / box2.width;
-    if (!hit.classList.contains("chosen")) changeView({ hit: hit.dataset.hit });
+    if (!hit.classList.contains("chosen")) changeView({ hit: hit.dataset.hit ?? "" });
     else player.seek(share2 * player.duration);
   });
   document.addEventListener("pointermove", (event) => {
-    if (event.target.classList && event.target.classList.contains("search-why")) describe(event);
+    if (hasClass(event, "search-why")) describe(event);
   });
   var resting = 0;
   document.addEventListener("pointerover", (event) => {
     clearTimeout(resting);
-    const hit = event.target.closest && event.target.closest(".search-hit");
-    if (hit) resting = setTimeout(() => reasonOf(hit.dataset.hit).then(({ request: request5 }) => player.prefetch(request5)).catch(() => {
+    const hit = closest(event, ".search-hit");
+    if (hit) resting = setTimeout(() => reasonOf(hit.dataset.hit ?? "").then(({ request: request5 }) => player.prefetch(request5)).catch(() => {
     }), 90);
   });
   document.addEventListener("keydown", (event) => {
-    const open4 = event.target.classList && event.target.classList.contains("search-open");
-    const way2 = { ArrowDown: "nextElementSibling", ArrowUp: "previousElementSibling" }[event.key];
-    if (!open4 || !way2) return;
-    const next2 = event.target.closest(".search-hit")[way2];
+    const open4 = hasClass(event, "search-open");
+    if (!open4 || event.key !== "ArrowDown" && event.key !== "ArrowUp") return;
+    const hit = around(targetOf(event), ".search-hit");
+    const next2 = (
+      /** @type {HTMLElement | null} */
+      event.key === "ArrowDown" ? hit.nextElementSibling : hit.previousElementSibling
+    );
     event.preventDefault();
     event.stopPropagation();
-    if (next2) (next2.querySelector(".search-open") || next2).focus();
+    if (next2) (allWithin(next2, ".search-open")[0] ?? next2).focus();
   });
 
   // search/options.mjs
   var waiting2 = 0;
-  var option = (value, words3) => Object.assign(element("option", "", words3), { value });
-  function labelled(words3, of2, ...controls) {
-    const label = element("label", "search-label", words3);
+  var option = (value, words2) => Object.assign(element("option", "", words2), { value });
+  function labelled(words2, of2, ...controls) {
+    const label = element("label", "search-label", words2);
     label.htmlFor = of2;
     return element("div", "search-option", label, ...controls);
   }
@@ -8171,13 +9119,13 @@
     if (!box2.firstChild) build2(box2);
     const { view: view4, found, clips } = now5;
     const actions4 = clips && clips.actions || [];
-    const label = find("search-label");
+    const label = need("search-label");
     const mark3 = JSON.stringify(actions4);
     if (label.dataset.mark !== mark3) {
       label.dataset.mark = mark3;
       label.replaceChildren(option("", "any"), ...actions4.map((action) => option(action, action)));
     }
-    label.parentNode.classList.toggle("hidden", !actions4.length);
+    around(label, ".search-option").classList.toggle("hidden", !actions4.length);
     const [shortest, longest2] = (view4.lasting || "-").split("-");
     const values = {
       "search-engine": view4["search-method"] || "bounded-edit",
@@ -8189,21 +9137,24 @@
       "search-longest": longest2
     };
     if (!waiting2) {
-      for (const [id, value] of Object.entries(values)) if (find(id) !== document.activeElement || find(id).tagName === "SELECT") find(id).value = value;
+      for (const [id, value] of Object.entries(values)) if (find(id) !== document.activeElement || need(id).tagName === "SELECT") need(id).value = value;
     }
     sayRoute();
     fold();
   };
   var folded = null;
   function fold() {
-    const [button4, box2] = [find("search-counts"), find("search-wanted")];
+    const [button4, box2] = [need("search-counts"), need("search-wanted")];
     const little = button4.clientWidth < 780;
     const closed = folded ?? (little && Boolean(now5.view.query));
     button4.setAttribute("aria-expanded", String(!closed));
     box2.classList.toggle("hidden", closed);
-    const chosen3 = (id) => find(id).selectedOptions[0]?.textContent;
+    const chosen3 = (id) => (
+      /** @type {any} */
+      need(id).selectedOptions[0]?.textContent
+    );
     const { view: view4 } = now5;
-    const said2 = [
+    const summary2 = [
       find("search-preset") && chosen3("search-preset"),
       chosen3("search-engine"),
       chosen3("search-level"),
@@ -8212,25 +9163,25 @@
       view4.named && `“${view4.named}”`,
       view4.lasting && `${view4.lasting} s`
     ];
-    find("search-counts-says").textContent = said2.filter(Boolean).join(" · ");
+    need("search-counts-says").textContent = summary2.filter(Boolean).join(" · ");
   }
   document.addEventListener("click", (event) => {
-    const button4 = event.target.closest && event.target.closest("#search-counts");
+    const button4 = closest(event, "#search-counts");
     if (!button4) return;
     folded = button4.getAttribute("aria-expanded") === "true";
     fold();
   });
   function sayRoute() {
-    const { value, style } = find("search-route");
+    const { value, style } = need("search-route");
     style.setProperty("--share", `${value}%`);
-    document.querySelector(".search-route-says").textContent = `${value} %`;
+    within(document, ".search-route-says").textContent = `${value} %`;
   }
   function lasting() {
-    const [low, high] = ["search-shortest", "search-longest"].map((id) => find(id).value.trim());
+    const [low, high] = ["search-shortest", "search-longest"].map((id) => need(id).value.trim());
     return low || high ? `${low}-${high}` : "";
   }
   function take2(id) {
-    const value = find(id) ? find(id).value : "";
+    const value = find(id) ? need(id).value : "";
     if (id === "search-engine") changeSearch({ "search-method": value === "bounded-edit" ? "" : value });
     else if (id === "search-level") changeSearch({ level: value, top: "" });
     else if (id === "search-route") changeSearch({ route: value === "0" ? "" : value });
@@ -8240,13 +9191,13 @@
   }
   var mine = (target2) => target2.closest && target2.closest("#search-options");
   document.addEventListener("change", (event) => {
-    if (mine(event.target) && event.target.tagName === "SELECT") take2(event.target.id);
+    if (mine(targetOf(event)) && targetOf(event).tagName === "SELECT") take2(targetOf(event).id);
   });
   document.addEventListener("input", (event) => {
-    if (!mine(event.target) || event.target.tagName === "SELECT") return;
-    if (event.target.id === "search-route") sayRoute();
+    if (!mine(targetOf(event)) || targetOf(event).tagName === "SELECT") return;
+    if (targetOf(event).id === "search-route") sayRoute();
     clearTimeout(waiting2);
-    const { id } = event.target;
+    const { id } = targetOf(event);
     waiting2 = setTimeout(() => {
       waiting2 = 0;
       take2(id);
@@ -8255,36 +9206,39 @@
 
   // search/upload.mjs
   var HEADERS2 = { "X-Motionscape": "upload" };
-  var status = () => document.getElementById("search-upload-status");
+  var status = () => find("search-upload-status");
   var sending = null;
   var turn4 = 0;
-  var suffixes = () => document.querySelector(".search-choose").dataset.suffixes.split(",").filter((one) => one !== ".csv");
-  function say(words3, kind = "muted") {
+  var suffixes = () => (within(document, ".search-choose").dataset.suffixes ?? "").split(",").filter((one) => one !== ".csv");
+  function say(words2, kind = "muted") {
     const box2 = document.querySelector(".search-sending") || element("span", "search-sending");
     box2.className = `search-sending ${kind}`;
-    box2.textContent = words3;
-    if (!box2.isConnected) status().before(box2);
+    box2.textContent = words2;
+    if (!box2.isConnected) status()?.before(box2);
   }
-  var quiet = () => document.querySelectorAll(".search-sending").forEach((one) => one.remove());
-  function put6(token, file, tell3) {
-    return new Promise((resolve, reject) => {
-      const request5 = new XMLHttpRequest();
-      sending = request5;
-      request5.open("PUT", `/api/uploads/${token}/${encodeURIComponent(file.name)}`);
-      request5.setRequestHeader("X-Motionscape", "upload");
-      request5.setRequestHeader("Content-Type", "application/octet-stream");
-      request5.upload.onprogress = (event) => tell3(event.loaded / Math.max(event.total, 1));
-      request5.onloadend = () => {
-        if (request5.status === 200) return resolve();
-        let message2 = request5.status ? "The server refused the file." : "The connection broke; try again.";
-        try {
-          message2 = JSON.parse(request5.responseText).error || message2;
-        } catch {
-        }
-        return reject(new Error(message2));
-      };
-      request5.send(file);
-    });
+  var quiet = () => allWithin(document, ".search-sending").forEach((one) => one.remove());
+  function put5(token, file, tell3) {
+    return (
+      /** @type {Promise<void>} */
+      new Promise((resolve, reject) => {
+        const request5 = new XMLHttpRequest();
+        sending = request5;
+        request5.open("PUT", `/api/uploads/${token}/${encodeURIComponent(file.name)}`);
+        request5.setRequestHeader("X-Motionscape", "upload");
+        request5.setRequestHeader("Content-Type", "application/octet-stream");
+        request5.upload.onprogress = (event) => tell3(event.loaded / Math.max(event.total, 1));
+        request5.onloadend = () => {
+          if (request5.status === 200) return resolve();
+          let message2 = request5.status ? "The server refused the file." : "The connection broke; try again.";
+          try {
+            message2 = JSON.parse(request5.responseText).error || message2;
+          } catch {
+          }
+          return reject(new Error(message2));
+        };
+        request5.send(file);
+      })
+    );
   }
   async function send3(files) {
     if (!files.length) return;
@@ -8303,7 +9257,7 @@
       ({ token } = await answer2.json());
       for (const file of files) {
         still();
-        await put6(token, file, (share2) => mine2 === turn4 && say(`Sending ${file.name}: ${Math.round(100 * share2)} %`));
+        await put5(token, file, (share2) => mine2 === turn4 && say(`Sending ${file.name}: ${Math.round(100 * share2)} %`));
       }
       still();
       sending = null;
@@ -8315,7 +9269,7 @@
       });
       if (mine2 !== turn4) return;
       sending = null;
-      say(error.message, "error-text");
+      say(error instanceof Error ? error.message : String(error), "error-text");
     }
   }
   var chooseRecording = () => {
@@ -8323,7 +9277,7 @@
     chooser.type = "file";
     chooser.multiple = true;
     chooser.accept = suffixes().join(",");
-    chooser.onchange = () => send3([...chooser.files]);
+    chooser.onchange = () => send3([...chooser.files ?? []]);
     chooser.click();
   };
   document.addEventListener("drop", (event) => {
@@ -8337,8 +9291,8 @@
   var PICTURES = 12;
   var LABELS2 = ["#4e79a7", "#f28e2b", "#59a14f", "#e15759", "#b07aa1", "#9c755f", "#76b7b2", "#d4a720", "#ff9da7", "#79706e"];
   var windows = /* @__PURE__ */ new Map();
-  var nameOf3 = (piece) => `${piece.dataset} ${piece.clip}`;
-  var shownOf = (piece) => windows.get(nameOf3(piece)) || [0, piece.frames];
+  var nameOf4 = (piece) => `${piece.dataset} ${piece.clip}`;
+  var shownOf = (piece) => windows.get(nameOf4(piece)) || [0, piece.frames];
   var clipCalled = (name) => now5.clips && now5.clips.clips.find((clip) => clip[0] === name);
   function pictures(piece, [from, to]) {
     const box2 = element("div", "search-pictures");
@@ -8347,8 +9301,8 @@
       const start3 = Math.round(from + k * step3);
       const end = Math.max(Math.round(from + (k + 1) * step3), start3 + 1);
       const picture = element("img");
-      const pairs2 = new URLSearchParams({ start: start3, end: Math.min(end, piece.frames), n: 1, v: piece.version.slice(0, 8) });
-      picture.src = `/api/filmstrip/${encodeURIComponent(piece.source)}/${encodeURIComponent(piece.clip)}?${pairs2}`;
+      const pairs = new URLSearchParams({ start: String(start3), end: String(Math.min(end, piece.frames)), n: "1", v: piece.version.slice(0, 8) });
+      picture.src = `/api/filmstrip/${encodeURIComponent(piece.source)}/${encodeURIComponent(piece.clip)}?${pairs}`;
       picture.alt = "";
       picture.draggable = false;
       box2.append(picture);
@@ -8364,12 +9318,12 @@
       block2.title = `${action}, ${clock(start3 / piece.fps)} to ${clock(end / piece.fps)}. Click to look for it.`;
       block2.dataset.range = `${start3}-${end}`;
       block2.style.setProperty("--tone", LABELS2[Math.max(actions4.indexOf(action), 0) % LABELS2.length]);
-      place5(block2, Math.max(start3, from), Math.min(end, to), [from, to]);
+      place4(block2, Math.max(start3, from), Math.min(end, to), [from, to]);
       box2.append(block2);
     }
     return box2;
   }
-  var place5 = (node, start3, end, [from, to]) => {
+  var place4 = (node, start3, end, [from, to]) => {
     node.style.left = 100 * (start3 - from) / (to - from) + "%";
     node.style.width = Math.max(100 * (end - start3) / (to - from), 0.3) + "%";
   };
@@ -8378,8 +9332,8 @@
     made.tabIndex = 0;
     made.setAttribute("role", "slider");
     made.setAttribute("aria-label", which === "start" ? "First frame of the query" : "End of the query");
-    made.setAttribute("aria-valuemin", 0);
-    made.setAttribute("aria-valuemax", piece.frames);
+    made.setAttribute("aria-valuemin", String(0));
+    made.setAttribute("aria-valuemax", String(piece.frames));
     made.dataset.end = which;
     return made;
   }
@@ -8393,7 +9347,7 @@
   }
   function row7(piece, index, several) {
     const made = element("div", "search-source");
-    made.dataset.index = index;
+    made.dataset.index = String(index);
     made.style.setProperty("--own", piece.colour);
     const badge = element("button", "search-badge", "ABCDEF"[index]);
     badge.type = "button";
@@ -8436,17 +9390,21 @@
   function settle(node, piece) {
     const range = shownOf(piece);
     const { start: start3, end, fps, frames } = piece;
-    place5(node.querySelector(".search-selection"), Math.max(start3, range[0]), Math.min(end, range[1]), range);
-    place5(node.querySelector(".search-shade-left"), range[0], Math.max(start3, range[0]), range);
-    place5(node.querySelector(".search-shade-right"), Math.min(end, range[1]), range[1], range);
-    node.querySelector(".search-shade-left").style.minWidth = 0;
-    for (const [which, value] of [["start", start3], ["end", end]]) {
-      const one = node.querySelector(".search-handle-" + which);
-      one.setAttribute("aria-valuenow", value);
+    place4(within(node, ".search-selection"), Math.max(start3, range[0]), Math.min(end, range[1]), range);
+    place4(within(node, ".search-shade-left"), range[0], Math.max(start3, range[0]), range);
+    place4(within(node, ".search-shade-right"), Math.min(end, range[1]), range[1], range);
+    within(node, ".search-shade-left").style.minWidth = "0";
+    for (
+      const [which, value] of
+      /** @type {[string, number][]} */
+      [["start", start3], ["end", end]]
+    ) {
+      const one = within(node, ".search-handle-" + which);
+      one.setAttribute("aria-valuenow", String(value));
       one.setAttribute("aria-valuetext", clock(value / fps));
     }
     const whole3 = start3 === 0 && end === frames;
-    node.querySelector(".search-span").textContent = whole3 ? `whole clip, ${(frames / fps).toFixed(1)} s` : `${clock(start3 / fps)} to ${clock(end / fps)}, ${((end - start3) / fps).toFixed(1)} s`;
+    within(node, ".search-span").textContent = whole3 ? `whole clip, ${(frames / fps).toFixed(1)} s` : `${clock(start3 / fps)} to ${clock(end / fps)}, ${((end - start3) / fps).toFixed(1)} s`;
   }
   function empty() {
     const name = element("input", "search-clip");
@@ -8455,34 +9413,34 @@
     name.placeholder = now5.clips ? "Choose a clip" : "No dataset yet";
     const hint = element("span", "muted search-hint", "What motion do you look for? Choose a clip, then drag over the part that matters.");
     const made = element("div", "search-source search-source-empty", element("div", "search-source-head", name, hint));
-    made.dataset.index = 0;
+    made.dataset.index = String(0);
     return made;
   }
   var drawn6 = "";
   var dragged = null;
   var drawSources = () => {
-    const box2 = find("search-sources");
+    const box2 = need("search-sources");
     const pieces = now5.found && now5.found.pieces || [];
     const mark3 = JSON.stringify([now5.clips && [now5.clips.dataset, now5.clips.version, now5.clips.clips.length], pieces.map((p) => [p.dataset, p.clip, p.version, p.gives, p.labels.length, shownOf(p)])]);
     if (mark3 !== drawn6 || !box2.firstChild) {
-      const focus2 = document.activeElement && box2.contains(document.activeElement) ? [document.activeElement.closest(".search-source")?.dataset.index, document.activeElement.className] : null;
+      const focus2 = document.activeElement && box2.contains(document.activeElement) ? [closest({ target: document.activeElement }, ".search-source")?.dataset.index, document.activeElement.className] : null;
       drawn6 = mark3;
       now5.active = Math.min(now5.active, Math.max(pieces.length - 1, 0));
       box2.replaceChildren(...pieces.length ? pieces.map((piece, k) => row7(piece, k, pieces.length > 1)) : [empty()]);
-      const again = focus2 && focus2[1] && [...box2.querySelectorAll(`[data-index="${focus2[0]}"] *`)].find((one) => one.className === focus2[1]);
+      const again = focus2 && focus2[1] && allWithin(box2, `[data-index="${focus2[0]}"] *`).find((one) => one.className === focus2[1]);
       if (again) again.focus();
       names();
     }
     pieces.forEach((piece, k) => {
-      if (!dragged || dragged.index !== k) settle(box2.children[k], piece);
+      if (!dragged || dragged.index !== k) settle(childrenOf(box2)[k], piece);
     });
-    box2.querySelectorAll(".search-source").forEach((one, k) => one.classList.toggle("active", k === now5.active && pieces.length > 1));
+    allWithin(box2, ".search-source").forEach((one, k) => one.classList.toggle("active", k === now5.active && pieces.length > 1));
     drawMotifs();
     const back = document.querySelector("[data-search='back']");
     if (back) back.classList.toggle("hidden", !canGoBack());
-    const combineButton = document.querySelector("[data-search='combine']");
+    const combineButton = allWithin(document, "[data-search='combine']")[0];
     if (combineButton) combineButton.disabled = !pieces.length || pieces.length >= 6;
-    const warning = find("search-warning");
+    const warning = need("search-warning");
     const doubt = now5.found && now5.found.doubt || "";
     warning.classList.toggle("hidden", !doubt);
     warning.textContent = doubt;
@@ -8538,8 +9496,8 @@
     const middle = (piece.start + piece.end) / 2;
     const width = Math.min(wanted2, piece.frames);
     const start3 = Math.round(Math.min(Math.max(middle - width / 2, 0), piece.frames - width));
-    if (width >= piece.frames) windows.delete(nameOf3(piece));
-    else windows.set(nameOf3(piece), [start3, Math.round(start3 + width)]);
+    if (width >= piece.frames) windows.delete(nameOf4(piece));
+    else windows.set(nameOf4(piece), [start3, Math.round(start3 + width)]);
     drawSources();
   }
   function combine() {
@@ -8558,45 +9516,46 @@
     const item = player.frameOf(0);
     if (!item) return notify("Nothing is on the Stage", "Play a clip, a motif or a walk first; what the Stage shows can then be looked for.");
     const here3 = !item.dataset || item.dataset === now5.clips.dataset;
-    const piece = { clip: item.clip, start: item.start, end: item.end, dataset: here3 ? "" : item.dataset, leaves: [...now5.body.leaves] };
+    const piece = { clip: item.clip, start: item.start, end: item.end, dataset: here3 ? "" : item.dataset ?? "", leaves: [...now5.body.leaves] };
     return searchFor([piece]);
   }
   document.addEventListener("change", (event) => {
-    if (event.target.id === "search-motif" && event.target.value) {
+    if (targetOf(event).id === "search-motif" && targetOf(event).value) {
       remember3();
-      changeSearch({ query: event.target.value });
-      event.target.value = "";
-    } else if (event.target.classList.contains("search-clip")) {
-      const index = Number(event.target.closest(".search-source").dataset.index);
+      changeSearch({ query: targetOf(event).value });
+      targetOf(event).value = "";
+    } else if (hasClass(event, "search-clip")) {
+      const index = Number(around(targetOf(event), ".search-source").dataset.index);
       const piece = now5.found && now5.found.pieces && now5.found.pieces[index];
-      if (!takeClip(index, event.target.value) && event.target.value) {
-        notify("No clip of this name", `“${event.target.value}” is not in this dataset.`);
-        event.target.value = piece ? piece.clip : "";
+      if (!takeClip(index, targetOf(event).value) && targetOf(event).value) {
+        notify("No clip of this name", `“${targetOf(event).value}” is not in this dataset.`);
+        targetOf(event).value = piece ? piece.clip : "";
       }
     }
   });
   document.addEventListener("input", (event) => {
-    if (event.target.classList.contains("search-clip") && event.inputType === void 0 && clipCalled(event.target.value)) {
-      takeClip(Number(event.target.closest(".search-source").dataset.index), event.target.value);
+    if (hasClass(event, "search-clip") && /** @type {InputEvent} */
+    event.inputType === void 0 && clipCalled(targetOf(event).value)) {
+      takeClip(Number(around(targetOf(event), ".search-source").dataset.index), targetOf(event).value);
     }
   });
   document.addEventListener("click", (event) => {
-    const button4 = event.target.closest && event.target.closest("[data-search]");
+    const button4 = closest(event, "[data-search]");
     if (button4) {
-      const act2 = { stage: fromStage, combine, back: goBack, upload: chooseRecording }[button4.dataset.search];
-      if (act2) act2();
+      const acts = { stage: fromStage, combine, back: goBack, upload: chooseRecording };
+      acts[button4.dataset.search ?? ""]?.();
       return;
     }
-    const on2 = event.target.closest && event.target.closest("[data-piece]");
+    const on2 = closest(event, "[data-piece]");
     if (!on2) return;
-    const index = Number(on2.closest(".search-source").dataset.index);
+    const index = Number(around(on2, ".search-source").dataset.index);
     const piece = now5.found.pieces[index];
     if (on2.dataset.piece === "active") {
       now5.active = index;
       drawSources();
       drawBody();
     } else if (on2.dataset.piece === "whole") {
-      windows.delete(nameOf3(piece));
+      windows.delete(nameOf4(piece));
       setRange(index, 0, piece.frames);
     } else if (on2.dataset.piece === "remove") {
       const pieces = copyPieces();
@@ -8604,7 +9563,7 @@
       pieces[0].leaves = now5.body.leaves.filter((leaf) => pieces[0].leaves.includes(leaf) || gone.leaves.includes(leaf));
       now5.active = 0;
       searchFor(pieces);
-    } else zoom3(index, on2.dataset.piece);
+    } else zoom3(index, on2.dataset.piece ?? "");
   });
   var frameAt2 = (track, piece, x) => {
     const box2 = track.getBoundingClientRect();
@@ -8612,16 +9571,16 @@
     return Math.round(from + Math.min(Math.max((x - box2.left) / box2.width, 0), 1) * (to - from));
   };
   document.addEventListener("pointerdown", (event) => {
-    const track = event.target.closest && event.target.closest(".search-track");
+    const track = closest(event, ".search-track");
     if (!track || event.button) return;
-    const index = Number(track.closest(".search-source").dataset.index);
+    const index = Number(around(track, ".search-source").dataset.index);
     const piece = now5.found.pieces[index];
     const at3 = frameAt2(track, piece, event.clientX);
-    const end = event.target.dataset.end;
-    dragged = { index, track, at: at3, piece: { ...piece }, mode: end || "new", moved: false, id: event.pointerId, label: event.target.dataset.range };
+    const end = targetOf(event).dataset.end;
+    dragged = { index, track, at: at3, piece: { ...piece }, mode: end || "new", moved: false, start: 0, end: 0, id: event.pointerId, label: targetOf(event).dataset.range };
     track.setPointerCapture(event.pointerId);
     event.preventDefault();
-    if (end) event.target.focus();
+    if (end) targetOf(event).focus();
   });
   document.addEventListener("pointermove", (event) => {
     if (!dragged || event.pointerId !== dragged.id) return;
@@ -8635,7 +9594,7 @@
     else [start3, end] = [Math.min(frame, dragged.at), Math.max(frame, dragged.at)];
     dragged.start = start3;
     dragged.end = Math.max(end, start3 + 1);
-    settle(track.closest(".search-source"), { ...piece, start: start3, end: dragged.end });
+    settle(around(track, ".search-source"), { ...piece, start: start3, end: dragged.end });
   });
   var release = (event) => {
     if (!dragged || event.pointerId !== dragged.id) return;
@@ -8643,7 +9602,7 @@
     const least = Math.max(2, Math.round(0.1 * piece.fps));
     dragged = null;
     if (event.type === "pointercancel") return drawSources();
-    if (label && !moved2) return setRange(index, ...label.split("-").map(Number));
+    if (label && !moved2) return setRange(index, Number(label.split("-")[0]), Number(label.split("-")[1]));
     if (!moved2) return seekPiece(index, frameAt2(track, piece, event.clientX));
     if (end - start3 < least) return drawSources();
     return setRange(index, start3, end);
@@ -8651,8 +9610,8 @@
   document.addEventListener("pointerup", release);
   document.addEventListener("pointercancel", release);
   document.addEventListener("keydown", (event) => {
-    if (!event.target.classList || !event.target.classList.contains("search-handle")) return;
-    const index = Number(event.target.closest(".search-source").dataset.index);
+    if (!hasClass(event, "search-handle")) return;
+    const index = Number(around(targetOf(event), ".search-source").dataset.index);
     const piece = now5.found.pieces[index];
     const step3 = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageUp: 10, PageDown: -10 }[event.key];
     const by = event.shiftKey ? 10 * (step3 || 0) : step3;
@@ -8660,20 +9619,33 @@
     if (!home) return;
     event.preventDefault();
     event.stopPropagation();
-    if (event.target.dataset.end === "start") setRange(index, Math.min(piece.start + home, piece.end - 1), piece.end);
+    if (targetOf(event).dataset.end === "start") setRange(index, Math.min(piece.start + home, piece.end - 1), piece.end);
     else setRange(index, piece.start, Math.max(piece.end + home, piece.start + 1));
   });
 
   // search/search.mjs
   register("search", {
+    /**
+     * @param {Found | null} found
+     * @param {View | null} view
+     * @param {ClipList | null} clips
+     * @param {MotifQuery[] | null} motifs
+     * @param {string} scheme
+     * @param {Record<string, Weights>} presets
+     * @param {Body | null} body
+     * @param {any[]} engines
+     * @param {any} key
+     * @param {Selection | null} selection
+     */
     draw(found, view4, clips, motifs2, scheme, presets, body2, engines, key, selection) {
-      if (!document.getElementById("search-sources") || !body2) return clientside.no_update;
+      if (!find("search-sources") || !body2) return clientside.no_update;
       Object.assign(now5, { found, view: view4 || {}, clips, motifs: motifs2 || [], scheme, presets, body: body2, engines, key, selection: selection || {} });
-      const page3 = document.querySelector(".search-page");
-      page3.dataset.look = now5.view.look || "search";
-      page3.classList.toggle("without-dataset", !clips);
+      const page2 = within(document, ".search-page");
+      page2.dataset.look = now5.view.look || "search";
+      page2.classList.toggle("without-dataset", !clips);
       const fits = found && clips && found.asked && found.asked.dataset === clips.dataset;
-      if (!fits) now5.found = null;
+      if (!fits) now5.found = /** @type {any} */
+      null;
       drawSources();
       drawBody();
       drawOptions();
@@ -8683,14 +9655,14 @@
     }
   });
   document.addEventListener("click", (event) => {
-    const button4 = event.target.closest && event.target.closest("[data-similar]");
+    const button4 = closest(event, "[data-similar]");
     if (!button4 || button4.disabled) return;
-    const { clip, start: start3, end, dataset: dataset2 } = JSON.parse(button4.dataset.similar);
+    const { clip, start: start3, end, dataset: dataset2 } = JSON.parse(button4.dataset.similar ?? "{}");
     const query = [escapeName(clip), `${start3}-${end}`, ...dataset2 ? [escapeName(dataset2)] : []].join(":");
     remember3();
     changeSearch({ query, look: "" });
     if (!location.pathname.endsWith("/search")) clientside.set_props("url", { pathname: "/search", search: "" });
-    else document.querySelector(".page").scrollTo({ top: 0, behavior: "smooth" });
+    else within(document, ".page").scrollTo({ top: 0, behavior: "smooth" });
   });
 
   // main.mjs

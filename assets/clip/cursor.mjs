@@ -1,13 +1,22 @@
 /* The cursor of the Clip page: it follows the Stage frame by frame, shows the values under it, and moves the Stage. */
 import { clientside, register, setStore } from "../shared/dash.mjs";
-import { find } from "../shared/dom.mjs";
+import { allWithin, find, need } from "../shared/dom.mjs";
+import { nearest } from "../shared/numbers.mjs";
 import { player } from "../stage/player.mjs";
+/** @import { ClipState, Plot, Range, ShownClip } from "./types.d.ts" */
+/** @import { Selection, View } from "../shared/types.d.ts" */
+/** @import { Standing } from "../stage/types.d.ts" */
 
-/** What the page shows now: the clip, the cursor's frame, the pointer's, the figures of the Stage, the chosen frames. */
+/**
+ * What the page shows now: the clip, the cursor's frame, the pointer's, the figures of the Stage, the chosen frames.
+ * @type {ClipState}
+ */
 export const at = { shown: null, frame: null, hover: null, items: [], pending: null, values: null, from: "", range: null, dragged: null };
 
-const part = (name) => document.querySelector(`#clip-box .clip-${name}`);
+/** @param {string} name */
+const part = (name) => allWithin(document, `#clip-box .clip-${name}`)[0];
 
+/** @type {Plot | null} */
 let measured = null; // asking the browser for places sixty times a second would make it lay out the page as often
 const forget = () => { measured = null; };
 
@@ -18,38 +27,30 @@ export function chartPlot() {
   return measured;
 }
 
+/** @returns {Plot | null} */
 function measure() {
-  const graph = document.querySelector("#clip-graph .js-plotly-plot");
+  const graph = /** @type {any} */ (document.querySelector("#clip-graph .js-plotly-plot"));
   const full = graph && graph._fullLayout;
   if (!full || !full.xaxis || !full.meta || !at.shown || full.meta.clip !== at.shown.clip) return null;
-  const box = find("clip-box").getBoundingClientRect();
+  const box = need("clip-box").getBoundingClientRect();
   const own = graph.getBoundingClientRect();
   const { xaxis, yaxis, meta } = full;
   const dx = own.left - box.left + xaxis._offset;
   const dy = own.top - box.top;
   return {
     graph, meta, full,
-    lines: graph.data.filter((trace) => trace.mode === "lines"),
-    chips: document.querySelectorAll("#clip-legend .clip-value"),
+    lines: graph.data.filter((/** @type {any} */ trace) => trace.mode === "lines"),
+    chips: allWithin(document, "#clip-legend .clip-value"),
     left: dx, width: xaxis._length,
     top: dy + full._size.t, height: full._size.h,
+    /** @param {number} value */
     x: (value) => dx + xaxis.l2p(value),
+    /** @param {number} value */
     y: (value) => dy + yaxis._offset + yaxis.l2p(value),
+    /** @param {number} pixel */
     time: (pixel) => xaxis.p2l(pixel - dx),
     range: xaxis.range.map(Number),
   };
-}
-
-/** Index of the entry of a rising list that is nearest to a value. */
-function nearest(list, value) {
-  let low = 0;
-  let high = list.length - 1;
-  while (high - low > 1) {
-    const middle = (low + high) >> 1;
-    if (list[middle] <= value) low = middle;
-    else high = middle;
-  }
-  return high < 0 ? -1 : Math.abs(list[low] - value) <= Math.abs(list[high] - value) ? low : high;
 }
 
 /** Lay cursor, pointer and selected range over the chart. */
@@ -65,52 +66,63 @@ export function placeMarks() {
   if (time) tell(plot);
 }
 
+/** @param {HTMLElement} line @param {number | null} seconds @param {Plot | null} plot */
 function upright(line, seconds, plot) {
-  const x = seconds === null ? null : plot.x(seconds);
-  line.hidden = x === null || x < plot.left - 1 || x > plot.left + plot.width + 1;
-  if (line.hidden) return;
+  const x = seconds === null || !plot ? null : plot.x(seconds);
+  line.hidden = !plot || x === null || x < plot.left - 1 || x > plot.left + plot.width + 1;
+  if (line.hidden || !plot || x === null) return;
   line.style.height = `${plot.height}px`;
   line.style.transform = `translate(${x.toFixed(1)}px, ${plot.top}px)`;
 }
 
+/** @param {HTMLElement} area @param {Range | null} range @param {Plot | null} plot */
 function band(area, range, plot) {
   area.hidden = !range;
-  if (!range) return;
+  if (!range || !plot) return;
+  /** @param {number} x */
   const clamp = (x) => Math.min(Math.max(x, plot.left), plot.left + plot.width);
   const [a, b] = range.map((frame) => clamp(plot.x(frame / plot.meta.fps)));
   Object.assign(area.style, { height: `${plot.height}px`, width: `${Math.max(b - a, 1)}px`, transform: `translate(${a}px, ${plot.top}px)` });
 }
 
+/** @param {HTMLElement} mark @param {number | null} frame @param {Plot | null} plot */
 function dot(mark, frame, plot) {
   const path = plot && plot.graph.data[0];
   const k = frame === null || !path || !path.customdata ? -1 : nearest(path.customdata, frame);
   mark.hidden = k < 0;
-  if (k >= 0) mark.style.transform = `translate(${plot.x(path.x[k])}px, ${plot.y(path.y[k])}px)`;
+  if (plot && k >= 0) mark.style.transform = `translate(${plot.x(path.x[k])}px, ${plot.y(path.y[k])}px)`;
 }
 
 /** The selected frames, or those being dragged over. */
 export const chosenRange = () => at.dragged || at.range || null;
 
 let toldAt = 0;
+let later = 0;
+/** Digits after the point, by unit. @type {Record<string, number>} */
+const DIGITS = { "°": 1, " m/s": 2 };
 
-/** Values of all lines at the pointer, else at the cursor; twenty times a second are plenty to read. */
+/**
+ * Values of all lines at the pointer, else at the cursor; twenty times a second are plenty to read.
+ * @param {Plot} plot
+ */
 function tell(plot) {
   const now = performance.now();
   if (now - toldAt < 48) {
-    clearTimeout(tell.later);
-    tell.later = setTimeout(placeMarks, 50);
+    clearTimeout(later);
+    later = window.setTimeout(placeMarks, 50);
     return;
   }
   toldAt = now;
   const frame = at.hover ?? at.frame;
   plot.chips.forEach((chip, k) => {
     const value = frame === null || !plot.lines[k] ? null : valueAt(plot, plot.lines[k], k, frame);
-    const digits = { "°": 1, " m/s": 2 }[chip.dataset.unit] ?? 3;
+    const digits = DIGITS[chip.dataset.unit ?? ""] ?? 3;
     const text = value === null ? "" : value.toFixed(digits).replace("-", "\u2212") + chip.dataset.unit;
     if (chip.textContent !== text) chip.textContent = text;
   });
 }
 
+/** @param {Plot} plot @param {any} line @param {number} k @param {number} frame */
 function valueAt(plot, line, k, frame) {
   const { fps, frames, thinned } = plot.meta;
   const whole = at.values && at.values.length >= (k + 1) * frames ? at.values[k * frames + Math.min(Math.round(frame), frames - 1)] : null;
@@ -119,11 +131,15 @@ function valueAt(plot, line, k, frame) {
   return i < 0 || Math.abs(line.x[i] - frame / fps) > 1 / fps ? whole : line.y[i];
 }
 
-/** Lines thinned for the chart lack values: those come once as plain numbers. */
+/**
+ * Lines thinned for the chart lack values: those come once as plain numbers.
+ * @param {View | null} view
+ */
 async function fetchValues(view) {
+  if (!at.shown) return;
   const { dataset, clip, version } = at.shown;
   const query = new URLSearchParams({ v: version });
-  for (const key of ["chart", "angles", "joints", "rig", "channels"]) if ((view || {})[key]) query.set(key, view[key]);
+  for (const key of ["chart", "angles", "joints", "rig", "channels"]) if (view?.[key]) query.set(key, view[key]);
   const where = clip.split("/").map(encodeURIComponent).join("/");
   const address = `/api/clip-values/${encodeURIComponent(dataset)}/${where}?${query}`;
   if (address === at.from) return;
@@ -137,7 +153,10 @@ async function fetchValues(view) {
   placeMarks();
 }
 
-/** Go to a frame of the clip that is shown, on the Stage; what plays something else is made to play the clip first. */
+/**
+ * Go to a frame of the clip that is shown, on the Stage; what plays something else is made to play the clip first.
+ * @param {number} frame
+ */
 export function seekFrame(frame) {
   const { shown } = at;
   if (!shown) return;
@@ -158,8 +177,10 @@ function standing() {
 /** The frame of the clip on the Stage at this moment: a painted frame ahead of the cursor, where one has just moved. */
 export const frameNow = () => standing().find(isShown)?.frame ?? at.frame;
 
+/** @param {Standing} item */
 const isShown = (item) => at.shown && item.clip === at.shown.clip && (!item.dataset || item.dataset === at.shown.dataset);
 
+/** @param {Standing[]} items */
 function follow(items) {
   at.items = items || [];
   const item = at.items.find(isShown);
@@ -172,33 +193,42 @@ function follow(items) {
   placeMarks();
 }
 
-for (const kind of ["stage-frame", "stage-state"]) {
+for (const kind of /** @type {const} */ (["stage-frame", "stage-state"])) {
   window.addEventListener(kind, (event) => { if (find("clip-box")) follow(event.detail.items); });
 }
 
 register("clip", {
   // A chart was drawn: lay everything over it again, now and after every redrawing.
+  /** @param {any} figure @param {unknown} legend @param {ShownClip | null} shown @param {View | null} view */
   drawn(figure, legend, shown, view) {
     at.shown = shown;
-    const graph = document.querySelector("#clip-graph .js-plotly-plot");
+    const graph = /** @type {any} */ (document.querySelector("#clip-graph .js-plotly-plot"));
     if (graph && graph.on && !graph.dataset.clipWatched) {
       graph.dataset.clipWatched = "yes";
       const again = () => { forget(); placeMarks(); };
       graph.on("plotly_afterplot", again);
-      new ResizeObserver(again).observe(find("clip-box"));
+      new ResizeObserver(again).observe(need("clip-box"));
     }
     forget();
     if (figure && figure.layout && figure.layout.meta && figure.layout.meta.thinned) fetchValues(view);
     requestAnimationFrame(() => requestAnimationFrame(() => { forget(); placeMarks(); })); // Plotly draws after this
     return figure?.layout?.meta?.kind ?? null;
   },
+  /** @param {Selection | null} selection @param {ShownClip | null} shown */
   mark(selection, shown) {
     at.shown = shown;
-    const own = selection && shown && selection.clip === shown.clip && selection.end > selection.start;
-    at.range = own ? [selection.start, Math.min(selection.end, shown.frames)] : null;
+    const { clip, start = 0, end = 0 } = selection ?? {};
+    at.range = shown && clip === shown.clip && end > start ? [start, Math.min(end, shown.frames)] : null;
     follow(standing());
     return clientside.no_update;
   },
+  /**
+   * @param {string} value
+   * @param {unknown} _back
+   * @param {unknown} _next
+   * @param {string[]} names
+   * @param {ShownClip | null} shown
+   */
   pick(value, _back, _next, names, shown) {
     const trigger = (clientside.callback_context.triggered[0] || {}).prop_id || "";
     const step = trigger.startsWith("clip-previous") ? -1 : trigger.startsWith("clip-next") ? 1 : 0;
@@ -210,10 +240,20 @@ register("clip", {
     return clientside.no_update;
   },
   // What was chosen above the chart, into the view; what a clip offers of itself is no choice.
+  /**
+   * @param {string} chart
+   * @param {string} kind
+   * @param {string[] | null} joints
+   * @param {string[] | null} channels
+   * @param {View | null} view
+   * @param {{ joints?: string[], channels?: string[] } | null} choice
+   */
   control(chart, kind, joints, channels, view, choice) {
     const now = view || {};
+    /** @param {string[] | null | undefined} a @param {string[] | null | undefined} b */
     const same = (a, b) => JSON.stringify(a || []) === JSON.stringify(b || []);
     const trigger = (clientside.callback_context.triggered[0] || {}).prop_id || "";
+    /** @type {View} */
     const change = {};
     if (trigger.startsWith("clip-chart")) Object.assign(change, { chart: chart === "angles" ? "" : chart, joints: "" });
     if (trigger.startsWith("clip-kind")) change.angles = kind === "body" ? "" : kind;
@@ -226,10 +266,12 @@ register("clip", {
     setStore("view-change", change);
     return clientside.no_update;
   },
+  /** @param {{ clip: string, frame: number } | null} to */
   seek(to) {
     if (to && at.shown && to.clip === at.shown.clip) seekFrame(to.frame);
     return clientside.no_update;
   },
+  /** @param {object | null} edit */
   asked(edit) {
     return edit ? { ...edit, frame: frameNow() ?? 0 } : clientside.no_update;
   },

@@ -1,10 +1,12 @@
 /* The gait of a clip: its bouts as folding tables, and the list of its events. Drawn here, because a long walk has
    thousands of cells; those of a folded table are made when it opens. */
 import { clientside, register } from "../shared/dash.mjs";
-import { element } from "../shared/dom.mjs";
+import { element, find } from "../shared/dom.mjs";
+/** @import { Bout, Gait } from "./types.d.ts" */
 
 const MOST_EVENTS = 600;
 
+/** @param {HTMLButtonElement} button @param {string} store @param {object} value */
 function sends(button, store, value) {
   button.type = "button";
   button.dataset.store = store;
@@ -13,6 +15,7 @@ function sends(button, store, value) {
   return button;
 }
 
+/** @param {string[]} head @param {string[][]} rows */
 function table(head, rows) {
   const made = element("table", "gait-table number");
   const top = made.createTHead().insertRow();
@@ -32,7 +35,13 @@ function table(head, rows) {
   return made;
 }
 
-/** A part that folds; `fill` gives what is in it, once. */
+/**
+ * A part that folds; `fill` gives what is in it, once.
+ * @param {string} className
+ * @param {HTMLElement} head
+ * @param {boolean} open
+ * @param {() => Node} fill
+ */
 function folding(className, head, open, fill) {
   const part = element("details", className);
   part.append(head);
@@ -41,6 +50,7 @@ function folding(className, head, open, fill) {
   return part;
 }
 
+/** @param {Gait} data @param {Bout} one @param {boolean} open */
 function bout(data, one, open) {
   const head = element("summary", "gait-head");
   const select = sends(element("button", "gait-select", "Select"), "selection", { clip: data.clip, start: one.start, end: one.end });
@@ -49,6 +59,7 @@ function bout(data, one, open) {
   return folding("gait-bout", head, open, () => table(data.head, one.rows));
 }
 
+/** @param {Gait} data */
 function events(data) {
   const list = element("div", "gait-events");
   for (const [frame, seconds, side, name] of data.events.slice(0, MOST_EVENTS)) {
@@ -63,8 +74,9 @@ function events(data) {
 }
 
 register("gait", {
+  /** @param {Gait | null} data */
   draw(data) {
-    const place = document.getElementById("clip-gait");
+    const place = find("clip-gait");
     if (!place) return clientside.no_update;
     if (!data) place.replaceChildren();
     else if (data.why) place.replaceChildren(element("div", "muted", data.why));

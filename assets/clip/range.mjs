@@ -1,36 +1,44 @@
 /* Pointer and keys on the chart of the Clip page: moments, ranges, zoom. */
-import { setStore } from "../shared/dash.mjs";
+import { changeView, setStore } from "../shared/dash.mjs";
+import { closest, find, targetOf } from "../shared/dom.mjs";
+import { clamp } from "../shared/numbers.mjs";
 import { player } from "../stage/player.mjs";
 import { at, chartPlot, chosenRange, frameNow, placeMarks, seekFrame } from "./cursor.mjs";
+import { spanWithin } from "./zoom.mjs";
+/** @import { Plot, Range, Spot } from "./types.d.ts" */
 
 const CLOSE = 4; // pixels that a click may wander
-const box = (target) => (target && target.closest ? target.closest("#clip-box") : null);
+/** The chart's box around the target of an event. @param {EventTarget | null} target */
+const box = (target) => closest({ target }, "#clip-box");
+/** What is pressed now. @type {Spot & { id: number, grip: boolean, moved: boolean } | null} */
 let press = null;
 
-const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
+/** @param {Plot} plot @param {number} pixel */
 const frameAt = (plot, pixel) => clamp(Math.round(plot.time(pixel) * plot.meta.fps), 0, plot.meta.frames - 1);
+/** @param {Plot} plot @param {number} x @param {number} y */
 const inside = (plot, x, y) => x >= plot.left - 6 && x <= plot.left + plot.width + 6 && y >= plot.top && y <= plot.top + plot.height;
 
+/** @param {PointerEvent | WheelEvent} event */
 function locate(event) {
   const plot = chartPlot();
-  const area = document.getElementById("clip-box");
+  const area = find("clip-box");
   if (!plot || !area) return null;
   const { left, top } = area.getBoundingClientRect();
   return { plot, x: event.clientX - left, y: event.clientY - top };
 }
 
 document.addEventListener("pointerdown", (event) => {
-  if (event.button || !box(event.target)) return;
+  if (event.button || !box(targetOf(event))) return;
   const spot = locate(event);
   if (!spot) return;
-  const grip = Boolean(event.target.closest(".clip-grip"));
+  const grip = Boolean(closest(event, ".clip-grip"));
   if (!grip && !inside(spot.plot, spot.x, spot.y)) return;
   press = { ...spot, id: event.pointerId, grip, moved: false };
-  if (spot.plot.meta.kind === "time") box(event.target).setPointerCapture(event.pointerId);
+  if (spot.plot.meta.kind === "time") box(targetOf(event))?.setPointerCapture(event.pointerId);
 });
 
 document.addEventListener("pointermove", (event) => {
-  const over = box(event.target);
+  const over = box(targetOf(event));
   if (!press) {
     const spot = over && locate(event);
     const hover = spot && spot.plot.meta.kind === "time" && inside(spot.plot, spot.x, spot.y) ? frameAt(spot.plot, spot.x) : null;
@@ -81,13 +89,17 @@ document.addEventListener("pointerout", (event) => {
   placeMarks();
 });
 
+/** @param {Range} range */
 function select(range) {
   const [start, end] = range;
   if (at.shown && end - start >= 2) setStore("selection", { clip: at.shown.clip, start, end });
   else placeMarks();
 }
 
-/** The frames of the block of a band under the pointer. */
+/**
+ * The frames of the block of a band under the pointer.
+ * @param {Spot} spot
+ */
 function blockAt({ plot, x, y }) {
   const seconds = plot.time(x);
   for (const trace of plot.graph.data) {
@@ -95,13 +107,16 @@ function blockAt({ plot, x, y }) {
     const axis = plot.full["yaxis" + trace.yaxis.slice(1)];
     const row = axis.p2l(y - plot.top + plot.full._size.t - axis._offset);
     if (Math.abs(row - trace.meta.row) > 0.5) continue;
-    const hit = trace.meta.picks.find(([start, end]) => seconds * plot.meta.fps >= start && seconds * plot.meta.fps < end);
+    const hit = trace.meta.picks.find((/** @type {Range} */ [start, end]) => seconds * plot.meta.fps >= start && seconds * plot.meta.fps < end);
     if (hit) return hit;
   }
   return null;
 }
 
-/** Go to the moment at which the pelvis was nearest to a point of the path. */
+/**
+ * Go to the moment at which the pelvis was nearest to a point of the path.
+ * @param {Spot} spot
+ */
 function clickPath({ plot, x, y }) {
   const path = plot.graph.data[0];
   let best = -1;
@@ -116,6 +131,7 @@ function clickPath({ plot, x, y }) {
 // ---- zoom: the span of seconds is part of the link ----
 let settling = 0;
 let moving = 0;
+/** @type {[number, number] | null} */
 let wanted = null; // however fast the wheel turns, the chart is drawn once a frame
 
 async function move() {
@@ -127,19 +143,18 @@ async function move() {
   else wanted = null;
 }
 
+/** @param {number} low @param {number} high */
 function show(low, high) {
   const plot = chartPlot();
   if (!plot || plot.meta.kind !== "time") return;
-  const seconds = Math.max((plot.meta.frames - 1) / plot.meta.fps, 1 / plot.meta.fps);
-  const width = clamp(high - low, Math.min(4 / plot.meta.fps, seconds), seconds);
-  const from = clamp((low + high - width) / 2, 0, seconds - width);
-  wanted = [from, from + width];
+  const { span, whole } = spanWithin(low, high, plot.meta);
+  wanted = span;
   if (!moving) moving = requestAnimationFrame(move);
   clearTimeout(settling);
-  const whole = width >= seconds - 1e-6;
-  settling = setTimeout(() => setStore("view-change", { span: whole ? "" : `${from.toFixed(3)}_${(from + width).toFixed(3)}` }), 160);
+  settling = setTimeout(() => changeView({ span: whole ? "" : span.map((second) => second.toFixed(3)).join("_") }), 160);
 }
 
+/** @param {string | undefined} what */
 function zoom(what) {
   const plot = chartPlot();
   if (!plot) return;
@@ -155,13 +170,14 @@ function zoom(what) {
   scale(what === "in" ? 0.6 : 1 / 0.6, cursor >= low && cursor <= high ? cursor : (low + high) / 2);
 }
 
+/** @param {number} factor @param {number} about */
 function scale(factor, about) {
-  const [low, high] = wanted || chartPlot().range;
+  const [low, high] = wanted || chartPlot()?.range || [0, 1];
   show(about + (low - about) * factor, about + (high - about) * factor);
 }
 
 document.addEventListener("wheel", (event) => {
-  const spot = box(event.target) && locate(event);
+  const spot = box(targetOf(event)) && locate(event);
   if (!spot || spot.plot.meta.kind !== "time") return;
   const [low, high] = wanted || spot.plot.range;
   if (event.ctrlKey || event.metaKey) {
@@ -175,11 +191,12 @@ document.addEventListener("wheel", (event) => {
 }, { passive: false });
 
 document.addEventListener("click", (event) => {
-  const button = event.target.closest && event.target.closest("[data-clip-zoom]");
+  const button = closest(event, "[data-clip-zoom]");
   if (button) zoom(button.dataset.clipZoom);
 });
 
 // ---- keys ----
+/** @param {string} which */
 function setEnd(which) {
   const frame = frameNow();
   if (frame === null || !at.shown) return;
@@ -187,10 +204,12 @@ function setEnd(which) {
   select(which === "start" ? [frame, end > frame ? end : at.shown.frames] : [start < frame ? start : 0, frame + 1]);
 }
 
+/** @param {number} by */
 const step = (by) => {
   player.pause();
   seekFrame((frameNow() ?? 0) + by);
 };
+/** @type {Record<string, (far: boolean) => void>} */
 const KEYS = {
   ArrowLeft: (far) => step(far ? -10 : -1),
   ArrowRight: (far) => step(far ? 10 : 1),
@@ -206,7 +225,7 @@ const KEYS = {
   " ": () => player[player.playing ? "pause" : "play"](),
 };
 document.addEventListener("keydown", (event) => {
-  if (event.target.id !== "clip-box" || event.ctrlKey || event.metaKey || event.altKey || !KEYS[event.key]) return;
+  if (targetOf(event).id !== "clip-box" || event.ctrlKey || event.metaKey || event.altKey || !KEYS[event.key]) return;
   event.preventDefault();
   KEYS[event.key](event.shiftKey);
 });

@@ -1,14 +1,17 @@
 /* The actions as cards with their posture strips; the occurrences of the chosen one beside them. */
-import { element, find, icon } from "../shared/dom.mjs";
+import { allWithin, element, find, icon, need } from "../shared/dom.mjs";
 import { clock, plural } from "../shared/words.mjs";
 import { isFresh, playsSelection, redraw, state } from "./state.mjs";
+/** @import { Action, GrammarData, StringRow } from "./types.d.ts" */
+/** @import { Selection } from "../shared/types.d.ts" */
 
 const ROWS = 60;
 
+/** @param {Action} action */
 function card(action) {
   const button = playsSelection(element("button", "action-card"), { action: action.id });
   button.type = "button";
-  button.dataset.action = action.id;
+  button.dataset.action = String(action.id);
   button.style.setProperty("--tone", action.colour);
   button.title = `Play all occurrences of ${action.name}`;
   const head = element("span", "action-head");
@@ -22,24 +25,32 @@ function card(action) {
   return button;
 }
 
+/** @param {[StringRow, number, number, number]} piece @param {number} id @param {boolean} chosen */
 function occurrence([clip, start, end, number], id, chosen) {
   const button = playsSelection(element("button", "occurrence" + (chosen ? " chosen" : "")), { action: id, segment: number });
   button.type = "button";
   button.title = `Play ${clip.clip}, ${clock(start)} to ${clock(end)}`;
   button.setAttribute("aria-pressed", String(chosen));
   const strip = element("img", "occurrence-strip");
-  const frames = new URLSearchParams({ start: Math.round(start * clip.fps), end: Math.round(end * clip.fps), n: 4, v: state.data.version });
+  const frames = new URLSearchParams({ start: String(Math.round(start * clip.fps)), end: String(Math.round(end * clip.fps)), n: "4", v: state.data.version });
   strip.src = `/api/filmstrip/${encodeURIComponent(state.data.dataset)}/${encodeURIComponent(clip.clip)}?${frames}`;
   Object.assign(strip, { alt: "", loading: "lazy", draggable: false });
   button.append(icon("play"), element("span", "ellipsis", clip.brief), element("span", "muted number", `${clock(start)} to ${clock(end)}`), strip);
   return button;
 }
 
+/**
+ * Where an action occurs: clip, seconds from and to, number.
+ * @param {GrammarData} data
+ * @param {number} id
+ * @returns {[StringRow, number, number, number][]}
+ */
 const occurrences = (data, id) =>
   data.rows
-    .flatMap((clip) => clip.pieces.filter((piece) => piece[2] === id).map((piece) => [clip, piece[0], piece[1], piece[3]]))
+    .flatMap((clip) => clip.pieces.filter((piece) => piece[2] === id).map((piece) => /** @type {[StringRow, number, number, number]} */ ([clip, piece[0], piece[1], piece[3]])))
     .sort((a, b) => a[3] - b[3]);
 
+/** @param {GrammarData} data @param {string | null} order */
 export const drawActions = (data, order) => {
   const box = find("action-cards");
   if (!box || !isFresh(box, [data.key, data.names, order])) return;
@@ -50,20 +61,21 @@ export const drawActions = (data, order) => {
   redraw(box, sorted.map(card));
 };
 
+/** @param {GrammarData} data @param {Selection | null} selection */
 export const drawOccurrences = (data, selection) => {
   const box = find("occurrences");
   if (!box) return;
   const id = selection?.action === undefined ? null : Number(selection.action);
-  const known = id !== null && data.actions?.[id];
-  for (const one of document.querySelectorAll(".action-card")) one.classList.toggle("chosen", known && Number(one.dataset.action) === id);
-  find("action-hint").classList.toggle("hidden", Boolean(known));
-  find("action-detail").classList.toggle("hidden", !known);
-  if (!known || !isFresh(box, [data.key, data.names, id, selection.segment])) return;
+  const known = id === null ? undefined : data.actions?.[id];
+  for (const one of allWithin(document, ".action-card")) one.classList.toggle("chosen", known !== undefined && Number(one.dataset.action) === id);
+  need("action-hint").classList.toggle("hidden", Boolean(known));
+  need("action-detail").classList.toggle("hidden", !known);
+  if (!known || id === null || !isFresh(box, [data.key, data.names, id, selection?.segment])) return;
   const all = occurrences(data, id);
-  find("action-title").textContent = `Action ${id}`;
-  find("action-count").textContent = `${plural(all.length, "time")} in ${plural(known.clips, "recording")}`;
-  const shown = all.slice(0, ROWS).map((one) => occurrence(one, id, String(one[3]) === String(selection.segment)));
+  need("action-title").textContent = `Action ${id}`;
+  need("action-count").textContent = `${plural(all.length, "time")} in ${plural(known.clips ?? 0, "recording")}`;
+  const shown = all.slice(0, ROWS).map((one) => occurrence(one, id, String(one[3]) === String(selection?.segment)));
   redraw(box, shown);
   if (all.length > ROWS) box.append(element("div", "muted selection-more", `and ${all.length - ROWS} more, all of them in the recordings above`));
-  playsSelection(find("action-all"), { action: id });
+  playsSelection(need("action-all"), { action: id });
 };

@@ -1,30 +1,44 @@
 /* A new routine: what the link says of it, what the server made of that, and how it plays. */
 import { changeView, clientside, setStore } from "../shared/dash.mjs";
-import { element, find, setLink } from "../shared/dom.mjs";
+import { allWithin, closest, element, find, need, setLink, within } from "../shared/dom.mjs";
 import { plural } from "../shared/words.mjs";
 import { player } from "../stage/player.mjs";
+import { visited } from "./history.mjs";
 import { actionChip, actionOf, downloadQuery, isFresh, redraw, state } from "./state.mjs";
 import { lightTree, showTree } from "./tree.mjs";
+/** @import { Past } from "./history.mjs" */
+/** @import { Composition, RoutineKeys, TreeNode } from "./types.d.ts" */
+/** @import { Selection, View } from "../shared/types.d.ts" */
 
 const KEYS = ["sentence", "pick", "up"];
 const HISTORY = "motionscape-routines";
 
 let on = false;
-let now = {}; // the server's last word
+/** The server's last word; empty until there is one. @type {Composition} */
+let now = /** @type {any} */ ({});
+/** @type {View} */
 let view = {};
 let played = "";
 let lit = -1;
+/** @type {Past} */
 let past = { key: "", list: [], at: -1 }; // routines one has seen, for undo and redo
 
-const asked = (shown) => Object.fromEntries(KEYS.filter((key) => shown?.[key]).map((key) => [key, shown[key]]));
+/** @param {RoutineKeys | null} shown */
+const keysOf = (shown) => Object.fromEntries(KEYS.filter((key) => shown?.[key]).map((key) => [key, shown?.[key]]));
+/** @param {RoutineKeys | undefined} a @param {RoutineKeys | undefined} b */
 const same = (a, b) => KEYS.every((key) => (a?.[key] || "") === (b?.[key] || ""));
-const ready = () => Boolean(now.name) && same(now.asked, asked(view));
+const ready = () => Boolean(now.name) && same(now.asked, keysOf(view));
 const here = () => on && Boolean(find("compose-tree")?.offsetParent); // the page may have gone meanwhile
 const onStage = () => String(player.frameOf(0)?.dataset || "").startsWith("~derive~");
 
-/** Go to another routine: it is a step that can be undone. */
+/**
+ * Go to another routine: it is a step that can be undone.
+ * @param {string} sentence
+ * @param {View} [more]
+ */
 export const goTo = (sentence, more = {}) => changeView({ sentence, pick: "", up: "", alt: "", ...more });
 
+/** @param {string} sentence */
 function remember(sentence) {
   if (past.key !== state.data.key) {
     past = { key: state.data.key, list: [], at: -1 };
@@ -33,35 +47,37 @@ function remember(sentence) {
       if (kept.key === past.key) past = kept;
     } catch { /* nothing is remembered */ }
   }
-  if (past.list[past.at] === sentence) return;
-  if (past.list[past.at - 1] === sentence) past.at -= 1;
-  else if (past.list[past.at + 1] === sentence) past.at += 1;
-  else past = { key: past.key, list: [...past.list.slice(Math.max(0, past.at - 98), past.at + 1), sentence], at: Math.min(past.at + 1, 99) };
+  const next = visited(past, sentence);
+  if (next === past) return;
+  past = next;
   try { sessionStorage.setItem(HISTORY, JSON.stringify(past)); } catch { /* private mode: then not after a reload */ }
 }
 
+/** @param {Composition} data */
 function request(data) {
   return {
-    dataset: data.name, title: `New routine: ${plural(data.actions.length, "action")}`, layout: "overlay", sync: "start",
+    dataset: data.name ?? "", title: `New routine: ${plural(data.actions.length, "action")}`, layout: "overlay", sync: "start",
     items: [{ clip: data.clip, start: 0, end: data.frames, label: "New routine", colours: data.bands }],
   };
 }
 
+/** @param {Composition} data @param {number} [from] */
 async function play(data, from) {
-  played = data.name;
+  played = data.name ?? "";
   await player.show(request(data));
   if (from !== undefined) player.seek({ clip: data.clip, frame: data.spans[from][0] });
   player.play();
 }
 
+/** @param {Composition} data */
 function string(data) {
-  const list = find("compose-string");
+  const list = need("compose-string");
   if (!isFresh(list, [data.name, data.actions, state.data.names, now.asked, now.chosen])) return;
   const chips = data.actions.map((id, at) => {
     const line = element("li", "compose-step");
     const button = actionChip(id);
     delete button.dataset.store;
-    button.dataset.pick = at;
+    button.dataset.pick = String(at);
     button.title = `${actionOf(id).name}: choose it`;
     button.setAttribute("aria-pressed", String(String(at) === now.asked.pick));
     line.classList.toggle("within", Boolean(now.chosen && at >= now.chosen.first && at < now.chosen.end));
@@ -71,18 +87,21 @@ function string(data) {
   redraw(list, chips);
 }
 
+/** @param {Composition} data */
 function meters(data) {
-  const box = find("compose-meters");
+  const box = need("compose-meters");
   box.classList.toggle("hidden", !data.skate);
   if (!data.skate) return;
   const [source, plain, kept] = data.skate;
   const most = Math.max(source, plain, kept, 1e-6);
   const title = element("div", "walk-meter-title", "Foot skate");
   title.title = "How far standing feet slide, in centimetres per second of contact";
-  box.replaceChildren(title, ...[["This routine", kept], ["Blending alone", plain], ["Recordings", source]].map(([label, value], i) => {
+  /** @type {[string, number][]} */
+  const rows = [["This routine", kept], ["Blending alone", plain], ["Recordings", source]];
+  box.replaceChildren(title, ...rows.map(([label, value], i) => {
     const row = element("div", "walk-meter" + (i ? "" : " walk-meter-own"));
     const bar = element("span", "walk-bar");
-    bar.style.setProperty("--share", value / most);
+    bar.style.setProperty("--share", String(value / most));
     row.append(element("span", "", label), bar, element("span", "number", `${(100 * value).toFixed(1)} cm/s`));
     return row;
   }));
@@ -100,62 +119,69 @@ function chosenWords() {
 }
 
 function show() {
-  const busy = Boolean(view.sentence) && !same(now.asked, asked(view));
-  find("compose-string").classList.toggle("busy", busy);
+  const busy = Boolean(view.sentence) && !same(now.asked, keysOf(view));
+  need("compose-string").classList.toggle("busy", busy);
   const error = !busy && now.error;
-  find("compose-error").classList.toggle("hidden", !error);
-  find("compose-error").textContent = error || "";
+  need("compose-error").classList.toggle("hidden", !error);
+  need("compose-error").textContent = error || "";
   const there = ready();
-  find("compose-string").dataset.shown = busy ? "" : KEYS.map((key) => now.asked?.[key] || "").join(" ");
-  find("compose-said").textContent = busy ? "Making the routine …" : there
+  need("compose-string").dataset.shown = busy ? "" : KEYS.map((key) => now.asked?.[key] || "").join(" ");
+  need("compose-said").textContent = busy ? "Making the routine …" : there
     ? `${plural(now.actions.length, "action")}, ${now.seconds.toFixed(1)} s. ${now.novel ? "Nobody performed it like this." : "It occurs like this in the recordings."}`
     : error ? "" : "Press New routine: chance makes one that keeps to the rules.";
   for (const name of ["play", "larger", "smaller", "others", "undo", "redo"]) {
     const usable = { play: there, undo: past.at > 0, redo: past.at < past.list.length - 1,
       larger: there && now.chosen?.larger, smaller: there && now.chosen?.smaller, others: there && now.chosen?.varies }[name];
-    document.querySelector(`[data-compose="${name}"]`).disabled = !usable;
+    within(document, `[data-compose="${name}"]`).disabled = !usable;
   }
   if (busy && !now.actions) return;
-  find("compose-chosen").textContent = there ? chosenWords() : "";
+  need("compose-chosen").textContent = there ? chosenWords() : "";
   if (!there) {
-    if (error) for (const id of ["compose-string", "compose-tree"]) { find(id).replaceChildren(); find(id).drawnFrom = ""; }
+    if (error) for (const id of ["compose-string", "compose-tree"]) { need(id).replaceChildren(); isFresh(need(id), ""); }
   } else {
     string(now);
-    showTree(find("compose-tree"), now.svg, choose);
+    showTree(need("compose-tree"), now.svg, choose);
     meters(now);
   }
-  find("compose-warnings").replaceChildren(...((there && now.warnings) || []).map((text) => element("p", "", text)));
-  setLink("compose-bvh", there && `/api/bvh/${encodeURIComponent(now.name)}/${encodeURIComponent(now.clip)}`);
-  setLink("compose-json", there && `/api/derivation/${now.name.split("~")[2]}.json`);
+  need("compose-warnings").replaceChildren(...((there && now.warnings) || []).map((text) => element("p", "", text)));
+  setLink("compose-bvh", there && `/api/bvh/${encodeURIComponent(now.name ?? "")}/${encodeURIComponent(now.clip)}`);
+  setLink("compose-json", there && `/api/derivation/${now.name?.split("~")[2]}.json`);
   setLink("compose-svg", there && `/api/grammar-tree.svg?${downloadQuery(view, { sentence: now.code })}`);
-  find("compose-save").disabled = !there;
-  for (const button of document.querySelectorAll(".compose-recipe")) {
-    const text = there && now.recipes?.[button.dataset.recipe];
+  need("compose-save").disabled = !there;
+  for (const button of allWithin(document, ".compose-recipe")) {
+    const text = there && now.recipes?.[button.dataset.recipe ?? ""];
     button.disabled = !text;
-    button.title = button.dataset.recipe;
+    button.title = button.dataset.recipe ?? "";
     button.dataset.copy = text || "";
   }
 }
 
-/** A node of the tree: an action is picked, a phrase is the part to change. */
+/**
+ * A node of the tree: an action is picked, a phrase is the part to change.
+ * @param {TreeNode} node
+ */
 function choose({ path, first, leaf }) {
   if (!ready()) return;
   if (leaf) return pick(first);
+  /** @param {string} text */
   const depth = (text) => (text === "" ? 0 : text.split(".").length);
   const inner = now.parents[first]; // path of the smallest phrase around its first action
   changeView({ pick: String(first), up: String(Math.max(0, depth(inner) - depth(path)) || ""), alt: "" });
 }
 
+/** @param {number} at */
 function pick(at) {
   const again = String(at) === now.asked.pick && !now.asked.up;
   changeView({ pick: again ? "" : String(at), up: "", alt: "" });
   if (!again && now.name === played && onStage()) player.seek({ clip: now.clip, frame: now.spans[at][0] });
 }
 
+/** @param {string} text @param {number} low @param {number} high */
 const whole = (text, low, high) => Math.min(Math.max(Math.round(Number(text) || low), low), high);
+/** @type {Record<string, () => void>} */
 const actions = {
   new() {
-    const most = whole(find("compose-most").value, 1, Number(find("compose-most").max));
+    const most = whole(need("compose-most").value, 1, Number(need("compose-most").max));
     const seed = Number((/^random:(\d+)/.exec(view.sentence || "") || [0, past.list.length])[1]) + 1;
     goTo(`random:${seed}:${most}`);
   },
@@ -168,14 +194,14 @@ const actions = {
 };
 
 document.addEventListener("click", (event) => {
-  const button = event.target.closest?.("[data-compose]");
-  if (button && !button.disabled && here()) actions[button.dataset.compose]();
-  const chip = event.target.closest?.("[data-pick]");
+  const button = closest(event, "[data-compose]");
+  if (button && !button.disabled && here()) actions[button.dataset.compose ?? ""]();
+  const chip = closest(event, "[data-pick]");
   if (chip && here() && ready()) pick(Number(chip.dataset.pick));
 });
 document.addEventListener("keydown", (event) => {
   if (!here() || !(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
-  if (event.target.closest?.("input, textarea")) return;
+  if (closest(event, "input, textarea")) return;
   event.preventDefault();
   actions[event.shiftKey ? "redo" : "undo"]();
 });
@@ -187,11 +213,12 @@ window.addEventListener("stage-frame", (event) => {
   if (at === lit) return;
   lit = at;
   lightTree(find("compose-tree"), at);
-  find("compose-string")?.querySelectorAll(".compose-step").forEach((step, number) => step.classList.toggle("lit", number === at));
+  allWithin(document, "#compose-string .compose-step").forEach((step, number) => step.classList.toggle("lit", number === at));
 });
 
 export const composition = () => ({ on, now, view, ready: ready(), play: () => play(now) });
 
+/** @param {Composition | null} data @param {View | null} shown @param {Selection | null} selection */
 export const drawCompose = (data, shown, selection) => {
   view = shown || {};
   const entered = view.show === "compose" && !on;
@@ -202,7 +229,7 @@ export const drawCompose = (data, shown, selection) => {
   if (most && document.activeElement?.id !== "compose-most") clientside.set_props("compose-most", { value: Number(most) });
   remember(view.sentence);
   if (data) now = data;
-  if (data && data.key !== state.data.key && !data.error) now = {};
+  if (data && data.key !== state.data.key && !data.error) now = /** @type {any} */ ({});
   show();
   if (!ready()) return;
   if (entered && selection && Object.keys(selection).length) setStore("selection", {});

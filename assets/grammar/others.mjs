@@ -5,12 +5,16 @@ import { plural } from "../shared/words.mjs";
 import { player } from "../stage/player.mjs";
 import { composition, goTo } from "./compose.mjs";
 import { actionOf, isFresh, paintAction, state } from "./state.mjs";
+/** @import { OtherWay, OtherWays } from "./types.d.ts" */
+/** @import { View } from "../shared/types.d.ts" */
 
 const LETTERS = "ABCDEFGH";
 let playing = "";
 
+/** @param {OtherWays | null} data @param {View} view */
 const matches = (data, view) => ["sentence", "pick", "up", "alt"].every((key) => (data?.asked?.[key] || "") === (view[key] || ""));
 
+/** @param {OtherWays} data */
 function request(data) {
   return {
     dataset: data.others[0].name, title: `${plural(data.others.length, "other way")} for ${data.part}`, layout: "side", sync: "start",
@@ -20,6 +24,7 @@ function request(data) {
   };
 }
 
+/** @param {OtherWay} other @param {number} i */
 function card(other, i) {
   const box = element("section", "other-card");
   const head = element("div", "other-head");
@@ -41,6 +46,7 @@ function card(other, i) {
   return box;
 }
 
+/** @param {OtherWays | null} data @param {View} view */
 export const drawOthers = (data, view) => {
   const box = find("compose-others");
   if (!box) return;
@@ -51,29 +57,29 @@ export const drawOthers = (data, view) => {
     playing = "";
     return;
   }
-  const there = matches(data, view);
-  if (!isFresh(box, [there, there && data, state.data.names])) return;
+  const shown = data !== null && matches(data, view) ? data : null;
+  if (!isFresh(box, [shown, state.data.names])) return;
   const head = element("div", "other-title");
-  head.append(element("h3", "", there && data.others ? `Other ways for ${data.part}` : "Other ways"));
+  head.append(element("h3", "", shown?.others ? `Other ways for ${shown.part}` : "Other ways"));
   const close = element("button", "walk-button", "Keep it as it is");
   close.type = "button";
   close.addEventListener("click", () => changeView({ alt: "" }));
   const again = element("button", "walk-button", "Another four");
   again.type = "button";
-  again.disabled = !there;
+  again.disabled = !shown;
   again.addEventListener("click", () => changeView({ alt: String(Number(view.alt) + 1) }));
   const replay = element("button", "walk-button", "Play again");
   replay.type = "button";
-  replay.disabled = !there || !data.others?.length;
-  replay.addEventListener("click", () => player.show(request(data)).then(() => player.play()));
+  replay.disabled = !shown?.others?.length;
+  replay.addEventListener("click", () => shown && player.show(request(shown))?.then(() => player.play()));
   head.append(element("span", "spacer"), replay, again, close);
   const body = element("div", "other-cards");
-  if (!there) body.append(element("p", "muted", "Making four other ways …"));
-  else if (data.error || !data.others.length) body.append(element("p", "muted", data.error || "There is no other way for this part; choose a larger one."));
-  else body.append(...data.others.map(card));
+  if (!shown) body.append(element("p", "muted", "Making four other ways …"));
+  else if (shown.error || !shown.others.length) body.append(element("p", "muted", shown.error || "There is no other way for this part; choose a larger one."));
+  else body.append(...shown.others.map(card));
   box.replaceChildren(head, body);
-  const stamp = there && data.others?.length ? JSON.stringify(data.asked) : "";
-  if (!stamp || stamp === playing) return;
+  const stamp = shown?.others?.length ? JSON.stringify(shown.asked) : "";
+  if (!shown || !stamp || stamp === playing) return;
   playing = stamp;
-  player.show(request(data));
+  player.show(request(shown));
 };

@@ -1,22 +1,27 @@
 /* The routines of the recordings as strings of coloured squares, and the tree of the chosen one. */
 import { changeView, setStore } from "../shared/dash.mjs";
-import { element, find, setLink } from "../shared/dom.mjs";
+import { allWithin, closest, element, find, need, setLink } from "../shared/dom.mjs";
 import { clock, plural } from "../shared/words.mjs";
 import { ahead } from "../stage/ahead.mjs";
 import { actionOf, downloadQuery, isFresh, redraw, state } from "./state.mjs";
 import { lightTree, showTree } from "./tree.mjs";
+/** @import { GrammarData, Routine, ShownRoutine } from "./types.d.ts" */
+/** @import { View } from "../shared/types.d.ts" */
 
-let now = {}; // the routine whose tree is shown
+/** The routine whose tree is shown. @type {{ routine?: Routine, number?: number }} */
+let now = {};
 
+/** @param {Routine} routine @param {number} first @param {number} end */
 const selectionOf = (routine, first, end) => ({
   clip: routine.clip, start: routine.leaves[first][0], end: routine.leaves[end - 1][1], as: "actions",
 });
 
+/** @param {Routine} routine @param {number} number @param {string | undefined} brief */
 function row(routine, number, brief) {
   const line = element("li");
   const button = element("button", "routine-row");
   button.type = "button";
-  button.dataset.routine = number;
+  button.dataset.routine = String(number);
   const name = `${routine.clip}, ${clock(routine.seconds[0])} to ${clock(routine.seconds[1])}`;
   button.setAttribute("aria-label", `Routine ${number + 1}: ${name}, ${plural(routine.actions.length, "action")}`);
   button.title = `${name}: ${routine.actions.map((id) => actionOf(id).name).join(", ")}`;
@@ -32,12 +37,14 @@ function row(routine, number, brief) {
   return line;
 }
 
+/** @param {Routine} routine @param {number} [first] @param {number} [end] */
 function play(routine, first = 0, end = routine.leaves.length) {
   const selection = selectionOf(routine, first, end);
   ahead.play(selection);
   setStore("selection", selection);
 }
 
+/** @param {ShownRoutine | null} shown @param {GrammarData | null} data @param {View | null} view */
 export const drawRoutines = (shown, data, view) => {
   const list = find("routine-list");
   if (!list || !data?.routines) return;
@@ -48,20 +55,20 @@ export const drawRoutines = (shown, data, view) => {
   if (!shown || shown.key !== data.key) return;
   const routine = data.routines[shown.number];
   now = { routine, number: shown.number };
-  for (const button of list.querySelectorAll(".routine-row")) {
+  for (const button of allWithin(list, ".routine-row")) {
     const here = Number(button.dataset.routine) === shown.number;
     button.classList.toggle("chosen", here);
     button.setAttribute("aria-pressed", String(here));
   }
-  find("routine-title").textContent = `Routine ${shown.number + 1}`;
-  find("routine-count").textContent = `${routine.clip}, ${plural(routine.actions.length, "action")}`;
-  showTree(find("routine-tree"), shown.svg, ({ first, end }) => play(routine, first, end));
+  need("routine-title").textContent = `Routine ${shown.number + 1}`;
+  need("routine-count").textContent = `${routine.clip}, ${plural(routine.actions.length, "action")}`;
+  showTree(need("routine-tree"), shown.svg, ({ first, end }) => play(routine, first, end));
   setLink("routine-svg", `/api/grammar-tree.svg?${downloadQuery(view, { routine: shown.number })}`);
 };
 
 document.addEventListener("click", (event) => {
-  if (event.target.closest?.("#routine-play") && now.routine) play(now.routine);
-  const button = event.target.closest?.(".routine-row");
+  if (closest(event, "#routine-play") && now.routine) play(now.routine);
+  const button = closest(event, ".routine-row");
   if (!button) return;
   const number = Number(button.dataset.routine);
   changeView({ routine: number ? String(number) : "" });

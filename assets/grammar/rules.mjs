@@ -1,14 +1,19 @@
 /* The rules in plain words: a routine is one of these ways, and so is each phrase it is made of. */
-import { element, find } from "../shared/dom.mjs";
+import { allWithin, closest, element, find, need } from "../shared/dom.mjs";
 import { plural } from "../shared/words.mjs";
 import { actionChip, isFresh, state } from "./state.mjs";
+/** @import { GrammarData, Phrase, Way } from "./types.d.ts" */
 
 const FIRST = 8; // ways shown before one asks for more
 const open = new Set();
 
+/** @param {string} id */
 const named = (id) => (state.data.rules || []).find((phrase) => phrase.id === id);
 
-/** A phrase inside a way: a click leads to where it is spelled out. */
+/**
+ * A phrase inside a way: a click leads to where it is spelled out.
+ * @param {string} id
+ */
 export const phraseChip = (id) => {
   const phrase = named(id);
   const button = element("button", "phrase-chip", phrase ? phrase.name : id);
@@ -18,10 +23,11 @@ export const phraseChip = (id) => {
   return button;
 };
 
+/** @param {Way} way @param {number} seen */
 function way({ parts: symbols, count }, seen) {
   const line = element("li", "way");
   const bar = element("span", "way-bar");
-  bar.style.setProperty("--share", seen ? count / seen : 0);
+  bar.style.setProperty("--share", String(seen ? count / seen : 0));
   const many = element("span", "number way-count", `${count}×`);
   many.title = `Taken ${plural(count, "time")} of ${seen}`;
   const body = element("span", "way-parts");
@@ -31,6 +37,7 @@ function way({ parts: symbols, count }, seen) {
   return line;
 }
 
+/** @param {Phrase} phrase @param {boolean} start */
 function card(phrase, start) {
   const box = element("section", "phrase-card");
   box.id = `phrase-${phrase.id}`;
@@ -54,13 +61,14 @@ function card(phrase, start) {
     more.addEventListener("click", () => {
       open.add(phrase.id);
       box.replaceWith(card(phrase, start));
-      find(`phrase-${phrase.id}`).querySelectorAll(".way")[FIRST]?.querySelector("button")?.focus();
+      allWithin(need(`phrase-${phrase.id}`), ".way")[FIRST]?.querySelector("button")?.focus();
     });
     box.append(more);
   }
   return box;
 }
 
+/** @param {GrammarData} data */
 export const drawRules = (data) => {
   const box = find("grammar-rules");
   if (!box || !isFresh(box, [data.key, data.names])) return;
@@ -69,7 +77,7 @@ export const drawRules = (data) => {
 };
 
 document.addEventListener("click", (event) => {
-  const chip = event.target.closest?.(".phrase-chip");
+  const chip = closest(event, ".phrase-chip");
   const phraseCard = chip && find(`phrase-${chip.dataset.phrase}`);
   if (!phraseCard || !phraseCard.offsetParent) return;
   phraseCard.scrollIntoView({ block: "center", behavior: "smooth" });

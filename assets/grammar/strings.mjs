@@ -1,16 +1,20 @@
 /* Every recording as a string of actions along time, a row a clip; the cursor of what plays stands in it. */
-import { element, find } from "../shared/dom.mjs";
+import { allWithin, around, childrenOf, closest, element, find } from "../shared/dom.mjs";
 import { clock } from "../shared/words.mjs";
 import { player } from "../stage/player.mjs";
 import { actionOf, isFresh, paintAction, playsSelection } from "./state.mjs";
+/** @import { GrammarData, Piece, StringRow } from "./types.d.ts" */
+/** @import { Selection } from "../shared/types.d.ts" */
 
 const MOST_FIGURES = 24;
 
+/** @param {HTMLElement} node @param {number} start @param {number} end @param {number} seconds */
 const place = (node, start, end, seconds) => {
   node.style.left = `${(100 * start) / seconds}%`;
   node.style.width = `${Math.max((100 * (end - start)) / seconds, 0.15)}%`;
 };
 
+/** @param {Piece} piece @param {number} seconds */
 function block([start, end, id, number], seconds) {
   const action = actionOf(id);
   const made = playsSelection(element("button", "string-block"), { action: id, segment: number });
@@ -19,13 +23,14 @@ function block([start, end, id, number], seconds) {
   made.tabIndex = -1;
   made.title = `${action.name}, ${number + 1} of ${action.count}, ${clock(start)} to ${clock(end)}`;
   made.setAttribute("aria-label", made.title);
-  made.dataset.action = id;
-  made.dataset.segment = number;
+  made.dataset.action = String(id);
+  made.dataset.segment = String(number);
   paintAction(made, action);
   place(made, start, end, seconds);
   return made;
 }
 
+/** @param {StringRow} clip @param {number} longest */
 function row(clip, longest) {
   const line = element("div", "string-row");
   line.setAttribute("role", "listitem");
@@ -48,7 +53,7 @@ function row(clip, longest) {
   }
   const blocks = element("div", "string-blocks");
   blocks.append(...clip.pieces.map((piece) => block(piece, clip.seconds)));
-  if (blocks.firstChild) blocks.firstChild.tabIndex = 0;
+  if (childrenOf(blocks)[0]) childrenOf(blocks)[0].tabIndex = 0;
   for (const cut of clip.cuts) {
     const mark = element("span", "string-cut");
     mark.style.left = `${(100 * cut) / clip.seconds}%`;
@@ -61,6 +66,7 @@ function row(clip, longest) {
   return line;
 }
 
+/** @param {GrammarData} data */
 export const drawString = (data) => {
   const box = find("grammar-string");
   if (!box || !isFresh(box, [data.key, data.names])) return;
@@ -68,33 +74,39 @@ export const drawString = (data) => {
   box.replaceChildren(...data.rows.map((clip) => row(clip, longest)));
 };
 
-/** The chosen action stands out, in the string and wherever else it is drawn. */
+/**
+ * The chosen action stands out, in the string and wherever else it is drawn.
+ * @param {Selection | null} selection
+ */
 export const markChosen = (selection) => {
   const chosen = selection?.action === undefined ? null : String(selection.action);
   const box = find("grammar-string");
   if (!box) return;
   box.classList.toggle("one-action", chosen !== null);
-  for (const made of box.querySelectorAll(".string-block")) {
+  for (const made of allWithin(box, ".string-block")) {
     const same = made.dataset.action === chosen;
     made.classList.toggle("same", same);
-    made.setAttribute("aria-pressed", String(same && made.dataset.segment === String(selection.segment)));
+    made.setAttribute("aria-pressed", String(same && made.dataset.segment === String(selection?.segment)));
   }
-  for (const head of box.querySelectorAll(".string-clip")) head.classList.toggle("chosen", selection?.clip === head.dataset.clip);
+  for (const head of allWithin(box, ".string-clip")) head.classList.toggle("chosen", selection?.clip === head.dataset.clip);
 };
 
 document.addEventListener("keydown", (event) => {
-  const at = event.target.closest?.(".string-block");
+  const at = closest(event, ".string-block");
   if (!at) return;
-  const lines = [...at.closest("#grammar-string").querySelectorAll(".string-blocks")];
-  const line = lines.indexOf(at.parentNode);
-  const blocks = [...at.parentNode.querySelectorAll(".string-block")];
+  const lines = allWithin(around(at, "#grammar-string"), ".string-blocks");
+  const siblings = /** @type {any} */ (at.parentNode);
+  const line = lines.indexOf(siblings);
+  const blocks = allWithin(siblings, ".string-block");
   const number = blocks.indexOf(at);
-  const next = {
+  /** @type {Record<string, () => HTMLElement | null | undefined>} */
+  const ways = {
     ArrowRight: () => blocks[number + 1],
     ArrowLeft: () => blocks[number - 1],
     ArrowDown: () => lines[line + 1]?.querySelector(".string-block"),
     ArrowUp: () => lines[line - 1]?.querySelector(".string-block"),
-  }[event.key];
+  };
+  const next = ways[event.key];
   if (!next) return;
   event.preventDefault();
   event.stopPropagation();
@@ -104,24 +116,29 @@ document.addEventListener("keydown", (event) => {
 // Long recordings: the same rows, wider; what stood in the middle stays there.
 const LARGEST = 32;
 document.addEventListener("click", (event) => {
-  const button = event.target.closest?.(".string-zoom");
+  const button = closest(event, ".string-zoom");
   const box = button && find("grammar-string");
   if (!box) return;
   const before = Number(box.dataset.zoom || 1);
   const zoom = Math.min(Math.max(before * (button.dataset.zoom === "in" ? 2 : 0.5), 1), LARGEST);
   const middle = box.scrollLeft + box.clientWidth / 2;
-  box.dataset.zoom = zoom;
-  box.style.setProperty("--zoom", zoom);
+  box.dataset.zoom = String(zoom);
+  box.style.setProperty("--zoom", String(zoom));
   box.scrollLeft = (middle * zoom) / before - box.clientWidth / 2;
 });
 
-/** The cursor of a single motion stays in sight: the page of time turns when it leaves. */
+/**
+ * The cursor of a single motion stays in sight: the page of time turns when it leaves.
+ * @param {HTMLElement} box
+ * @param {HTMLElement} line
+ */
 function follow(box, line) {
   if (Number(box.dataset.zoom || 1) === 1 || !player.playing) return;
   const [outer, at] = [box.getBoundingClientRect(), line.getBoundingClientRect().left];
   if (at < outer.left + 140 || at > outer.right) box.scrollLeft += at - outer.left - 160;
 }
 
+/** @type {HTMLElement[]} */
 let lit = [];
 function cursor() {
   const box = find("grammar-string");
@@ -132,11 +149,11 @@ function cursor() {
     const item = player.frameOf(i);
     if (!item) break;
     if (String(item.dataset || "").startsWith("~")) continue;
-    const time = box.querySelector(`.string-time[data-clip="${CSS.escape(item.clip)}"]`);
-    const line = time?.lastChild;
+    const time = allWithin(box, `.string-time[data-clip="${CSS.escape(item.clip)}"]`)[0];
+    const line = time && childrenOf(time).at(-1);
     if (!line || lit.includes(line)) continue;
     line.style.display = "block";
-    line.style.left = `${(100 * item.frame) / time.dataset.fps / time.dataset.seconds}%`;
+    line.style.left = `${(100 * item.frame) / Number(time.dataset.fps) / Number(time.dataset.seconds)}%`;
     lit.push(line);
   }
   if (lit.length === 1) follow(box, lit[0]);

@@ -1,9 +1,17 @@
 /* The rows of the job bar. Plain elements changed in place: a row that comes anew with every percent would take a click
    that has begun, and the keyboard's focus, away with it. */
 import { clientside, register } from "../shared/dash.mjs";
-import { element, icon } from "../shared/dom.mjs";
+import { allWithin, childrenOf, element, icon, need, within } from "../shared/dom.mjs";
+/** @import { Job } from "./types.d.ts" */
+/** @import { Child } from "../shared/dom.mjs" */
 
-/** A button that asks for something to be done with the job (assets/actions.js, webapp/components/job_bar.py). */
+/**
+ * A button that asks for something to be done with the job (shell/selecting.mjs, webapp/jobs/job_bar.py).
+ * @param {string} action
+ * @param {number} job
+ * @param {string} className
+ * @param {...Child} children
+ */
 function button(action, job, className, ...children) {
   const made = element("button", "job-button " + className, ...children);
   made.type = "button";
@@ -13,6 +21,7 @@ function button(action, job, className, ...children) {
   return made;
 }
 
+/** @param {Job} job */
 function alive({ id, title }) {
   const spinner = element("span", "spinner");
   spinner.setAttribute("aria-hidden", "true");
@@ -26,20 +35,25 @@ function alive({ id, title }) {
     element("div", "job-actions", button("cancel", id, "job-cancel", "Cancel")));
 }
 
-/** Of a row, or of the place in a page where the job's outcome is awaited (webapp/components/running.py). */
+/**
+ * Of a row, or of the place in a page where the job's outcome is awaited (webapp/jobs).
+ * @param {HTMLElement} row
+ * @param {Job} job
+ */
 function update(row, { stage, percent, stopping }) {
-  const progress = row.querySelector(".job-progress"), known = percent !== null;
+  const progress = within(row, ".job-progress"), known = percent !== null;
   progress.classList.toggle("waiting", !known);
-  progress.firstChild.style.width = (percent || 0) + "%";
-  if (known) progress.setAttribute("aria-valuenow", percent);
+  childrenOf(progress)[0].style.width = (percent || 0) + "%";
+  if (known) progress.setAttribute("aria-valuenow", String(percent));
   else progress.removeAttribute("aria-valuenow");
-  const words = row.querySelector(".job-words"); // announced when they change, so written only then
+  const words = within(row, ".job-words"); // announced when they change, so written only then
   if (words.textContent !== stage) words.textContent = stage;
   const number = row.querySelector(".job-percent");
   if (number) number.textContent = percent ? ` ${percent} %` : "";
-  row.querySelector(".job-cancel").disabled = stopping;
+  within(row, ".job-cancel").disabled = stopping;
 }
 
+/** @param {Job} job */
 function failed({ id, title, error }) {
   const sign = element("span", "job-mark-failed", icon("error", 18));
   const dismiss = button("dismiss", id, "job-button-plain", icon("close", 16));
@@ -49,19 +63,21 @@ function failed({ id, title, error }) {
 }
 
 register("jobs", {
+  /** @param {Job[] | null} jobs */
   show(jobs) {
-    const box = document.getElementById("job-list");
-    const wanted = (jobs || []).map((job) => [job.error ? `${job.id} failed` : String(job.id), job]);
+    const box = need("job-list");
+    const wanted = (jobs || []).map((job) => /** @type {[string, Job]} */ ([job.error ? `${job.id} failed` : String(job.id), job]));
     const names = new Set(wanted.map(([name]) => name));
-    for (const row of [...box.children]) if (!names.has(row.dataset.job)) row.remove();
+    for (const row of childrenOf(box)) if (!names.has(row.dataset.job ?? "")) row.remove();
     wanted.forEach(([name, job], k) => {
-      let row = box.children[k];
+      /** @type {HTMLElement | undefined} */
+      let row = childrenOf(box)[k];
       if (!row || row.dataset.job !== name) { // jobs stand in order of their numbers: those that stay need not move
         row = job.error ? failed(job) : alive(job);
         row.dataset.job = name;
         box.insertBefore(row, box.children[k] || null);
       }
-      if (!job.error) document.querySelectorAll(`[data-job="${name}"]`).forEach((place) => update(place, job));
+      if (!job.error) allWithin(document, `[data-job="${name}"]`).forEach((place) => update(place, job));
     });
     return clientside.no_update;
   },

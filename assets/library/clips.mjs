@@ -1,8 +1,12 @@
-/* The Library's table of clips: names open the Clip page, boxes choose clips, a click elsewhere plays (actions.js). */
+/* The Library's table of clips: names open the Clip page, boxes choose clips, a click elsewhere plays (shell/selecting.mjs). */
 import { changeView, clientside, openPage, register, setStore } from "../shared/dash.mjs";
+import { allWithin, closest } from "../shared/dom.mjs";
 import { cellRenderers, reactElement } from "../shared/grid.mjs";
+/** @import { View } from "../shared/types.d.ts" */
 
+/** @type {Record<string, string>} */
 const WORDS = { ok: "read without remarks", warning: "warnings", error: "not read" };
+/** @type {Record<string, string>} */
 const ICONS = { ok: "check", warning: "warning", error: "error" };
 
 cellRenderers.ClipLink = (props) =>
@@ -16,20 +20,21 @@ cellRenderers.Mark = (props) =>
     : null;
 
 // Like dcc.Link: another page without loading the app again. What is shown there is the selection.
+/** @param {string | undefined} clip */
 function open(clip) {
   setStore("selection", { clip });
   openPage("/clip");
 }
 document.addEventListener("click", (event) => {
-  const link = event.target.closest && event.target.closest("a.clip-link");
+  const link = closest(event, "a.clip-link");
   if (!link || event.button || event.metaKey || event.ctrlKey || event.shiftKey || event.altKey) return;
   event.preventDefault();
   event.stopPropagation();
   open(link.dataset.clip);
 }, true);
 document.addEventListener("keydown", (event) => {
-  const cell = event.key === "Enter" && event.target.closest && event.target.closest(".ag-cell[col-id='clip']");
-  const link = cell && cell.querySelector("a.clip-link");
+  const cell = event.key === "Enter" && closest(event, ".ag-cell[col-id='clip']");
+  const link = cell && allWithin(cell, "a.clip-link")[0];
   if (!link) return;
   event.preventDefault();
   event.stopPropagation();
@@ -37,10 +42,14 @@ document.addEventListener("keydown", (event) => {
 }, true);
 
 // Which tab and which files of the report one looks at stand in the store "view", and so in the link.
+/** @type {View} */
 const noted = { tab: "clips", files: "all" }; // these are where one starts, and need no words in the link
+/** @type {View} */
 let set = {}; // what was last shown because the store says so: nobody has chosen that here
 register("library", {
+  /** @param {string} tab @param {string} files @param {View | null} view */
   look(tab, files, view) {
+    /** @type {View} */
     const change = {};
     for (const [key, value] of Object.entries({ tab, files })) {
       const wanted = value === noted[key] ? "" : value || "";
@@ -50,12 +59,14 @@ register("library", {
     if (Object.keys(change).length) changeView(change);
     return clientside.no_update;
   },
+  /** @param {View | null} view @param {{ value: string }[] | null} choices */
   show(view, choices) {
     const wanted = { ...noted, ...view };
     const known = (choices || []).some((choice) => choice.value === wanted.files);
     set = { tab: wanted.tab === "report" ? "report" : "clips", files: known ? wanted.files : "all" };
     return [set.tab, set.files];
   },
+  /** @param {string | null} shown @param {any[] | null} rows */
   filter(shown, rows) {
     if (!shown || shown === "all") return rows || [];
     return (rows || []).filter((row) => shown === "added" ? row.added : row.verdict === shown);

@@ -1,75 +1,56 @@
-/* The blend space of a motif: what is chosen and its weights, in the link and on the Stage. blend_controls.js draws. */
+/* The blend space of a motif: what is chosen and its weights, in the link and on the Stage. blend_controls.mjs draws. */
 import { changeView, clientside, register, setStore } from "../shared/dash.mjs";
-import { find } from "../shared/dom.mjs";
+import { closest, find, need, within } from "../shared/dom.mjs";
 import { player } from "../stage/player.mjs";
 import { drawControls, updateControls } from "./blend_controls.mjs";
+import { evenWeight, inStep, readPairs, rounded, sharesOf, sum, writePairs } from "./mixture.mjs";
+/** @import { BlendData, BlendMotion, Mixture } from "./types.d.ts" */
+/** @import { Selection, View } from "../shared/types.d.ts" */
 
 const OURS = "~blend~";
 const WAIT = 300; // milliseconds without a change before the weights go into the link
+/** @type {Record<string, string>} */
 const SOURCE = { light: "#9aa5b4", dark: "#7c8797" };
 
-let now = null; // {data, body, chosen: motions, values: weights 0 to 1, sources, written: text in the link}
+/** The mixture that is shown; null where there is none. @type {Mixture} */
+let now = /** @type {any} */ (null);
+/** @type {string | undefined} */
 let seen; // what was shown last: the link's weights are those of the motif that is shown first
 let writing = 0;
 
-const motionOf = (motion) => now.data.bodies[now.body].motions.find((one) => one.motion === motion);
-const sum = (values) => values.reduce((total, value) => total + value, 0);
+/** @param {number} motion */
+const motionOf = (motion) => /** @type {BlendMotion} */ (now.data.bodies[now.body].motions.find((one) => one.motion === motion));
 
-/** Shares of the chosen motions, of sum 1; all alike where no motion has any weight. */
-function shares() {
-  const total = sum(now.values);
-  return now.values.map((value) => (total > 0 ? value / total : 1 / now.values.length));
-}
-
-const rounded = (value) => String(Math.round(value * 100) / 100);
-const pairs = (motions, values) => motions.map((motion, i) => `${motion}:${rounded(values[i])}`).join(",");
+/** Shares of the chosen motions. */
+const shares = () => sharesOf(now.values);
 
 /** Weights as the link has them; nothing for what one sees at first. */
 function linkText() {
   const { data, body, chosen, values } = now;
   const first = body === 0 && chosen.join() === data.bodies[0].chosen.join() && values.every((v) => v === values[0]);
-  return first ? "" : pairs(chosen, values);
+  return first ? "" : writePairs(chosen, values);
 }
 
+/** @param {string | undefined} text */
 function read(text) {
-  const found = [...(text || "").matchAll(/(\d+):([\d.]+)/g)].map(([, motion, value]) => [Number(motion), Math.min(Number(value) || 0, 1)]);
-  const body = now.data.bodies.findIndex(({ motions }) => found.length > 1 && found.every(([k]) => motions.some((one) => one.motion === k)));
+  const pairs = readPairs(text);
+  const body = now.data.bodies.findIndex(({ motions }) => pairs.length > 1 && pairs.every(([k]) => motions.some((one) => one.motion === k)));
   if (body < 0) return false;
-  const kept = found.slice(0, now.data.most);
-  Object.assign(now, { body, chosen: kept.map(([k]) => k), values: kept.map(([, v]) => v), written: text });
+  const kept = pairs.slice(0, now.data.most);
+  Object.assign(now, { body, chosen: kept.map(([k]) => k), values: kept.map(([, v]) => v), written: text ?? "" });
   return true;
 }
 
+/** @param {number} body */
 function start(body) {
   const chosen = [...now.data.bodies[body].chosen];
-  Object.assign(now, { body, chosen, values: chosen.map(() => even(chosen.length)) });
-}
-
-const even = (n) => (n > 3 ? 0.5 : 1 / n);
-
-/** Value at `x` of a curve through rising xs; straight between them. */
-function interpolate(x, xs, ys) {
-  let k = 1;
-  while (k < xs.length - 1 && xs[k] < x) k++;
-  const part = (x - xs[k - 1]) / Math.max(xs[k] - xs[k - 1], 1e-9);
-  return ys[k - 1] + (ys[k] - ys[k - 1]) * Math.min(Math.max(part, 0), 1);
-}
-
-/** For each frame of the mixture the frames of its sources beside it, so that they move in step. */
-function inStep(used) {
-  const knots = used[0].one.seconds.map((_, i) => i);
-  const times = knots.map((i) => sum(used.map(({ one, share }) => share * one.seconds[i])));
-  const fps = Math.max(...used.map(({ one }) => one.fps));
-  const n = Math.round(times.at(-1) * fps) + 1;
-  const at = Array.from({ length: n }, (_, j) => interpolate((j / Math.max(n - 1, 1)) * times.at(-1), times, knots));
-  const own = ({ one }) => at.map((u) => Math.min(Math.round(interpolate(u, knots, one.seconds) * one.fps * 100) / 100, one.end - one.start - 1));
-  return { mixture: at.map((_, j) => j), sources: used.map(own) };
+  Object.assign(now, { body, chosen, values: chosen.map(() => evenWeight(chosen.length)) });
 }
 
 function mixtureName() {
-  const used = shares().map((share, i) => [now.chosen[i], share]).filter(([, share]) => rounded(share) !== "0");
+  const used = shares().map((share, i) => /** @type {[number, number]} */ ([now.chosen[i], share])).filter(([, share]) => rounded(share) !== "0");
   used.sort(([a], [b]) => a - b);
-  return `${OURS}${now.data.key}~${now.data.motif}~${pairs(used.map(([k]) => k), used.map(([, share]) => share))}`;
+  return `${OURS}${now.data.key}~${now.data.motif}~${writePairs(used.map(([k]) => k), used.map(([, share]) => share))}`;
 }
 
 function request() {
@@ -79,7 +60,7 @@ function request() {
   if (!now.sources) return { dataset: data.dataset, items: [made], layout: "overlay", sync: "warp", title };
   const used = shares().map((share, i) => ({ share, one: motionOf(now.chosen[i]) })).filter(({ share }) => rounded(share) !== "0");
   const warps = inStep(used);
-  const colour = SOURCE[document.documentElement.dataset.mantineColorScheme] || SOURCE.light;
+  const colour = SOURCE[document.documentElement.dataset.mantineColorScheme ?? ""] || SOURCE.light;
   const items = used.map(({ one }, i) => ({
     clip: one.clip, start: one.start, end: one.end, label: `Motion ${one.motion + 1}`, version: data.version, colour, warp: warps.sources[i],
   }));
@@ -90,11 +71,11 @@ const onStage = () => Boolean(player.frameOf(0)?.dataset?.startsWith(OURS));
 
 /** Play the mixture: from its start where something else was shown, else in place of the one before. */
 function play() {
-  const asked = request();
-  if (onStage()) player.replace(asked);
-  else player.show(asked);
+  const mixture = request();
+  if (onStage()) player.replace(mixture);
+  else player.show(mixture);
   const link = find("blend-bvh");
-  if (link) link.href = `/api/bvh/${encodeURIComponent(mixtureName())}/blend`;
+  if (link) link.setAttribute("href", `/api/bvh/${encodeURIComponent(mixtureName())}/blend`);
 }
 
 function write() {
@@ -113,15 +94,21 @@ function changed() {
   write();
 }
 
-/** Another choice of motions: the controls are drawn anew. */
+/**
+ * Another choice of motions: the controls are drawn anew.
+ * @param {number} body
+ * @param {number[]} chosen
+ * @param {number[]} values
+ */
 function chooseAgain(body, chosen, values) {
   Object.assign(now, { body, chosen, values });
   show();
   write();
 }
 
+/** @type {Record<string, () => void>} */
 const actions = {
-  mean: () => now.values.fill(even(now.values.length)),
+  mean: () => now.values.fill(evenWeight(now.values.length)),
   random() {
     const drawn = now.values.map(() => -Math.log(Math.max(Math.random(), 1e-9)));
     const scale = now.values.length > 3 ? Math.max(...drawn) : sum(drawn);
@@ -133,60 +120,75 @@ const actions = {
 };
 
 /** What the controls may do. */
-const hands = {
+const controlActions = {
+  /** @param {number[]} values */
   set(values) {
     now.values = values;
     changed();
   },
+  /** @param {number} number */
   body(number) {
     start(number);
     chooseAgain(now.body, now.chosen, now.values);
   },
+  /** @param {number} motion */
   add(motion) {
     const chosen = [...now.chosen, motion];
-    chooseAgain(now.body, chosen, chosen.map(() => even(chosen.length)));
+    chooseAgain(now.body, chosen, chosen.map(() => evenWeight(chosen.length)));
   },
+  /** @param {number} motion */
   remove(motion) {
     const chosen = now.chosen.filter((one) => one !== motion);
-    chooseAgain(now.body, chosen, chosen.map(() => even(chosen.length)));
+    chooseAgain(now.body, chosen, chosen.map(() => evenWeight(chosen.length)));
   },
 };
 
 document.addEventListener("click", (event) => {
-  const button = event.target.closest && event.target.closest("[data-blend]");
+  const button = closest(event, "[data-blend]");
   if (!button || !now) return;
   const action = button.dataset.blend;
   if (action === "middles") return player.show(now.data.middles);
-  actions[action]();
+  actions[action ?? ""]();
   if (action === "sources") button.setAttribute("aria-pressed", String(now.sources));
   changed();
 });
 
+/** @param {boolean | null} [quiet] */
 function show(quiet) {
   const { data } = now;
-  find("blend-title").textContent = data.title;
+  need("blend-title").textContent = data.title;
   const body = data.bodies[now.body];
-  find("blend-count").textContent = `${now.chosen.length} of ${data.total} motions`;
+  need("blend-count").textContent = `${now.chosen.length} of ${data.total} motions`;
   const others = data.total - body.motions.length;
-  find("blend-note").textContent = others
+  need("blend-note").textContent = others
     ? `${others} of its ${data.total} motions are of other bodies; only motions of one body can be mixed.` : "";
-  drawControls(find("blend-controls"), now, shares(), hands);
+  drawControls(need("blend-controls"), now, shares(), controlActions);
   if (!quiet) play();
 }
 
+/** @param {string} text */
 function message(text) {
-  find("blend-hint").textContent = text;
-  find("blend-hint").classList.toggle("hidden", !text);
-  find("blend-panel").classList.toggle("hidden", Boolean(text));
+  need("blend-hint").textContent = text;
+  need("blend-hint").classList.toggle("hidden", !text);
+  need("blend-panel").classList.toggle("hidden", Boolean(text));
 }
 
-/** On the way out the motif plays as it is elsewhere. */
+/**
+ * On the way out the motif plays as it is elsewhere.
+ * @param {Selection | null} selection
+ */
 function leave(selection) {
   if (now && onStage() && selection) setStore("selection", { ...selection });
-  now = null;
+  now = /** @type {any} */ (null);
 }
 
-/** The mixture of a motif that has just come; `linked`: the link's weights may be its own. */
+/**
+ * The mixture of a motif that has just come; `linked`: the link's weights may be its own.
+ * @param {BlendData} data
+ * @param {View} view
+ * @param {Selection | null} selection
+ * @param {boolean} linked
+ */
 function begin(data, view, selection, linked) {
   now = { data, body: 0, chosen: [], values: [], sources: false, written: "" };
   start(0);
@@ -195,30 +197,41 @@ function begin(data, view, selection, linked) {
   const stills = !seen && new URLSearchParams(location.search).get("layout") === "pose"; // so says the link
   show(stills || (selection && selection.motion !== undefined));
   if (stills) player.show(data.middles);
-  document.querySelector("[data-blend='sources']").setAttribute("aria-pressed", "false");
+  within(document, "[data-blend='sources']").setAttribute("aria-pressed", "false");
 }
 
-/** What is there to mix, or why there is nothing. */
+/**
+ * What is there to mix, or why there is nothing.
+ * @param {BlendData} data
+ * @param {View} view
+ * @param {Selection | null} selection
+ */
 function take(data, view, selection) {
   const name = `${data.key} ${data.motif}`;
   const linked = !seen || seen === name;
   if (data.motif === undefined || data.motif === null) {
-    now = null;
+    now = /** @type {any} */ (null);
     message("Choose a motif to mix its motions.");
   } else if (!data.bodies || !data.bodies.length) {
-    now = null;
+    now = /** @type {any} */ (null);
     message("No two motions of this motif are of one body, so there is nothing to mix.");
     if (data.together && seen !== name) player.show(data.together);
   } else {
     message("");
     if (!now || `${now.data.key} ${now.data.motif}` !== name) begin(data, view, selection, linked);
-    else if (!find("blend-controls").childElementCount) show(true); // the page came anew
+    else if (!need("blend-controls").childElementCount) show(true); // the page came anew
     else if ((view.weights || "") !== now.written && read(view.weights)) show();
   }
   seen = name;
 }
 
 register("blend", {
+  /**
+   * @param {BlendData | null} data
+   * @param {View | null} view
+   * @param {unknown} _id
+   * @param {Selection | null} selection
+   */
   draw(data, view, _id, selection) {
     if (!view || view.side !== "blend") {
       leave(selection);

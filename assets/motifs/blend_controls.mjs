@@ -1,32 +1,22 @@
 /* The controls of a blend space: a triangle for three motions, a slider each for two or more than three. */
-import { element, find, svgElement, withAttributes } from "../shared/dom.mjs";
+import { allWithin, element, find, within, svgElement, withAttributes } from "../shared/dom.mjs";
 import { percent } from "../shared/words.mjs";
+import { awayFromCorner, CORNERS, insideWeights, placeOf, weightsAt } from "./triangle.mjs";
+/** @import { Mixture, MixtureActions } from "./types.d.ts" */
 
+/**
+ * An element with attributes and a text.
+ * @template {keyof HTMLElementTagNameMap} Name
+ * @param {Name} name
+ * @param {Record<string, string | number>} attributes
+ * @param {string} [text]
+ */
 const html = (name, attributes, text) => withAttributes(element(name, "", text), attributes);
-const CORNERS = [[150, 26], [28, 214], [272, 214]];
 const LABELS = [[150, 14], [18, 232], [282, 232]];
-const STEP = 0.02, CORNER = 0.03; // of a weight: one press of a key; how near a corner holds the point
+const STEP = 0.02; // of a weight: one press of a key
 
-const place = (weights) => [0, 1].map((axis) => weights.reduce((total, w, k) => total + w * CORNERS[k][axis], 0));
-
-/** Weights of the corners at a point; outside the triangle those of the nearest side. */
-function weightsAt(x, y) {
-  const [[ax, ay], [bx, by], [cx, cy]] = CORNERS;
-  const area = (by - cy) * (ax - cx) + (cx - bx) * (ay - cy);
-  const a = ((by - cy) * (x - cx) + (cx - bx) * (y - cy)) / area;
-  const b = ((cy - ay) * (x - cx) + (ax - cx) * (y - cy)) / area;
-  return inside([a, b, 1 - a - b]);
-}
-
-function inside(weights) {
-  const kept = weights.map((w) => Math.max(w, 0));
-  const total = kept.reduce((sum, w) => sum + w, 0) || 1;
-  const shares = kept.map((w) => w / total);
-  const corner = shares.findIndex((w) => w > 1 - CORNER);
-  return shares.map((w, k) => (corner < 0 ? w : Number(k === corner)));
-}
-
-function triangle(state, hands) {
+/** @param {Mixture} state @param {MixtureActions} actions */
+function triangle(state, actions) {
   const svg = svgElement("svg", { viewBox: "0 0 300 240", class: "blend-triangle" });
   svg.append(svgElement("polygon", { points: CORNERS.map((c) => c.join()).join(" "), class: "blend-field" }));
   CORNERS.forEach((corner, k) => {
@@ -38,9 +28,10 @@ function triangle(state, hands) {
   const point = svgElement("circle", { r: 10, class: "blend-point", tabindex: 0, role: "slider", "aria-label": "Mixture of three motions",
     "aria-valuemin": 0, "aria-valuemax": 100 });
   svg.append(point);
+  /** @param {PointerEvent} event */
   const at = (event) => {
-    const spot = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
-    hands.set(weightsAt(spot.x, spot.y));
+    const spot = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM()?.inverse());
+    actions.set(weightsAt(spot.x, spot.y));
   };
   svg.addEventListener("pointerdown", (event) => {
     svg.setPointerCapture(event.pointerId);
@@ -51,58 +42,57 @@ function triangle(state, hands) {
   svg.addEventListener("pointermove", (event) => {
     if (svg.hasPointerCapture(event.pointerId)) at(event);
   });
-  point.addEventListener("keydown", (event) => press(event, state, hands));
+  point.addEventListener("keydown", (event) => press(event, state, actions));
   return svg;
 }
 
-/** Arrows move the point, 1 2 3 put it on a corner, 0 in the middle. */
-function press(event, state, hands) {
+/**
+ * Arrows move the point, 1 2 3 put it on a corner, 0 in the middle.
+ * @param {KeyboardEvent} event
+ * @param {Mixture} state
+ * @param {MixtureActions} actions
+ */
+function press(event, state, actions) {
+  /** @type {Record<string, [number, number]>} */
   const ways = { ArrowUp: [0, -1], ArrowDown: [0, 1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };
   if (ways[event.key]) {
-    const [x, y] = place(inside(state.values));
+    const [x, y] = placeOf(insideWeights(state.values));
     const far = (event.shiftKey ? 5 : 1) * STEP * 244;
     let weights = weightsAt(x + ways[event.key][0] * far, y + ways[event.key][1] * far);
     const corner = state.values.findIndex((w) => w === 1);
-    if (corner >= 0 && weights[corner] === 1) weights = away(corner, ways[event.key]);
-    hands.set(weights);
+    if (corner >= 0 && weights[corner] === 1) weights = awayFromCorner(corner, ways[event.key]);
+    actions.set(weights);
   } else if ("0123".includes(event.key)) {
-    hands.set(event.key === "0" ? [1, 1, 1].map((w) => w / 3) : [0, 1, 2].map((k) => Number(k === Number(event.key) - 1)));
+    actions.set(event.key === "0" ? [1, 1, 1].map((w) => w / 3) : [0, 1, 2].map((k) => Number(k === Number(event.key) - 1)));
   } else return;
   event.preventDefault();
   event.stopPropagation();
 }
 
-/** From a corner that holds the point, in the direction of a key: along the side that leads most that way. */
-function away(corner, [dx, dy]) {
-  const [x, y] = CORNERS[corner];
-  const gains = CORNERS.map(([cx, cy], k) => (k === corner ? 0 : (cx - x) * dx + (cy - y) * dy));
-  const best = gains.indexOf(Math.max(...gains));
-  if (gains[best] <= 0) return [0, 1, 2].map((k) => Number(k === corner));
-  return [0, 1, 2].map((k) => (k === corner ? 1 - 2 * CORNER : k === best ? 2 * CORNER : 0));
-}
-
-function row(state, i, hands) {
-  const { motion, clip, brief, when } = state.data.bodies[state.body].motions.find((one) => one.motion === state.chosen[i]);
+/** @param {Mixture} state @param {number} i @param {MixtureActions} actions */
+function row(state, i, actions) {
+  const { motion, clip, brief, when } = state.data.bodies[state.body].motions.find((one) => one.motion === state.chosen[i]) ?? state.data.bodies[state.body].motions[0];
   const made = html("div", { class: "blend-row" });
   const name = `Motion ${motion + 1}: ${clip}, ${when}`;
   const only = html("button", { type: "button", class: "blend-badge number", title: `Only motion ${motion + 1}`, "aria-label": `Only motion ${motion + 1}` }, String(motion + 1));
-  only.addEventListener("click", () => hands.set(state.values.map((_, k) => Number(k === i))));
+  only.addEventListener("click", () => actions.set(state.values.map((_, k) => Number(k === i))));
   const middle = html("div", { class: "blend-middle" });
   middle.append(html("span", { class: "ellipsis blend-name", title: name }, `${brief} · ${when.split(" ")[0]}`));
   if (state.chosen.length !== 3) {
     const range = html("input", { type: "range", min: 0, max: 1, step: 0.01, "aria-label": `Weight of ${name}` });
-    range.addEventListener("input", () => hands.set(state.values.map((value, k) => (k === i ? Number(range.value) : value))));
+    range.addEventListener("input", () => actions.set(state.values.map((value, k) => (k === i ? Number(range.value) : value))));
     middle.append(range);
   }
   made.append(only, middle, html("span", { class: "number muted blend-share" }));
   if (state.chosen.length > 2) {
     const remove = html("button", { type: "button", class: "blend-remove", title: "Leave this motion out", "aria-label": `Leave motion ${motion + 1} out` }, "×");
-    remove.addEventListener("click", () => hands.remove(motion));
+    remove.addEventListener("click", () => actions.remove(motion));
     made.append(remove);
   }
   return made;
 }
 
+/** @param {string} label @param {[string | number, string][]} options @param {(value: string) => void} act */
 function choice(label, options, act) {
   const select = html("select", { class: "blend-choice", "aria-label": label });
   for (const [value, text] of options) select.append(html("option", { value }, text));
@@ -110,44 +100,50 @@ function choice(label, options, act) {
   return select;
 }
 
-export function drawControls(box, state, shares, hands) {
+/** @param {HTMLElement} box @param {Mixture} state @param {number[]} shares @param {MixtureActions} actions */
+export function drawControls(box, state, shares, actions) {
   const { bodies, most } = state.data;
   const controls = [];
   if (bodies.length > 1) {
-    const bodyChoice = choice("Body", bodies.map(({ motions }, k) => [k, `Body ${k + 1}: ${motions.length} motions`]), (value) => hands.body(Number(value)));
+    const bodyChoice = choice("Body", bodies.map(({ motions }, k) => /** @type {[number, string]} */ ([k, `Body ${k + 1}: ${motions.length} motions`])), (value) => actions.body(Number(value)));
     bodyChoice.value = String(state.body);
     controls.push(bodyChoice);
   }
-  if (state.chosen.length === 3) controls.push(triangle(state, hands));
+  if (state.chosen.length === 3) controls.push(triangle(state, actions));
   const rows = html("div", { class: "blend-rows" });
-  rows.append(...state.chosen.map((_, i) => row(state, i, hands)));
+  rows.append(...state.chosen.map((_, i) => row(state, i, actions)));
   controls.push(rows);
   const others = bodies[state.body].motions.filter(({ motion }) => !state.chosen.includes(motion));
   if (others.length && state.chosen.length < most) {
-    const options = [["", "Add a motion …"], ...others.map(({ motion, brief, when }) => [motion, `${motion + 1}  ${brief} · ${when.split(" ")[0]}`])];
-    controls.push(choice("Add a motion", options, (value) => value && hands.add(Number(value))));
+    /** @type {[string | number, string][]} */
+    const options = [["", "Add a motion …"], ...others.map(({ motion, brief, when }) => /** @type {[number, string]} */ ([motion, `${motion + 1}  ${brief} · ${when.split(" ")[0]}`]))];
+    controls.push(choice("Add a motion", options, (value) => value && actions.add(Number(value))));
   }
   box.replaceChildren(...controls);
   updateControls(state, shares);
 }
 
-/** Numbers, sliders and the point follow the weights. */
+/**
+ * Numbers, sliders and the point follow the weights.
+ * @param {Mixture} state
+ * @param {number[]} shares
+ */
 export function updateControls(state, shares) {
   const box = find("blend-controls");
   if (!box) return;
-  box.querySelectorAll(".blend-row").forEach((made, i) => {
-    made.querySelector(".blend-share").textContent = percent(shares[i]);
-    made.style.setProperty("--share", shares[i]);
+  allWithin(box, ".blend-row").forEach((made, i) => {
+    within(made, ".blend-share").textContent = percent(shares[i]);
+    made.style.setProperty("--share", String(shares[i]));
     const range = made.querySelector("input");
-    if (range && Number(range.value) !== state.values[i]) range.value = state.values[i];
+    if (range && Number(range.value) !== state.values[i]) range.value = String(state.values[i]);
     if (range) range.setAttribute("aria-valuetext", percent(shares[i]));
   });
   const point = box.querySelector(".blend-point");
   if (!point) return;
-  const [x, y] = place(shares);
+  const [x, y] = placeOf(shares);
   point.setAttribute("cx", x.toFixed(1));
   point.setAttribute("cy", y.toFixed(1));
-  point.setAttribute("aria-valuenow", Math.round(100 * shares[0]));
+  point.setAttribute("aria-valuenow", String(Math.round(100 * shares[0])));
   point.setAttribute("aria-valuetext", shares.map((share, k) => `motion ${state.chosen[k] + 1} ${percent(share)}`).join(", "));
 }
 

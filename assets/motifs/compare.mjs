@@ -1,14 +1,28 @@
 /* Two results side by side: bars and ribbons, drawn for the width there is; table cells for changes and shares. */
 import { changeView, clientside, register, setStore } from "../shared/dash.mjs";
-import { svgElement } from "../shared/dom.mjs";
+import { allWithin, find, svgElement } from "../shared/dom.mjs";
 import { cellRenderers, reactElement } from "../shared/grid.mjs";
+/** @import { Bar, Flow, Ribbon } from "./types.d.ts" */
+/** @import { Selection, View } from "../shared/types.d.ts" */
 
 const BAR = 12, LABEL = 40, LEAST_LABEL = 9;
-let shown = null; // {data, selection, gained}: kept so that a new width can redraw
+/** What is drawn, kept so that a new width can redraw it. @type {{ data: Flow, selection: Selection | null, gained: string | undefined } | null} */
+let shown = null;
 
+/**
+ * An SVG element with a title.
+ * @template {keyof SVGElementTagNameMap} Name
+ * @param {Name} name
+ * @param {Record<string, string | number>} attributes
+ * @param {string} [title]
+ */
 const drawing = (name, attributes, title) => svgElement(name, attributes, ...(title ? [svgElement("title", {}, title)] : []));
 
-/** A click: this result's motif is selected everywhere; a motif that only the other has plays alone. */
+/**
+ * A click: this result's motif is selected everywhere; a motif that only the other has plays alone.
+ * @param {number | null} a
+ * @param {number | null} b
+ */
 function choose(a, b) {
   if (a !== null && a !== undefined) return setStore("selection", { motif: a });
   if (b === null || b === undefined) return;
@@ -16,13 +30,17 @@ function choose(a, b) {
   setStore("selection", {});
 }
 
-/** What a bar stands for: its own motif here, or for one of the other the motif here that shares most with it. */
+/**
+ * What a bar stands for: its own motif here, or for one of the other the motif here that shares most with it.
+ * @param {Bar} bar
+ */
 function here(bar) {
   if (bar.side === "a") return bar.motif;
-  const links = shown.data.ribbons.filter((r) => r.b === bar.motif && r.a !== null && r.kind !== "rest");
+  const links = (shown?.data.ribbons ?? []).filter((r) => r.b === bar.motif && r.a !== null && r.kind !== "rest");
   return links.length ? links.reduce((best, r) => (r.h > best.h ? r : best)).a : null;
 }
 
+/** @param {SVGElement} node @param {string} label @param {() => void} act */
 function pressable(node, label, act) {
   node.setAttribute("tabindex", "0");
   node.setAttribute("role", "button");
@@ -35,6 +53,7 @@ function pressable(node, label, act) {
   });
 }
 
+/** @param {SVGSVGElement} svg @param {Bar} bar @param {number} width */
 function drawBar(svg, bar, width) {
   const left = bar.side === "a";
   const x = left ? LABEL : width - LABEL - BAR;
@@ -48,6 +67,12 @@ function drawBar(svg, bar, width) {
   svg.appendChild(group);
 }
 
+/**
+ * @param {SVGSVGElement} svg
+ * @param {Ribbon} ribbon
+ * @param {number} width
+ * @param {(ribbon: Ribbon) => string | null | undefined} changes
+ */
 function drawRibbon(svg, ribbon, width, changes) {
   const [x0, x1] = [LABEL + BAR + 1, width - LABEL - BAR - 1];
   const bend = (x0 + x1) / 2, { ya, yb, h } = ribbon;
@@ -59,12 +84,14 @@ function drawRibbon(svg, ribbon, width, changes) {
 }
 
 function draw() {
-  const box = document.getElementById("compare-flow");
+  const box = find("compare-flow");
   if (!box || !shown || !shown.data || !box.clientWidth) return;
   const width = box.clientWidth, { height, bars, ribbons } = shown.data;
   const svg = drawing("svg", { width, height, viewBox: `0 0 ${width} ${height}`, role: "group", "aria-label": "Motion that motifs of both results share" });
   const change = new Map(bars.map((bar) => [bar.side + bar.motif, bar.change]));
+  /** @param {Ribbon} ribbon */
   const changes = (ribbon) => (change.get("a" + ribbon.a) === "kept" ? change.get("b" + ribbon.b) : change.get("a" + ribbon.a));
+  /** @type {Record<string, number>} */
   const rank = { rest: 0, linked: 1, kept: 2 };
   [...ribbons].sort((r, s) => rank[r.kind] - rank[s.kind]).forEach((ribbon) => drawRibbon(svg, ribbon, width, changes));
   bars.forEach((bar) => drawBar(svg, bar, width));
@@ -73,16 +100,18 @@ function draw() {
 }
 
 function mark() {
-  const box = document.getElementById("compare-flow");
+  const box = find("compare-flow");
   if (!box || !shown) return;
   const a = String(shown.selection?.motif ?? ""), b = a ? "" : String(shown.gained ?? "");
+  /** @param {HTMLElement} node */
   const touches = (node) => (a && node.dataset.a === a) || (b && node.dataset.b === b)
     || (node.dataset.side === "a" && a && node.dataset.motif === a) || (node.dataset.side === "b" && b && node.dataset.motif === b);
   box.classList.toggle("some-chosen", Boolean(a || b));
-  for (const node of box.querySelectorAll(".flow-bar, .flow-ribbon")) node.classList.toggle("chosen", Boolean(touches(node)));
+  for (const node of allWithin(box, ".flow-bar, .flow-ribbon")) node.classList.toggle("chosen", Boolean(touches(node)));
 }
 
 const watched = new WeakSet();
+/** @param {HTMLElement} box */
 function watch(box) {
   if (watched.has(box)) return;
   watched.add(box);
@@ -94,18 +123,21 @@ function watch(box) {
 }
 
 register("compare", {
+  /** @param {Flow | null} data @param {Selection | null} selection @param {View | null} view */
   draw(data, selection, view) {
-    shown = { data, selection, gained: (view || {}).gained };
-    const box = document.getElementById("compare-flow");
+    shown = data && { data, selection, gained: (view || {}).gained };
+    const box = find("compare-flow");
     if (!data || !box) return clientside.no_update;
     watch(box);
     draw();
     return clientside.no_update;
   },
+  /** @param {any} request */
   play(request) {
     if (request) setStore("stage-request", request);
     return clientside.no_update;
   },
+  /** @param {Selection | null} selection @param {View | null} view */
   mark(selection, view) {
     if (shown) Object.assign(shown, { selection, gained: (view || {}).gained });
     mark();
@@ -113,6 +145,7 @@ register("compare", {
   },
 });
 
+/** @type {Record<string, string>} */
 const WORDS = { kept: "Kept", split: "Split", merged: "Merged", lost: "Gone", gained: "New" };
 cellRenderers.Change = (props) =>
   props.value ? reactElement("span", { className: "change-mark change-" + props.value }, WORDS[props.value] || props.value) : null;

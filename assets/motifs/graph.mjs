@@ -1,33 +1,42 @@
 /* The motif graph: selection, faint rare edges, zoom and pictures. Classes change, elements never do. */
 import { clientside, register, setStore } from "../shared/dash.mjs";
+import { context2d, find } from "../shared/dom.mjs";
 import { save } from "../shared/save.mjs";
 import { ahead } from "../stage/ahead.mjs";
 import { walking } from "./walk_state.mjs";
+/** @import { Cytoscape, GraphEvent } from "./types.d.ts" */
+/** @import { Selection } from "../shared/types.d.ts" */
 
 const ID = "motif-graph";
+/** Pixels that an arrow key moves the graph. @type {Record<string, [number, number]>} */
+const STEPS = { ArrowLeft: [60, 0], ArrowRight: [-60, 0], ArrowUp: [0, 60], ArrowDown: [0, -60] };
 
 // Cytoscape leaves itself on its container; it comes a little after the component does
+/** @param {number} [tries] */
 export async function graphReady(tries = 100) {
   for (let i = 0; i < tries; i++) {
-    const box = document.getElementById(ID);
-    const cy = box && box._cyreg && box._cyreg.cy;
+    const box = /** @type {any} */ (find(ID));
+    const cy = /** @type {Cytoscape | undefined} */ (box?._cyreg?.cy);
     if (cy && !cy.destroyed() && cy.elements().length) return cy;
     await new Promise((resolve) => setTimeout(resolve, 30));
   }
   return null;
 }
 
+/** @param {Cytoscape} cy @param {Selection | null} selection */
 function chosenIn(cy, selection) {
   if (!selection) return cy.collection();
   if (selection.motif !== undefined) return cy.getElementById("m" + selection.motif);
-  if (selection.motifs !== undefined) return cy.nodes().filter((node) => selection.motifs.split("-").includes(String(node.data("motif"))));
+  if (selection.motifs !== undefined) return cy.nodes().filter((node) => selection.motifs?.split("-").includes(String(node.data("motif"))) ?? false);
   if (selection.edge !== undefined) return cy.getElementById("e" + selection.edge);
   return cy.collection();
 }
 
+/** @param {Cytoscape} element */
 const selectionOf = (element) => (element.isNode() ? { motif: element.data("motif") } : { edge: element.data("edge") });
 
 const watched = new WeakSet();
+/** @param {Cytoscape} cy */
 function watch(cy) {
   if (watched.has(cy)) return;
   watched.add(cy);
@@ -36,7 +45,7 @@ function watch(cy) {
   box.setAttribute("role", "application");
   box.setAttribute("aria-label", "Motif graph. Arrow keys move, plus and minus zoom, 0 shows all. The table below lists the same motifs.");
   box.addEventListener("keydown", (event) => {
-    const step = { ArrowLeft: [60, 0], ArrowRight: [-60, 0], ArrowUp: [0, 60], ArrowDown: [0, -60] }[event.key];
+    const step = STEPS[event.key];
     if (step) cy.panBy({ x: step[0], y: step[1] });
     else if (event.key === "+" || event.key === "=") zoom(cy, 1.25);
     else if (event.key === "-") zoom(cy, 0.8);
@@ -67,6 +76,7 @@ function watch(cy) {
     ahead.leave();
   });
   // the end of a tap comes before the tap, and that before all that Dash does with it
+  /** @type {GraphEvent | null} */
   let pressed = null;
   cy.on("tapstart", "node, edge", (event) => {
     pressed = event;
@@ -74,7 +84,7 @@ function watch(cy) {
   });
   cy.on("tapend", "node, edge", (event) => {
     const [a, b] = [pressed?.renderedPosition, event.renderedPosition];
-    const tapped = pressed?.target === event.target && Math.hypot(a.x - b.x, a.y - b.y) < 6;
+    const tapped = pressed?.target === event.target && a !== undefined && Math.hypot(a.x - b.x, a.y - b.y) < 6;
     if (tapped && !walking.on) ahead.play(selectionOf(event.target));
   });
   cy.on("zoom", () => cy.elements(".readable").data("letters", letters(cy)));
@@ -85,7 +95,9 @@ function watch(cy) {
 }
 
 // Far away most labels are too small to read; those that matter now keep their size on the screen.
+/** @param {Cytoscape} cy */
 const letters = (cy) => Math.max(12, 11 / cy.zoom());
+/** @param {Cytoscape} cy */
 function readable(cy) {
   const wanted = cy.elements(".pointed, .chosen, edge.near");
   cy.batch(() => {
@@ -98,6 +110,7 @@ function readable(cy) {
 // once. They get short addresses: with each change of a style Cytoscape reads every letter of an image's address.
 const SHARPNESS = 3;
 const drawn = new Map();
+/** @param {string} address @param {number} width @param {number} height */
 function pixels(address, width, height) {
   const key = `${width}x${height} ${address}`;
   if (!drawn.has(key)) {
@@ -108,7 +121,7 @@ function pixels(address, width, height) {
         const canvas = document.createElement("canvas");
         canvas.width = Math.max(1, Math.round(image.width * scale));
         canvas.height = Math.max(1, Math.round(image.height * scale));
-        canvas.getContext("2d").drawImage(image, 0, 0, canvas.width, canvas.height);
+        context2d(canvas).drawImage(image, 0, 0, canvas.width, canvas.height);
         canvas.toBlob((blob) => resolve(blob ? URL.createObjectURL(blob) : address));
       };
       image.onerror = () => resolve(address);
@@ -118,6 +131,7 @@ function pixels(address, width, height) {
   return drawn.get(key);
 }
 
+/** @param {Cytoscape} cy */
 async function rasterise(cy) {
   const field = "icon_" + (document.documentElement.dataset.mantineColorScheme || "light");
   const vector = cy.nodes().filter((node) => (node.data(field) || "").startsWith("data:image/svg"));
@@ -125,6 +139,7 @@ async function rasterise(cy) {
   if (!cy.destroyed()) cy.batch(() => vector.forEach((node, i) => { node.data(field, images[i]); }));
 }
 
+/** @param {Cytoscape} cy @param {number} factor */
 function zoom(cy, factor) {
   const box = cy.container().getBoundingClientRect();
   cy.zoom({ level: cy.zoom() * factor, renderedPosition: { x: box.width / 2, y: box.height / 2 } });
@@ -132,6 +147,7 @@ function zoom(cy, factor) {
 
 let taps = 0;
 register("graph", {
+  /** @param {{ motif: number } | null} node @param {{ edge: string } | null} edge */
   async tapped(node, edge) {
     if (walking.on) return clientside.no_update;
     const which = clientside.callback_context.triggered.map((item) => item.prop_id).join(" ");
@@ -142,12 +158,13 @@ register("graph", {
     else if (which.includes("tapEdgeData") && edge) setStore("selection", { edge: edge.edge });
     return clientside.no_update;
   },
+  /** @param {Selection | null} selection @param {number | null} threshold */
   async mark(selection, threshold) {
     const cy = await graphReady();
     if (!cy) return clientside.no_update;
     watch(cy);
     rasterise(cy);
-    const label = document.getElementById("edge-filter-label");
+    const label = find("edge-filter-label");
     if (label) label.textContent = `Successions seen at least ${threshold || 1}×`;
     cy.batch(() => {
       cy.elements().removeClass("chosen near faded rare");
@@ -165,6 +182,7 @@ register("graph", {
     });
     return clientside.no_update;
   },
+  /** @param {{ graph?: string } | null} request @param {string | null} dataset */
   async tool(request, dataset) {
     const cy = request && (await graphReady(10));
     if (!cy) return clientside.no_update;

@@ -1,8 +1,12 @@
 /* The motions of what is selected: plain elements, because each Dash component costs the browser milliseconds to take in. */
 import { clientside, register } from "../shared/dash.mjs";
-import { element, icon } from "../shared/dom.mjs";
+import { childrenOf, element, find, icon } from "../shared/dom.mjs";
+/** @import { MotionRow } from "./types.d.ts" */
 
-/** A button that puts its selection into the store (assets/actions.js): play mark, clip, time, key poses. */
+/**
+ * A button that puts its selection into the store (assets/shell/selecting.mjs): play mark, clip, time, key poses.
+ * @param {MotionRow} motion
+ */
 function row({ clip, brief, when, strip, selection, chosen }) {
   const button = element("button", "motion-row" + (chosen ? " chosen" : ""));
   button.type = "button";
@@ -17,18 +21,19 @@ function row({ clip, brief, when, strip, selection, chosen }) {
 }
 
 register("motions", {
+  /** @param {{ name?: string, rows?: MotionRow[], more?: number } | null} motions */
   list(motions) {
-    const box = document.getElementById("motion-list");
+    const box = find("motion-list");
     if (!box) return clientside.no_update; // it has gone with its page
     const { name = "", rows = [], more = 0 } = motions || {};
     const same = box.dataset.name === name;
     const top = same ? box.scrollTop : 0;
-    const focused = same ? [...box.children].indexOf(document.activeElement) : -1;
+    const focused = same ? [...box.children].indexOf(/** @type {any} */ (document.activeElement)) : -1;
     box.dataset.name = name;
     box.replaceChildren(...rows.map(row));
     if (more) box.append(element("div", "muted selection-more", `and ${more} more`));
     box.scrollTop = top;
-    if (focused >= 0) box.children[focused]?.focus({ preventScroll: true });
+    if (focused >= 0) childrenOf(box)[focused]?.focus({ preventScroll: true });
     return clientside.no_update;
   },
 });

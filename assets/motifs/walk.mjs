@@ -1,12 +1,14 @@
 /* A walk through the motif graph: what the link says of it, what the server made of that, and how it plays.
-   walk_path.js draws the path, walk_graph.js marks the graph. */
+   walk_path.mjs draws the path, walk_graph.mjs marks the graph. */
 import { changeView, clientside, register, setStore } from "../shared/dash.mjs";
-import { find, setLink } from "../shared/dom.mjs";
+import { allWithin, closest, find, need, setLink, targetOf } from "../shared/dom.mjs";
 import { ahead } from "../stage/ahead.mjs";
 import { player } from "../stage/player.mjs";
 import { lightMotif, markWalk } from "./walk_graph.mjs";
 import { drawPath, lightVisit } from "./walk_path.mjs";
 import { walking } from "./walk_state.mjs";
+/** @import { Walk, WalkKeys } from "./types.d.ts" */
+/** @import { Selection, View } from "../shared/types.d.ts" */
 
 const KEYS = ["walk", "extra", "gaps", "ends", "feet"];
 const OURS = "~walk~";
@@ -14,61 +16,76 @@ const LONGEST = 300; // letters of a path that a link can hold
 const MOST_NAMED = 12; // dead ends that are listed by number
 const BEFORE = 0.5; // seconds played before a motif that was just added
 
-let now = {}; // the server's last word
+/** The server's last word; empty until there is one. @type {Walk} */
+let now = /** @type {any} */ ({});
+/** @type {View} */
 let view = {};
 let played = ""; // name of the walk that was last given to the Stage
 let added = false; // the path was just made longer: play its end
 let lit = -1;
 
-const asked = (shown) => Object.fromEntries(KEYS.filter((key) => shown?.[key]).map((key) => [key, shown[key]]));
+/** @param {View | null} shown */
+const keysOf = (shown) => Object.fromEntries(KEYS.filter((key) => shown?.[key]).map((key) => [key, shown?.[key]]));
+/** @param {WalkKeys | null | undefined} a @param {WalkKeys | null | undefined} b */
 const same = (a, b) => KEYS.every((key) => (a?.[key] || "") === (b?.[key] || ""));
 const onStage = () => Boolean(player.frameOf(0)?.dataset?.startsWith(OURS));
 
 /** The motifs as one sees them: of the walk, or of the path that cannot be walked. */
 const motifs = () => now.path || [];
 
+/** @param {number[]} ids @param {View} [more] */
 function write(ids, more = {}) {
   const text = ids.join("-");
   if (text.length > LONGEST) return problem({ error: "This path is too long for a link; about a hundred motifs fit." });
   changeView({ walk: text, ...more });
 }
 
-/** The next motif of the path: a click on a box, or the list of all motifs. */
+/**
+ * The next motif of the path: a click on a box, or the list of all motifs.
+ * @param {number} motif
+ */
 function add(motif) {
   added = true;
   write([...motifs(), motif]);
 }
 
+/** @param {Walk} data */
 function request(data) {
   const shown = data.path.slice(0, 8).join(" → ") + (data.path.length > 8 ? " …" : "");
   return {
-    dataset: data.name, title: `Walk: ${shown}`, layout: "overlay", sync: "start",
+    dataset: data.name ?? "", title: `Walk: ${shown}`, layout: "overlay", sync: "start",
     items: [{ clip: "walk", start: 0, end: data.frames, label: "Walk", colours: data.bands }],
   };
 }
 
+/** @param {Walk} data @param {boolean} [fromEnd] */
 async function play(data, fromEnd) {
-  played = data.name;
+  played = data.name ?? "";
   await player.show(request(data));
   if (!fromEnd || data.path.length < 2) return;
   const back = Math.round((BEFORE * data.frames) / data.seconds);
-  player.seek({ clip: "walk", frame: Math.max(0, data.visits.at(-1)[0] - back) });
+  player.seek({ clip: "walk", frame: Math.max(0, (data.visits.at(-1) ?? [0])[0] - back) });
 }
 
-/** Another walk of the same length in time: kept feet or sliding ones, seen at the same moment. */
+/**
+ * Another walk of the same length in time: kept feet or sliding ones, seen at the same moment.
+ * @param {Walk} data
+ */
 const swap = (data) => {
-  played = data.name;
+  played = data.name ?? "";
   player.replace(request(data));
 };
 
+/** @param {Partial<Walk>} walk */
 function problem({ error, gap, detour }) {
-  const box = find("walk-error");
+  const box = need("walk-error");
   box.replaceChildren();
   box.classList.toggle("hidden", !error);
   if (!error) return;
   const text = document.createElement("p");
   text.textContent = error;
   box.append(text);
+  /** @param {string} label @param {() => void} act */
   const offer = (label, act) => {
     const button = Object.assign(document.createElement("button"), { type: "button", className: "walk-button", textContent: label });
     button.addEventListener("click", act);
@@ -79,18 +96,26 @@ function problem({ error, gap, detour }) {
   if (gap && motifs().length) offer(`Take ${gap[1]} away`, () => write(without(gap)));
 }
 
-/** The path with the way round put into the gap, wherever it occurs. */
+/**
+ * The path with the way round put into the gap, wherever it occurs.
+ * @param {[number, number]} gap
+ * @param {number[]} detour
+ */
 const filled = ([a, b], detour) => motifs().flatMap((motif, i, all) => (i && all[i - 1] === a && motif === b ? detour.slice(1) : [motif]));
+/** @param {[number, number]} gap */
 const without = ([a, b]) => motifs().filter((motif, i, all) => !(i && all[i - 1] === a && motif === b));
 
+/** @param {number} metres */
 const cm = (metres) => `${(100 * metres).toFixed(1)} cm/s`;
 
+/** @param {Walk} data */
 function meters(data) {
-  const box = find("walk-meters");
+  const box = need("walk-meters");
   box.classList.toggle("hidden", !data.name);
   if (!data.name) return;
   const [source, plain, kept] = data.skate;
   const most = Math.max(source, plain, kept, 1e-6);
+  /** @type {[string, number][]} */
   const rows = [["This walk", kept], ["Blending alone", plain], ["Recordings", source]];
   const heading = Object.assign(document.createElement("div"), {
     className: "walk-meter-title", textContent: "Foot skate", title: "How far standing feet slide, in centimetres per second of contact",
@@ -100,7 +125,7 @@ function meters(data) {
     row.className = "walk-meter" + (i ? "" : " walk-meter-own");
     const name = Object.assign(document.createElement("span"), { textContent: label });
     const bar = Object.assign(document.createElement("span"), { className: "walk-bar" });
-    bar.style.setProperty("--share", value / most);
+    bar.style.setProperty("--share", String(value / most));
     const number = Object.assign(document.createElement("span"), { className: "number", textContent: cm(value) });
     row.append(name, bar, number);
     return row;
@@ -114,7 +139,10 @@ function meters(data) {
   box.append(speed);
 }
 
-/** Dead ends, parts and further links of the graph, in words. */
+/**
+ * Dead ends, parts and further links of the graph, in words.
+ * @param {Walk} data
+ */
 function waysText(data) {
   if (!data.parts) return "";
   const total = data.motifs.length;
@@ -127,31 +155,31 @@ function waysText(data) {
 }
 
 function show() {
-  const busy = !same(now.asked, asked(view));
-  find("walk-path").classList.toggle("busy", busy);
+  const busy = !same(now.asked, keysOf(view));
+  need("walk-path").classList.toggle("busy", busy);
   if (busy) {
-    find("walk-hint").textContent = view.walk ? "Making the walk …" : "";
+    need("walk-hint").textContent = view.walk ? "Making the walk …" : "";
     return;
   }
   const walks = Boolean(now.name);
-  find("walk-path").dataset.shown = now.asked.walk || "";
-  find("walk-length").textContent = walks ? `${now.path.length} motif${now.path.length > 1 ? "s" : ""}, ${now.seconds.toFixed(1)} s` : "";
-  find("walk-hint").textContent = walks || now.error ? "" : "Click motifs in the graph one after the other, or let chance choose.";
-  find("walk-notes").replaceChildren(...(now.warnings || []).map((text) => Object.assign(document.createElement("p"), { textContent: text })));
-  find("walk-ways").textContent = waysText(now);
-  drawPath(find("walk-path"), now, { write, jump: seekTo });
+  need("walk-path").dataset.shown = now.asked.walk || "";
+  need("walk-length").textContent = walks ? `${now.path.length} motif${now.path.length > 1 ? "s" : ""}, ${now.seconds.toFixed(1)} s` : "";
+  need("walk-hint").textContent = walks || now.error ? "" : "Click motifs in the graph one after the other, or let chance choose.";
+  need("walk-notes").replaceChildren(...(now.warnings || []).map((text) => Object.assign(document.createElement("p"), { textContent: text })));
+  need("walk-ways").textContent = waysText(now);
+  drawPath(need("walk-path"), now, { write, jump: seekTo });
   problem(now);
   meters(now);
-  for (const button of document.querySelectorAll("[data-walk='play']")) button.disabled = !walks;
-  for (const button of document.querySelectorAll("[data-walk='clear']")) button.disabled = !view.walk;
-  setLink("walk-bvh", walks && `/api/bvh/${encodeURIComponent(now.name)}/walk`);
+  for (const button of allWithin(document, "[data-walk='play']")) button.disabled = !walks;
+  for (const button of allWithin(document, "[data-walk='clear']")) button.disabled = !view.walk;
+  setLink("walk-bvh", walks && `/api/bvh/${encodeURIComponent(now.name ?? "")}/walk`);
   const recipes = Object.values((walks && now.recipes) || {});
-  document.querySelectorAll(".walk-recipe").forEach((button, i) => {
+  allWithin(document, ".walk-recipe").forEach((button, i) => {
     button.disabled = !recipes[i];
     button.title = `Copy the walk as ${i ? "a Python script" : "commands"}`;
     button.dataset.copy = recipes[i] || "";
   });
-  setLink("walk-json", walks && `/api/walk/${now.name.slice(OURS.length)}.json`);
+  setLink("walk-json", walks && `/api/walk/${now.name?.slice(OURS.length)}.json`);
   lists();
   markWalk(now, walking.on, steps);
 }
@@ -159,17 +187,20 @@ function show() {
 /** The lists of all motifs, filled once a graph. */
 function lists() {
   for (const [id, first] of [["walk-add", "a motif …"], ["walk-from", "motif"], ["walk-to", "motif"]]) {
-    const list = find(id);
+    const list = need(id);
     const stamp = `${now.key} ${JSON.stringify(now.motifs)}`;
     if (list.dataset.stamp === stamp) continue;
     list.dataset.stamp = stamp;
     const chosen = list.value;
-    list.replaceChildren(new Option(first, ""), ...now.motifs.map(({ id: motif, name }) => new Option(name ? `${motif} ${name}` : motif, motif)));
+    list.replaceChildren(new Option(first, ""), ...now.motifs.map(({ id: motif, name }) => new Option(name ? `${motif} ${name}` : String(motif), String(motif))));
     list.value = chosen;
   }
 }
 
-/** From the path to the Stage: the moment at which a motif begins. */
+/**
+ * From the path to the Stage: the moment at which a motif begins.
+ * @param {number} visit
+ */
 function seekTo(visit) {
   if (!now.name) return;
   const frame = now.visits[visit][0];
@@ -188,37 +219,41 @@ window.addEventListener("stage-frame", (event) => {
   lightMotif(visit < 0 ? null : now.path[visit]);
 });
 
+/** @type {Record<string, () => void>} */
 const actions = {
   play: () => now.name && play(now),
   clear: () => changeView({ walk: "" }),
   fewest: () => between("fewest"),
   used: () => between("used"),
   random() {
-    const whole = (id, low, high) => Math.min(Math.max(Math.round(Number(find(id).value) || low), low), high);
-    const seconds = whole("walk-seconds", 1, Number(find("walk-seconds").max));
+    /** @param {string} id @param {number} low @param {number} high */
+    const whole = (id, low, high) => Math.min(Math.max(Math.round(Number(need(id).value) || low), low), high);
+    const seconds = whole("walk-seconds", 1, Number(need("walk-seconds").max));
     let seed = whole("walk-seed", 0, 999999999);
     if (view.walk === `random:${seconds}:${seed}`) seed += 1;
     changeView({ walk: `random:${seconds}:${seed}` });
   },
 };
 
+/** @param {string} by */
 function between(by) {
-  const [from, to] = ["walk-from", "walk-to"].map((id) => find(id).value);
-  const missing = ["walk-from", "walk-to"].find((id) => !find(id).value);
-  if (missing) return find(missing).focus();
+  const [from, to] = ["walk-from", "walk-to"].map((id) => need(id).value);
+  const missing = ["walk-from", "walk-to"].find((id) => !need(id).value);
+  if (missing) return need(missing).focus();
   changeView({ walk: `${by}:${from}:${to}` });
 }
 
 document.addEventListener("click", (event) => {
-  const button = event.target.closest?.("[data-walk]");
-  if (button && !button.disabled && walking.on) actions[button.dataset.walk]();
+  const button = closest(event, "[data-walk]");
+  if (button && !button.disabled && walking.on) actions[button.dataset.walk ?? ""]();
 });
 document.addEventListener("change", (event) => {
-  if (event.target.id !== "walk-add" || !event.target.value) return;
-  add(Number(event.target.value));
-  event.target.value = "";
+  if (targetOf(event).id !== "walk-add" || !targetOf(event).value) return;
+  add(Number(targetOf(event).value));
+  targetOf(event).value = "";
 });
 
+/** @param {Selection | null} selection */
 function leave(selection) {
   if (!walking.on) return;
   walking.on = false;
@@ -230,7 +265,11 @@ function leave(selection) {
 /** What clicks in the graph do. */
 const steps = {
   add,
-  /** A click on an edge: on to its target, if the path has come to its source. */
+  /**
+   * A click on an edge: on to its target, if the path has come to its source.
+   * @param {number} source
+   * @param {number} target
+   */
   follow(source, target) {
     const last = motifs().at(-1);
     if (last === source) add(target);
@@ -245,9 +284,21 @@ const steps = {
 ahead.unless((selection) => walking.on && (selection.edge !== undefined || (selection.motif !== undefined && selection.motion === undefined)));
 
 const OPTIONS = { extra: "walk-extra", gaps: "walk-bridge", ends: "walk-stop", feet: "walk-feet" };
-const checkedFor = { extra: (v) => v === "1", gaps: (v) => v === "bridge", ends: (v) => v === "stop", feet: (v) => v !== "0" };
+/** Whether a switch is on for a value of the link. @type {Record<string, (value: string | undefined) => boolean>} */
+const checkedFor = { /** @param {string | undefined} v */
+extra: (v) => v === "1", /** @param {string | undefined} v */
+gaps: (v) => v === "bridge", /** @param {string | undefined} v */
+ends: (v) => v === "stop", /** @param {string | undefined} v */
+feet: (v) => v !== "0" };
 
 register("walk", {
+  /**
+   * @param {Walk | null} data
+   * @param {View | null} shown
+   * @param {unknown} _id
+   * @param {unknown} _elements
+   * @param {Selection | null} selection
+   */
   draw(data, shown, _id, _elements, selection) {
     view = shown || {};
     if (view.side !== "walk") return leave(selection), clientside.no_update;
@@ -264,7 +315,7 @@ register("walk", {
     const before = now;
     now = data;
     show();
-    if (!now.name || !same(now.asked, asked(view))) return clientside.no_update;
+    if (!now.name || !same(now.asked, keysOf(view))) return clientside.no_update;
     const chosen = selection && Object.keys(selection).length > 0;
     if (entered && chosen && !before.key) return clientside.no_update; // the link is of the selection
     if (entered && chosen) setStore("selection", {});
@@ -277,6 +328,13 @@ register("walk", {
     return clientside.no_update;
   },
   // One of the switches: it goes into the link, where it differs.
+  /**
+   * @param {boolean} extra
+   * @param {boolean} bridge
+   * @param {boolean} stop
+   * @param {boolean} feet
+   * @param {View | null} shown
+   */
   option(extra, bridge, stop, feet, shown) {
     if (!walking.on) return clientside.no_update;
     const wanted = { extra: extra ? "1" : "", gaps: bridge ? "bridge" : "", ends: stop ? "stop" : "", feet: feet ? "" : "0" };

@@ -1,9 +1,11 @@
 /* A walk in the graph: its boxes and arrows, the box that plays, dead ends, and further links as dashed arrows. */
 import { graphReady } from "./graph.mjs";
 import { walking } from "./walk_state.mjs";
+/** @import { Cytoscape, Walk, WalkSteps } from "./types.d.ts" */
 
 const watched = new WeakSet();
 
+/** @param {Cytoscape} cy @param {WalkSteps} steps */
 function watch(cy, steps) {
   if (watched.has(cy)) return;
   watched.add(cy);
@@ -15,19 +17,25 @@ function watch(cy, steps) {
   });
 }
 
+/** @param {[number, number]} link */
 const further = ([source, target]) => ({
   group: "edges", classes: "further", selectable: false,
   data: { id: `w${source}-${target}`, source: `m${source}`, target: `m${target}`, width: 2.5 },
 });
 
 let turn = 0;
-/** Mark what the server said of the walk; nothing where walks are not the matter. */
+/**
+ * Mark what the server said of the walk; nothing where walks are not the matter.
+ * @param {Partial<Walk>} data
+ * @param {boolean} on
+ * @param {WalkSteps} steps
+ */
 export async function markWalk(data, on, steps) {
   const mine = ++turn;
   const cy = await graphReady(on ? 100 : 1);
   if (!cy || mine !== turn) return;
   watch(cy, steps);
-  const links = new Set((data.path || []).slice(1).map((motif, i) => `${data.path[i]}-${motif}`));
+  const links = new Set((data.path || []).slice(1).map((motif, i) => `${data.path?.[i]}-${motif}`));
   const wanted = on ? (data.further || []).filter(([a, b]) => cy.getElementById(`m${a}`).nonempty() && cy.getElementById(`m${b}`).nonempty()) : [];
   const kept = new Set(wanted.map(([a, b]) => `w${a}-${b}`));
   cy.batch(() => {
@@ -42,7 +50,10 @@ export async function markWalk(data, on, steps) {
   });
 }
 
-/** The box whose motif plays; none where it is null. */
+/**
+ * The box whose motif plays; none where it is null.
+ * @param {number | null} motif
+ */
 export async function lightMotif(motif) {
   const cy = await graphReady(1);
   if (!cy) return;

@@ -1,11 +1,17 @@
 /* Postures of a map as stick figures in SVG: from the front, the side, the top, or as icons from the front left. */
 import { svgElement } from "../shared/dom.mjs";
+/** @import { MapData } from "./data.mjs" */
+/** @import { Point, Posture } from "./types.d.ts" */
 
 const HEAD = 0.105; // metres, on a body of 1.7 m
+/** @type {Record<string, number>} */
 const PENS = { left: 0.06, right: 0.06, centre: 0.075 };
 const [YAW, PITCH] = [(35 * Math.PI) / 180, (8 * Math.PI) / 180];
 
-/** Per view: a point to [right, down, towards the viewer]. The body faces +z, its left is +x. */
+/**
+ * Per view: a point to [right, down, towards the viewer]. The body faces +z, its left is +x.
+ * @type {Record<string, (point: Point) => Point>}
+ */
 export const VIEWS = {
   front: ([x, y, z]) => [x, -y, z],
   side: ([x, y, z]) => [z, -y, -x],
@@ -16,16 +22,25 @@ export const VIEWS = {
   },
 };
 
+/** @param {Posture} posture @param {number} j */
 export const jointOf = (posture, j) => (j < 0 ? [0, 0, 0] : [posture[3 * j], posture[3 * j + 1], posture[3 * j + 2]]);
+/** @param {Point} a @param {Point} b */
 const minus = (a, b) => a.map((part, k) => part - b[k]);
+/** @param {Point} a @param {Point} b @param {number} [scale] */
 const plus = (a, b, scale = 1) => a.map((part, k) => part + scale * b[k]);
+/** @param {Point} a @param {Point} b */
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+/** @param {Point} a */
 const unit = (a) => {
   const size = Math.hypot(...a);
   return size > 1e-6 ? a.map((part) => part / size) : null;
 };
 
-/** Where the trunk faces: square to the shoulders and to the line from the hips to the chest. */
+/**
+ * Where the trunk faces: square to the shoulders and to the line from the hips to the chest.
+ * @param {MapData} map
+ * @param {Posture} posture
+ */
 function forward(map, posture) {
   const [left, right] = ["left_shoulder", "right_shoulder"].map((role) => map.roles.indexOf(role));
   if (left < 0 || right < 0) return [0, 0, 1];
@@ -33,11 +48,18 @@ function forward(map, posture) {
   return unit(cross(minus(a, b), plus(a, b))) || [0, 0, 1];
 }
 
+/** @param {MapData} map @param {number} j */
 const sideOf = (map, j) => (/_(clavicle|shoulder|hip)$/.test(map.roles[j]) ? "centre" : map.sides[j]);
 
-/** A <g> with the posture (3 n_joints) in metres, the pelvis at the origin, as seen in a view. */
+/**
+ * A <g> with the posture (3 n_joints) in metres, the pelvis at the origin, as seen in a view.
+ * @param {MapData} map
+ * @param {Posture} posture
+ * @param {string} view
+ */
 export function drawFigure(map, posture, view) {
   const see = VIEWS[view];
+  /** @param {Point} point */
   const text = (point) => { const [a, b] = see(point); return `${a.toFixed(3)} ${b.toFixed(3)}`; };
   const layers = ["left", "right", "centre"].map((side) => {
     const bones = map.parents.map((parent, j) => [parent, j]).filter(([, j]) => sideOf(map, j) === side);
@@ -51,6 +73,7 @@ export function drawFigure(map, posture, view) {
   return svgElement("g", { class: "map-figure" }, ...layers.map((layer) => layer.group));
 }
 
+/** @param {MapData} map @param {Posture} posture @param {(point: Point) => Point} see */
 function head(map, posture, see) {
   const at = map.roles.indexOf("head");
   if (at < 0) return [];
@@ -62,7 +85,13 @@ function head(map, posture, see) {
   return [ball, svgElement("path", { d: `M${middle[0]} ${middle[1]}L${tip[0]} ${tip[1]}`, "stroke-width": 0.045, class: "map-nose" })];
 }
 
-/** An <svg> of the posture in a view; the box holds every posture at the same scale. */
+/**
+ * An <svg> of the posture in a view; the box holds every posture at the same scale.
+ * @param {MapData} map
+ * @param {Posture} posture
+ * @param {string} view
+ * @param {string} [className]
+ */
 export function figurePicture(map, posture, view, className = "map-picture") {
   const fit = view === "icon";
   let box = [-1, -1.05, 2, 2.1];

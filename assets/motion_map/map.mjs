@@ -1,37 +1,25 @@
 /* The Map page: what is chosen on the map, from the link and back into it; everything a click changes is changed here. */
 import { changeView, clientside, notify, register, setStore } from "../shared/dash.mjs";
+import { childrenOf, closest, find, need } from "../shared/dom.mjs";
 import { player } from "../stage/player.mjs";
 import { loadMap } from "./data.mjs";
 import { drawCount, drawHits, drawPreview, drawStrip, markHit } from "./keys.mjs";
+import { paceOf, readKeys, readNumber, writeKeys } from "./link.mjs";
 import { Overlay } from "./overlay.mjs";
 import { Follower } from "./paths.mjs";
 import { editPosture } from "./posture_editor.mjs";
 import { state } from "./state.mjs";
+/** @import { KnownMap, Point } from "./types.d.ts" */
+/** @import { Selection, View } from "../shared/types.d.ts" */
+/** @import { Standing } from "../stage/types.d.ts" */
 
+/** @type {View} */
 const USUAL = { colour: "height", click: "keys", pace: "any", way: "any" };
 let live = 0;
 
+/** @param {Record<string, string>} change */
 const put = (change) => changeView({ ...change, at: Date.now() });
-const page = () => document.getElementById("map-plot");
-
-/** Keys as they stand in a link: 3-4,5-6. */
-const write = (keys) => keys.map((node) => state.map.place(node).join("-")).join(",");
-function read(text, map) {
-  const found = [];
-  for (const word of String(text || "").split(",")) {
-    const match = /^(\d+)-(\d+)$/.exec(word);
-    if (match && Number(match[1]) < map.nx && Number(match[2]) < map.ny) found.push(map.index(Number(match[1]), Number(match[2])));
-  }
-  return found.slice(0, 20);
-}
-const number = (text, otherwise) => (/^\d+(\.\d+)?$/.test(text ?? "") ? Number(text) : otherwise);
-
-function paceOf(view) {
-  const [low, high] = String(view.pace || "").split("-").map((word) => number(word, NaN));
-  const way = ["forward", "backward", "left", "right"].includes(view.way) ? view.way : "any";
-  const limits = Number.isFinite(low) && Number.isFinite(high) && low <= high ? [low, high] : [0, Infinity];
-  return way === "any" && limits[0] === 0 && limits[1] === Infinity ? null : { slowest: limits[0], fastest: limits[1], way };
-}
+const page = () => find("map-plot");
 
 // ---- drawing ----
 function drawKeys() {
@@ -46,7 +34,7 @@ function search() {
   const { map, keys, reach, pace, path } = state;
   if (!path) state.hits = map.search(keys, reach, pace);
   drawCount(state.hits.length, path ? [path] : keys, new Set(state.hits.map((hit) => hit.clip)).size);
-  const all = document.getElementById("map-play-all");
+  const all = find("map-play-all");
   if (all) all.disabled = state.hits.length === 0;
   return state.hits;
 }
@@ -54,7 +42,10 @@ function list() {
   const { dataset, version } = state.known;
   drawHits(state.map, state.hits, state.keys, { dataset, version, chosen: state.selection });
 }
-/** Everything that follows from keys and reach; the list of hits may wait while a slider is dragged. */
+/**
+ * Everything that follows from keys and reach; the list of hits may wait while a slider is dragged.
+ * @param {boolean} [lists]
+ */
 function refresh(lists = true) {
   if (!state.map || !state.overlay) return;
   drawKeys();
@@ -65,7 +56,10 @@ function refresh(lists = true) {
 }
 
 // ---- the server ----
-/** What the server answers, or {error} in plain words. */
+/**
+ * What the server answers, or {error} in plain words.
+ * @param {string} address
+ */
 async function ask(address) {
   const answer = await fetch(address).catch(() => null);
   const body = await answer?.json().catch(() => null);
@@ -73,17 +67,21 @@ async function ask(address) {
 }
 
 // ---- changes ----
-/** Hits of a path drawn by hand ("x-y,x-y"): the server warps it onto every clip. */
+/**
+ * Hits of a path drawn by hand ("x-y,x-y"): the server warps it onto every clip.
+ * @param {string} path
+ */
 async function followPath(path) {
   const { map } = state;
   state.path = path;
   state.overlay.drawPath(path.split(",").map((point) => point.split("-").map(Number)));
-  const found = await ask(`/api/map/${map.key}/drawn?${new URLSearchParams({ path })}`);
+  const answer = await ask(`/api/map/${map.key}/drawn?${new URLSearchParams({ path })}`);
   if (state.path !== path || state.map !== map) return;
-  if (found.error) notify("This path was not followed", found.error);
-  state.hits = found.error ? [] : found;
+  if (answer.error) notify("This path was not followed", answer.error);
+  state.hits = answer.error ? [] : answer;
   refresh();
 }
+/** @param {Point[]} points */
 function drawn(points) {
   const step = Math.max(1, Math.ceil(points.length / 24));
   const few = points.filter((_, k) => k % step === 0 || k === points.length - 1);
@@ -94,6 +92,7 @@ function drawn(points) {
   return followPath(path);
 }
 
+/** @param {number[]} keys @param {number} [focus] */
 export function setKeys(keys, focus) {
   if (state.path) {
     state.path = "";
@@ -101,10 +100,11 @@ export function setKeys(keys, focus) {
   }
   state.keys = keys.slice(0, 20);
   drawStrip(state.map, state.keys, setKeys);
-  if (focus !== undefined) document.getElementById("map-keys").children[focus]?.focus?.();
+  if (focus !== undefined) childrenOf(need("map-keys"))[focus]?.focus();
   refresh();
-  put({ keys: write(state.keys), drawn: "" });
+  put({ keys: writeKeys(state.keys, state.map), drawn: "" });
 }
+/** @param {number} reach @param {boolean} done */
 function setReach(reach, done) {
   state.reach = reach;
   showReach();
@@ -112,13 +112,14 @@ function setReach(reach, done) {
   if (done) put({ within: reach ? reach.toFixed(2) : "" });
 }
 function showReach() {
-  const slider = document.getElementById("map-reach"), label = document.getElementById("map-reach-value");
-  if (!slider || !state.map) return;
-  slider.max = state.map.reach;
-  slider.value = state.reach;
+  const slider = find("map-reach"), label = find("map-reach-value");
+  if (!slider || !label || !state.map) return;
+  slider.max = String(state.map.reach);
+  slider.value = String(state.reach);
   slider.setAttribute("aria-valuetext", `${state.reach.toFixed(2)} metres`);
   label.textContent = `${state.reach.toFixed(2)} m`;
 }
+/** @param {number} node */
 function choose(node) {
   if (state.mode === "regions") {
     const region = state.map.regions[node];
@@ -130,6 +131,7 @@ function mount() {
   const box = page();
   if (!box || state.overlay?.box === box) return Boolean(box);
   state.overlay = new Overlay(box, {
+    /** @param {number} node */
     hover: (node) => drawPreview(state.map, node, state.facts),
     leave: () => {},
     choose,
@@ -140,7 +142,7 @@ function mount() {
   state.follower = new Follower(state.overlay);
   const slider = Object.assign(document.createElement("input"), { type: "range", id: "map-reach", className: "map-slider", min: 0, step: 0.01, value: 0 });
   slider.setAttribute("aria-labelledby", "map-reach-label");
-  document.getElementById("map-reach-box").replaceChildren(slider);
+  need("map-reach-box").replaceChildren(slider);
   slider.addEventListener("input", () => state.map && setReach(Number(slider.value), false));
   slider.addEventListener("change", () => state.map && setReach(Number(slider.value), true));
   new ResizeObserver(() => requestAnimationFrame(fit)).observe(box);
@@ -152,14 +154,17 @@ function fit() {
   drawKeys();
 }
 
-/** Take up what a view says; nothing is done where it is shown already. */
+/**
+ * Take up what a view says; nothing is done where it is shown already.
+ * @param {View} view
+ */
 function show(view) {
   const { map } = state;
   if (!map || !mount()) return;
-  const keys = read(view.keys, map), reach = Math.min(number(view.within, 0), map.reach), pace = paceOf(view);
+  const keys = readKeys(view.keys, map), reach = Math.min(readNumber(view.within, 0), map.reach), pace = paceOf(view);
   state.mode = ["regions", "draw"].includes(view.click) ? view.click : "keys";
-  page().dataset.mode = state.mode;
-  const region = number(view.region, -1);
+  need("map-plot").dataset.mode = state.mode;
+  const region = readNumber(view.region, -1);
   state.overlay.squares("region", region < 0 ? [] : [...map.regions.keys()].filter((node) => map.regions[node] === region));
   const path = view.drawn || "";
   const shown = JSON.stringify([keys, reach, pace, path]);
@@ -183,18 +188,19 @@ window.addEventListener("stage-state", (event) => {
 window.addEventListener("stage-frame", (event) => {
   if (state.map && state.follower && page() && event.detail.items) state.follower.step(own(event.detail.items));
 });
-const own = (items) => (items || []).map((item) => ({ ...item, dataset: item.dataset || state.known?.dataset }));
+/** @param {Standing[]} items */
+const own = (items) => (items || []).map((item) => ({ ...item, dataset: item.dataset || state.known?.dataset || "" }));
 
 async function keyFromStage() {
   const item = player.frameOf(0);
   if (!item) return notify("Nothing is on the Stage", "Play a clip or a motif first; its current frame then becomes a key.");
-  const asked = new URLSearchParams({ dataset: item.dataset || state.known.dataset, clip: item.clip, frame: item.frame });
-  const found = await ask(`/api/map/${state.map.key}/node?${asked}`);
-  if (found.error) return notify("That posture cannot be a key", found.error);
-  const node = state.map.index(...found.node);
+  const query = new URLSearchParams({ dataset: item.dataset || state.known.dataset, clip: item.clip, frame: String(item.frame) });
+  const answer = await ask(`/api/map/${state.map.key}/node?${query}`);
+  if (answer.error) return notify("That posture cannot be a key", answer.error);
+  const node = state.map.index(answer.node[0], answer.node[1]);
   state.overlay.move(node);
   setKeys([...state.keys, node]);
-  if (found.distance > 2.5 * found.usual) notify("Added, but it fits badly", `No posture of the map is like this one: the nearest is ${found.distance.toFixed(2)} m away, ${found.usual.toFixed(2)} m is usual.`);
+  if (answer.distance > 2.5 * answer.usual) notify("Added, but it fits badly", `No posture of the map is like this one: the nearest is ${answer.distance.toFixed(2)} m away, ${answer.usual.toFixed(2)} m is usual.`);
 }
 
 function playAll() {
@@ -211,22 +217,27 @@ function playAll() {
 }
 
 document.addEventListener("click", (event) => {
-  const button = event.target.closest?.("[data-map-do]");
+  const button = closest(event, "[data-map-do]");
   if (!button || !state.map) return;
+  /** @type {Record<string, () => void>} */
   const actions = {
     stage: keyFromStage,
     all: playAll,
     clear: () => setKeys([]),
     edit: () => editPosture(state.overlay.cursor >= 0 ? state.overlay.cursor : state.map.index(...state.map.icons[0]), -1, setKeys),
   };
-  actions[button.dataset.mapDo]?.();
+  actions[button.dataset.mapDo ?? ""]?.();
 });
 
 register("map", {
-  /** A map has come: fetch it, then show what the link says of it. */
+  /**
+   * A map has come: fetch it, then show what the link says of it.
+   * @param {KnownMap | null} known
+   * @param {View | null} view
+   */
   async load(known, view) {
     if (!known || !known.key) {
-      state.map = null;
+      state.map = /** @type {any} */ (null);
       return clientside.no_update;
     }
     const map = await loadMap(known.key).catch(() => null);
@@ -240,11 +251,10 @@ register("map", {
     show(view || {});
     fit();
     state.overlay.squares("lit", state.lit);
-    const items = [];
-    for (let k = 0; player.frameOf(k); k++) items.push(player.frameOf(k));
-    state.follower.take(map, own(items));
+    state.follower.take(map, own(player.standing()));
     return map.key;
   },
+  /** @param {View | null} view */
   view(view) {
     show(view || {});
     return clientside.no_update;
@@ -254,31 +264,42 @@ register("map", {
     requestAnimationFrame(() => requestAnimationFrame(fit));
     return clientside.no_update;
   },
+  /** @param {{ nodes?: number[] } | null} lit */
   lit(lit) {
     state.lit = (lit && lit.nodes) || []; // it may come before the map
     if (state.overlay && state.map) state.overlay.squares("lit", state.lit);
     return clientside.no_update;
   },
+  /** @param {Selection | null} selection */
   selection(selection) {
     state.selection = selection && selection.clip !== undefined ? selection : null;
     markHit(state.selection);
     return clientside.no_update;
   },
-  /** A control was used: its choice goes into the link, the usual one leaves it. */
+  /**
+   * A control was used: its choice goes into the link, the usual one leaves it.
+   * @param {string | null} value
+   * @param {View | null} view
+   */
   chosen(value, view) {
     const key = clientside.callback_context.inputs_list[0].id.slice("map-".length);
-    const wanted = value === USUAL[key] ? "" : value;
+    const wanted = value === USUAL[key] ? "" : value ?? "";
     if (value && ((view || {})[key] || "") !== wanted) put({ [key]: wanted });
     return clientside.no_update;
   },
+  /** @param {View | null} view @param {string} id */
   choice(view, id) {
     const key = id.slice("map-".length);
     return (view || {})[key] || USUAL[key];
   },
-  /** Those parts of the view that the server draws by. */
+  /**
+   * Those parts of the view that the server draws by.
+   * @param {View | null} view
+   * @param {View | null} current
+   */
   look(view, current) {
     const keys = ["colour", "below", "region", "icons"];
-    const next = Object.fromEntries(keys.filter((key) => (view || {})[key]).map((key) => [key, view[key]]));
+    const next = Object.fromEntries(keys.filter((key) => (view || {})[key]).map((key) => [key, (view || {})[key]]));
     return current && JSON.stringify(next) === JSON.stringify(current) ? clientside.no_update : next;
   },
 });

@@ -1,11 +1,13 @@
 /* The body diagram: parts are clicked and weighted; of a query in pieces, given to the piece that is active. */
-import { element, find, svgElement } from "../shared/dom.mjs";
+import { allWithin, closest, element, find, need, svgElement, targetOf, within } from "../shared/dom.mjs";
 import { changeSearch, copyPieces, now, searchFor } from "./state.mjs";
+import { EVEN, evenWeights, readWeights, sameWeights, writeWeights } from "./weights.mjs";
+/** @import { Weights } from "./types.d.ts" */
 
 const MOST = 50; // of a slider; only ratios count
-const EVEN = 10; // of each part of the whole body
 
 // A person who faces us: their left is on our right. Lines are limbs, thick enough to hit.
+/** @type {Record<string, string[]>} */
 const SHAPES = {
   torso: ["M48 44 Q60 39 72 44 L69 74 L71 92 Q60 97 49 92 L51 74 Z"],
   head: ["M60 8 a12.5 13.500 0 1 1 -.01 0 Z"],
@@ -14,57 +16,40 @@ const SHAPES = {
   left_leg: ["M67.500 103 L70.500 144"], left_foot: ["M71.500 154 L72 170 L79 174"],
   right_leg: ["M52.500 103 L49.500 144"], right_foot: ["M48.500 154 L48 170 L41 174"],
 };
+/** @type {Record<string, number>} */
 const THICK = { left_arm: 11, right_arm: 11, left_hand: 9, right_hand: 9, left_leg: 14, right_leg: 14, left_foot: 10, right_foot: 10 };
 
 const assigning = () => Boolean(now.found && now.found.pieces && now.found.pieces.length > 1) && mode === "pieces";
 let mode = "weights";
-let raw = null; // leaf -> weight, as the sliders stand
+/** @type {Weights} */
+let raw = /** @type {any} */ (null); // leaf -> weight, as the sliders stand
 let drawn = "";
 let waiting = 0;
 
-const even = () => Object.fromEntries(now.body.leaves.map((leaf) => [leaf, EVEN]));
-
-/** Weights of the link, leaf by leaf. */
-function readWeights(text) {
-  const found = Object.fromEntries(now.body.leaves.map((leaf) => [leaf, 0]));
-  let total = 0;
-  for (const word of (text || "").split(",")) {
-    const [node, weight] = word.split(":");
-    const below = now.body.nodes[node];
-    if (!below || !(Number(weight) > 0)) continue;
-    for (const leaf of below) found[leaf] += Number(weight) / below.length;
-    total += Number(weight);
-  }
-  return total ? found : even();
-}
-
-function writeWeights(weights) {
-  const values = Object.values(weights);
-  if (values.every((value) => value === values[0])) return ""; // the whole body alike
-  const short = (value) => String(Number(value.toFixed(2)));
-  return now.body.leaves.filter((leaf) => weights[leaf] > 0).map((leaf) => `${leaf}:${short(weights[leaf])}`).join(",");
-}
-
 const total = () => Object.values(raw).reduce((sum, value) => sum + value, 0);
+/** @param {string} leaf */
 const share = (leaf) => raw[leaf] / Math.max(total(), 1e-9);
+/** @param {number} value */
 const percent = (value) => (value === 0 ? "0 %" : `${(100 * value).toFixed(100 * value < 9.95 ? 1 : 0)} %`.replace(".0 ", " "));
 
 function send() {
   clearTimeout(waiting);
   waiting = setTimeout(() => {
     waiting = 0;
-    if (total() > 0) changeSearch({ parts: writeWeights(raw) });
+    if (total() > 0) changeSearch({ parts: writeWeights(raw, now.body) });
   }, 140);
 }
 
+/** @param {string} leaf @param {number} value */
 function put(leaf, value) {
   raw[leaf] = Math.min(Math.max(value, 0), MOST);
   paint();
-  find("search-body").classList.toggle("search-none", total() === 0);
+  need("search-body").classList.toggle("search-none", total() === 0);
   send();
 }
 
 // ---- drawing ----
+/** @param {string} leaf */
 function shape(leaf) {
   const group = svgElement("g");
   group.setAttribute("class", "search-part");
@@ -75,7 +60,7 @@ function shape(leaf) {
     path.setAttribute("d", d);
     if (THICK[leaf]) {
       path.setAttribute("fill", "none");
-      path.setAttribute("stroke-width", THICK[leaf]);
+      path.setAttribute("stroke-width", String(THICK[leaf]));
       path.setAttribute("class", "search-limb");
     }
     group.append(path);
@@ -93,18 +78,19 @@ function figure() {
   svg.setAttribute("aria-label", "Parts of the body, seen from the front");
   const order = ["torso", ...now.body.leaves.filter((leaf) => leaf !== "torso")];
   svg.append(...order.map(shape));
-  for (const [letter, x] of [["R", 17], ["L", 103]]) {
+  for (const [letter, x] of /** @type {[string, number][]} */ ([["R", 17], ["L", 103]])) {
     const text = svgElement("text");
-    text.setAttribute("x", x);
-    text.setAttribute("y", 40);
+    text.setAttribute("x", String(x));
+    text.setAttribute("y", String(40));
     text.setAttribute("class", "search-side");
     text.textContent = letter;
-    text.append(Object.assign(svgElement("title"), { textContent: letter === "L" ? "Their left" : "Their right" }));
+    text.append(svgElement("title", {}, letter === "L" ? "Their left" : "Their right"));
     svg.append(text);
   }
   return svg;
 }
 
+/** @param {string} leaf */
 function slider(leaf) {
   const input = element("input", "search-weight");
   Object.assign(input, { type: "range", min: 0, max: MOST, step: 0.5 });
@@ -116,6 +102,7 @@ function slider(leaf) {
   return line;
 }
 
+/** @param {HTMLElement} box */
 function build(box) {
   const presets = element("select", "search-select");
   presets.id = "search-preset";
@@ -142,21 +129,17 @@ function build(box) {
   box.replaceChildren(left, right);
 }
 
-const sameWeights = (a, b) => {
-  const [sa, sb] = [a, b].map((weights) => Object.values(weights).reduce((sum, value) => sum + value, 0) || 1);
-  return now.body.leaves.every((leaf) => Math.abs((a[leaf] || 0) / sa - (b[leaf] || 0) / sb) < 2e-3);
-};
-
 function paint() {
-  const box = find("search-body");
+  const box = need("search-body");
   const pieces = (now.found && now.found.pieces) || [];
+  /** @param {string} leaf */
   const owner = (leaf) => pieces.findIndex((piece) => piece.leaves.includes(leaf));
   const several = pieces.length > 1;
   const most = Math.max(...Object.values(raw), 1e-9);
-  box.querySelector(".search-modes").classList.toggle("hidden", !several);
-  for (const one of box.querySelectorAll("[data-mode]")) one.setAttribute("aria-checked", String(one.dataset.mode === mode));
-  for (const group of box.querySelectorAll(".search-part")) {
-    const leaf = group.dataset.part;
+  within(box, ".search-modes").classList.toggle("hidden", !several);
+  for (const one of allWithin(box, "[data-mode]")) one.setAttribute("aria-checked", String(one.dataset.mode === mode));
+  for (const group of allWithin(box, ".search-part")) {
+    const leaf = group.dataset.part ?? "";
     const own = owner(leaf);
     const colour = several ? (own >= 0 ? pieces[own].colour : "var(--muted)") : "var(--accent)";
     const strength = assigning() ? (own >= 0 ? 0.85 : 0.1) : raw[leaf] > 0 ? 0.25 + 0.75 * Math.sqrt(raw[leaf] / most) : 0;
@@ -170,27 +153,27 @@ function paint() {
       for (const name of ["aria-valuenow", "aria-valuemin", "aria-valuemax", "aria-valuetext"]) group.removeAttribute(name);
       group.setAttribute("aria-label", `${now.body.words[leaf]}: ${says}`);
     } else {
-      group.setAttribute("aria-valuemin", 0);
-      group.setAttribute("aria-valuemax", 100);
-      group.setAttribute("aria-valuenow", Math.round(100 * share(leaf)));
+      group.setAttribute("aria-valuemin", String(0));
+      group.setAttribute("aria-valuemax", String(100));
+      group.setAttribute("aria-valuenow", String(Math.round(100 * share(leaf))));
       group.setAttribute("aria-valuetext", says);
     }
-    group.querySelector("title").textContent = `${now.body.words[leaf]}: ${says}`;
+    within(group, "title").textContent = `${now.body.words[leaf]}: ${says}`;
   }
-  for (const row of box.querySelectorAll(".search-weight-row")) {
-    const leaf = row.dataset.part;
-    const input = row.querySelector("input");
-    if (Number(input.value) !== raw[leaf]) input.value = raw[leaf];
+  for (const row of allWithin(box, ".search-weight-row")) {
+    const leaf = row.dataset.part ?? "";
+    const input = within(row, "input");
+    if (Number(input.value) !== raw[leaf]) input.value = String(raw[leaf]);
     input.style.setProperty("--share", `${(100 * raw[leaf]) / MOST}%`);
     input.setAttribute("aria-valuetext", percent(share(leaf)));
-    row.querySelector(".search-weight-share").textContent = percent(share(leaf));
+    within(row, ".search-weight-share").textContent = percent(share(leaf));
     row.classList.toggle("off", raw[leaf] === 0);
     const own = owner(leaf);
     row.style.setProperty("--tone", several && own >= 0 ? pieces[own].colour : "var(--accent)");
   }
-  const named = Object.entries(now.presets).find(([, weights]) => sameWeights(weights, raw));
-  box.querySelector("#search-preset").value = named ? named[0] : "";
-  box.querySelector(".search-body-hint").textContent = total() === 0 ? "All parts are off: switch on at least one."
+  const named = Object.entries(now.presets).find(([, weights]) => sameWeights(weights, raw, now.body));
+  within(box, "#search-preset").value = named ? named[0] : "";
+  within(box, ".search-body-hint").textContent = total() === 0 ? "All parts are off: switch on at least one."
     : assigning() ? `Click parts to take them from ${"ABCDEF"[now.active]}. Shift + click: the whole limb.`
     : "Click a part to switch it on or off, Shift + click for this one alone; arrow keys change its weight.";
 }
@@ -205,30 +188,38 @@ export const drawBody = () => {
   const pieces = (now.found && now.found.pieces) || [];
   if (pieces.length < 2) mode = "weights";
   else if (pieces.length !== Number(box.dataset.pieces || 0)) mode = "pieces"; // a new piece wants its parts
-  box.dataset.pieces = pieces.length;
+  box.dataset.pieces = String(pieces.length);
   const text = now.view.parts || "";
   if (!raw || (text !== drawn && !waiting)) {
-    raw = readWeights(text);
+    raw = readWeights(text, now.body);
     drawn = text;
   }
   paint();
 };
 
-/** Whether a part counts in what is shown: it has a weight, and a piece gives it. */
+/**
+ * Whether a part counts in what is shown: it has a weight, and a piece gives it.
+ * @param {string} leaf
+ */
 export const counts = (leaf) => {
-  const weights = readWeights(now.view.parts);
+  const weights = readWeights(now.view.parts, now.body);
   return weights[leaf] > 0 && now.found.pieces.some((piece) => piece.leaves.includes(leaf));
 };
 
-/** Lights a part up, here and in the hits. */
+/**
+ * Lights a part up, here and in the hits.
+ * @param {string | null | undefined} leaf
+ */
 export const lightPart = (leaf) => {
-  for (const one of document.querySelectorAll(".search-page [data-part]")) one.classList.toggle("lit", one.dataset.part === leaf);
+  for (const one of allWithin(document, ".search-page [data-part]")) one.classList.toggle("lit", one.dataset.part === leaf);
 };
 
 // ---- what one does to it ----
 const LIMBS = ["head_torso", "left_arm_hand", "right_arm_hand", "left_leg_foot", "right_leg_foot"];
-const limbOf = (leaf) => now.body.nodes[LIMBS.find((node) => now.body.nodes[node].includes(leaf))];
+/** @param {string} leaf */
+const limbOf = (leaf) => now.body.nodes[LIMBS.find((node) => now.body.nodes[node].includes(leaf)) ?? ""];
 
+/** @param {string[]} leaves */
 function assign(leaves) {
   const pieces = copyPieces();
   const taker = pieces[now.active];
@@ -241,6 +232,7 @@ function assign(leaves) {
   searchFor(pieces);
 }
 
+/** @param {string} leaf @param {boolean} shift */
 function press(leaf, shift) {
   if (assigning()) return assign(shift ? limbOf(leaf) : [leaf]);
   if (shift) {
@@ -251,19 +243,19 @@ function press(leaf, shift) {
 }
 
 document.addEventListener("click", (event) => {
-  const part = event.target.closest && event.target.closest(".search-part");
-  if (part) press(part.dataset.part, event.shiftKey);
-  const chosen = event.target.closest && event.target.closest("[data-mode]");
+  const part = closest(event, ".search-part");
+  if (part) press(part.dataset.part ?? "", event.shiftKey);
+  const chosen = closest(event, "[data-mode]");
   if (chosen && chosen.closest("#search-body")) {
-    mode = chosen.dataset.mode;
+    mode = chosen.dataset.mode ?? "weights";
     paint();
   }
 });
 
 document.addEventListener("keydown", (event) => {
-  const part = event.target.closest && event.target.closest(".search-part");
+  const part = closest(event, ".search-part");
   if (!part) return;
-  const leaf = part.dataset.part;
+  const leaf = part.dataset.part ?? "";
   const step = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[event.key];
   if (event.key === "Enter" || event.key === " ") press(leaf, event.shiftKey);
   else if (step && !assigning()) put(leaf, raw[leaf] + step);
@@ -275,24 +267,25 @@ document.addEventListener("keydown", (event) => {
 });
 
 document.addEventListener("input", (event) => {
-  if (event.target.dataset && event.target.dataset.weight) put(event.target.dataset.weight, Number(event.target.value));
+  const { dataset, value } = targetOf(event);
+  if (dataset?.weight) put(dataset.weight, Number(value));
 });
 
 document.addEventListener("change", (event) => {
-  if (event.target.id !== "search-preset" || !event.target.value) return;
-  const weights = now.presets[event.target.value];
-  const scale = event.target.value === "whole body" ? 100 : Math.min(100, MOST / Math.max(...Object.values(weights)));
+  if (targetOf(event).id !== "search-preset" || !targetOf(event).value) return;
+  const weights = now.presets[targetOf(event).value];
+  const scale = targetOf(event).value === "whole body" ? 100 : Math.min(100, MOST / Math.max(...Object.values(weights)));
   raw = Object.fromEntries(now.body.leaves.map((leaf) => [leaf, scale * (weights[leaf] || 0)]));
-  if (event.target.value === "whole body") raw = even();
+  if (targetOf(event).value === "whole body") raw = evenWeights(now.body);
   paint();
   send();
 });
 
 for (const kind of ["pointerover", "focusin"]) {
   document.addEventListener(kind, (event) => {
-    const page = event.target.closest && event.target.closest(".search-page");
+    const page = closest(event, ".search-page");
     if (!page) return;
-    const part = event.target.closest("[data-part]");
+    const part = closest(event, "[data-part]");
     lightPart(part ? part.dataset.part : null);
   });
 }

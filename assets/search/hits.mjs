@@ -1,15 +1,22 @@
 /* The ranked hits: a row each with its pictures and score, and the strip that shows which parts match when. */
 import { changeView, notify, setStore } from "../shared/dash.mjs";
-import { element, find, icon } from "../shared/dom.mjs";
+import { allWithin, around, closest, context2d, element, find, hasClass, icon, need, targetOf, within } from "../shared/dom.mjs";
 import { player } from "../stage/player.mjs";
 import { counts, lightPart } from "./body.mjs";
 import { now, searchAddress } from "./state.mjs";
+/** @import { Found, Hit, HitRow, Reason, Strip } from "./types.d.ts" */
+/** @import { StageRequest } from "../stage/types.d.ts" */
 
 const MORE = 30;
+/** @type {Map<string, Promise<Reason>>} */
 const reasons = new Map(); // address -> promise of why a hit is one
+/** @type {Map<string, Reason>} */
 const known = new Map(); // the same, once it is there
 
-/** Why a hit is one, and what the Stage plays of it; asked once. */
+/**
+ * Why a hit is one, and what the Stage plays of it; fetched once.
+ * @param {string} name
+ */
 export const reasonOf = (name) => {
   const address = `/api/search/explain?${searchAddress(name)}`;
   if (!reasons.has(address)) {
@@ -23,18 +30,23 @@ export const reasonOf = (name) => {
     reasons.set(address, answer);
     if (reasons.size > 400) for (const old of [...reasons.keys()].slice(0, 100)) { reasons.delete(old); known.delete(old); }
   }
-  return reasons.get(address);
+  return /** @type {Promise<Reason>} */ (reasons.get(address));
 };
+/** @param {string} name */
 const reasonNow = (name) => known.get(`/api/search/explain?${searchAddress(name)}`);
 
 // ---- the strip ----
-/** Cells from dull (nothing alike) to full colour (equal); parts that do not count are pale. */
+/**
+ * Cells from dull (nothing alike) to full colour (equal); parts that do not count are pale.
+ * @param {HTMLCanvasElement} canvas
+ * @param {Strip} strip
+ */
 function paintStrip(canvas, strip) {
   const ratio = Math.min(window.devicePixelRatio || 1, 2);
   const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((size) => Math.max(1, Math.round(size * ratio)));
   canvas.width = width;
   canvas.height = height;
-  const context = canvas.getContext("2d");
+  const context = context2d(canvas);
   const style = getComputedStyle(canvas);
   const [full, dull] = [style.getPropertyValue("--strip-full").trim(), style.getPropertyValue("--strip-dull").trim()];
   const rows = strip.rows.length;
@@ -54,15 +66,19 @@ function paintStrip(canvas, strip) {
   });
 }
 
+/** @param {Element} row */
+const canvasOf = (row) => /** @type {HTMLCanvasElement} */ (row.querySelector("canvas"));
+
+/** @param {HitRow} row */
 function drawStrip(row) {
-  const canvas = row.querySelector("canvas");
-  const name = row.dataset.hit;
+  const canvas = canvasOf(row);
+  const name = row.dataset.hit ?? "";
   reasonOf(name).then(({ strip }) => {
     if (!canvas.isConnected) return;
     paintStrip(canvas, strip);
     row.strip = strip;
     row.classList.add("explained");
-    const best = now.body.leaves.map((leaf, k) => [strip.means[k], now.body.words[leaf].toLowerCase()]).filter(([mean]) => mean !== null)
+    const best = now.body.leaves.map((leaf, k) => /** @type {[number, string]} */ ([strip.means[k] ?? -1, now.body.words[leaf].toLowerCase()])).filter(([mean]) => mean >= 0)
       .sort((a, b) => b[0] - a[0]);
     if (best.length) canvas.setAttribute("aria-label", `Most alike: ${best.slice(0, 3).map(([mean, words]) => `${words} ${Math.round(100 * mean)} %`).join(", ")}`);
   }, (error) => { if (canvas.isConnected) canvas.title = error.message; });
@@ -72,26 +88,30 @@ const seen = new IntersectionObserver((entries) => {
   for (const { isIntersecting, target } of entries) {
     if (!isIntersecting) continue;
     seen.unobserve(target);
-    drawStrip(target);
+    drawStrip(/** @type {HitRow} */ (target));
   }
 }, { rootMargin: "120px" });
 
-/** What the cell under the pointer means, in words. */
+/**
+ * What the cell under the pointer means, in words.
+ * @param {PointerEvent} event
+ */
 function describe(event) {
-  const row = event.target.closest(".search-hit");
+  const row = /** @type {HitRow | null} */ (closest(event, ".search-hit"));
   if (!row || !row.strip) return;
-  const box = event.target.getBoundingClientRect();
+  const box = targetOf(event).getBoundingClientRect();
   const leaf = Math.min(Math.floor(((event.clientY - box.top) / box.height) * 10), 9);
   const cells = row.strip.rows[leaf];
   const share = Math.min(Math.max((event.clientX - box.left) / box.width, 0), 0.9999);
   const value = cells[Math.floor(share * cells.length)];
   const lead = now.found.pieces[0];
   const when = `${((share * (lead.end - lead.start)) / lead.fps).toFixed(1)} s`;
-  event.target.title = `${now.body.words[now.body.leaves[leaf]]}, ${when} into the query: ${value < 0 ? "not compared" : `${value} % alike`}`;
+  targetOf(event).title = `${now.body.words[now.body.leaves[leaf]]}, ${when} into the query: ${value < 0 ? "not compared" : `${value} % alike`}`;
   lightPart(now.body.leaves[leaf]);
 }
 
 // ---- rows ----
+/** @param {string} symbol @param {string} words @param {string} href */
 function link(symbol, words, href) {
   const made = element("a", "search-tool", icon(symbol));
   Object.assign(made, { href, title: words });
@@ -99,6 +119,7 @@ function link(symbol, words, href) {
   return made;
 }
 
+/** @param {Hit} hit @param {number} low @param {number} top */
 function hitRow(hit, low, top) {
   const made = element("div", "search-hit");
   made.setAttribute("role", "listitem");
@@ -128,8 +149,10 @@ function hitRow(hit, low, top) {
   return made;
 }
 
+/** @param {number} ms */
 const took = (ms) => (ms < 10 ? `${ms.toFixed(1)} ms` : ms < 2000 ? `${Math.round(ms)} ms` : `${(ms / 1000).toFixed(1)} s`);
 
+/** @param {HTMLElement} box @param {Found} found */
 function head(box, found) {
   const { total, hits, milliseconds } = found;
   const count = hits.length < total ? `${hits.length} of ${total}` : `${total}`;
@@ -141,8 +164,9 @@ function head(box, found) {
 
 let drawn = "";
 export const drawHits = () => {
-  const [box, title, error] = ["search-hits", "search-hits-head", "search-error"].map(find);
+  const box = find("search-hits");
   if (!box) return;
+  const title = need("search-hits-head"), error = need("search-error");
   const found = now.found || {};
   error.textContent = found.error || "";
   error.classList.toggle("hidden", !found.error);
@@ -168,10 +192,12 @@ export const drawHits = () => {
   choose();
 };
 
+/** @param {Found} found */
 const nothing = (found) => (found.asked.label || found.asked.named || found.asked.lasting
   ? "Nothing passes these filters. Widen them, or look for moments instead of whole clips."
   : "Nothing else is there to compare with. Add recordings, or choose another query.");
 
+/** @param {Found} found */
 function more(found) {
   const made = element("button", "search-button search-more", `Show more (${found.total - found.hits.length} left)`);
   made.type = "button";
@@ -180,42 +206,44 @@ function more(found) {
 }
 
 function choose() {
-  for (const one of document.querySelectorAll(".search-hit")) {
+  for (const one of allWithin(document, ".search-hit")) {
     const chosen = one.dataset.hit === now.view.hit;
     if (chosen !== one.classList.contains("chosen")) {
       one.classList.toggle("chosen", chosen);
-      const names = one.querySelector(".search-why-names");
+      const names = within(one, ".search-why-names");
       names.replaceChildren(...(chosen ? now.body.leaves.map((leaf) => {
         const name = element("span", "", now.body.words[leaf]);
         name.dataset.part = leaf;
         return name;
       }) : []));
-      if (one.strip) paintStrip(one.querySelector("canvas"), one.strip);
+      const { strip } = /** @type {HitRow} */ (one);
+      if (strip) paintStrip(canvasOf(one), strip);
     }
-    one.querySelector(".search-open").setAttribute("aria-pressed", String(chosen));
+    within(one, ".search-open").setAttribute("aria-pressed", String(chosen));
   }
 }
 
 // ---- the Stage ----
-let asked = "";
+let playing = "";
 /** Plays the query, or the query and the chosen hit in step. */
 export const playHits = async () => {
   const { found, view } = now;
   if (!found || !found.request || (view.look && view.look !== "search")) return;
   const wanted = JSON.stringify([found.request, view.hit || "", view.parts || ""]);
-  if (wanted === asked && player.status !== "empty") return;
-  const first = asked === "";
-  asked = wanted;
+  if (wanted === playing && player.status !== "empty") return;
+  const first = playing === "";
+  playing = wanted;
   if (!view.hit) return put(found.request, first);
   try {
     const { request } = reasonNow(view.hit) || (await reasonOf(view.hit));
-    if (asked === wanted) put(request, first);
+    if (playing === wanted) put(request, first);
   } catch (error) {
-    notify("This hit cannot be shown", error.message);
+    notify("This hit cannot be shown", error instanceof Error ? error.message : "");
     changeView({ hit: "" });
   }
 };
 
+/** @param {StageRequest} request @param {boolean} first */
 function put(request, first) {
   const stage = player;
   const paired = (stage.layout === "side" || stage.layout === "overlay") && !first && last > 1;
@@ -226,6 +254,7 @@ function put(request, first) {
 }
 let last = 0; // figures that were shown before
 
+/** @param {number} index @param {number} frame */
 export const seekPiece = (index, frame) => {
   const piece = now.found.pieces[index];
   const inside = player.seek({ clip: piece.clip, frame, dataset: piece.source });
@@ -236,16 +265,16 @@ window.addEventListener("stage-frame", (event) => {
   if (!find("search-hits") || !now.found || !now.found.pieces) return;
   const { items, time, duration } = event.detail;
   const share = duration ? time / duration : 0;
-  document.querySelectorAll(".search-hit .search-why-cursor").forEach((line) => {
-    const on = line.closest(".search-hit").classList.contains("chosen") && items.length > 1;
+  allWithin(document, ".search-hit .search-why-cursor").forEach((line) => {
+    const on = around(line, ".search-hit").classList.contains("chosen") && items.length > 1;
     line.style.display = on ? "block" : "none";
-    if (on) line.style.setProperty("--at", share);
+    if (on) line.style.setProperty("--at", String(share));
   });
   now.found.pieces.forEach((piece, k) => {
-    const node = document.querySelector(`.search-source[data-index="${k}"] .search-cursor`);
+    const node = allWithin(document, `.search-source[data-index="${k}"] .search-cursor`)[0];
     const item = items.find((one) => one.clip === piece.clip && one.index === (now.found.pieces.length > 1 ? k : 0));
-    const shade = node && node.parentNode.querySelector(".search-selection");
     if (!node) return;
+    const shade = within(around(node, ".search-track"), ".search-selection");
     node.style.display = item ? "block" : "none";
     if (!item) return;
     const inside = (item.frame - piece.start) / Math.max(piece.end - piece.start, 1);
@@ -255,34 +284,34 @@ window.addEventListener("stage-frame", (event) => {
 
 // ---- pointer and keys ----
 document.addEventListener("click", (event) => {
-  const open = event.target.closest && event.target.closest(".search-open");
+  const open = closest(event, ".search-open");
   if (open) {
-    const { hit } = open.closest(".search-hit").dataset;
+    const { hit } = around(open, ".search-hit").dataset;
     changeView({ hit: hit === now.view.hit ? "" : hit });
   }
-  const why = event.target.closest && event.target.closest(".search-why");
+  const why = closest(event, ".search-why");
   if (!why) return;
-  const hit = why.closest(".search-hit");
+  const hit = around(why, ".search-hit");
   const box = why.getBoundingClientRect();
   const share = (event.clientX - box.left) / box.width;
-  if (!hit.classList.contains("chosen")) changeView({ hit: hit.dataset.hit });
+  if (!hit.classList.contains("chosen")) changeView({ hit: hit.dataset.hit ?? "" });
   else player.seek(share * player.duration);
 });
 document.addEventListener("pointermove", (event) => {
-  if (event.target.classList && event.target.classList.contains("search-why")) describe(event);
+  if (hasClass(event, "search-why")) describe(event);
 });
 let resting = 0;
 document.addEventListener("pointerover", (event) => {
   clearTimeout(resting);
-  const hit = event.target.closest && event.target.closest(".search-hit");
-  if (hit) resting = setTimeout(() => reasonOf(hit.dataset.hit).then(({ request }) => player.prefetch(request)).catch(() => {}), 90);
+  const hit = closest(event, ".search-hit");
+  if (hit) resting = setTimeout(() => reasonOf(hit.dataset.hit ?? "").then(({ request }) => player.prefetch(request)).catch(() => {}), 90);
 });
 document.addEventListener("keydown", (event) => {
-  const open = event.target.classList && event.target.classList.contains("search-open");
-  const way = { ArrowDown: "nextElementSibling", ArrowUp: "previousElementSibling" }[event.key];
-  if (!open || !way) return;
-  const next = event.target.closest(".search-hit")[way];
+  const open = hasClass(event, "search-open");
+  if (!open || (event.key !== "ArrowDown" && event.key !== "ArrowUp")) return;
+  const hit = around(targetOf(event), ".search-hit");
+  const next = /** @type {HTMLElement | null} */ (event.key === "ArrowDown" ? hit.nextElementSibling : hit.previousElementSibling);
   event.preventDefault();
   event.stopPropagation();
-  if (next) (next.querySelector(".search-open") || next).focus();
+  if (next) (allWithin(next, ".search-open")[0] ?? next).focus();
 });

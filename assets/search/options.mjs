@@ -1,21 +1,25 @@
 /* The options of a search: engine, kind of hits, path, filters. Written once, then kept in step with the view. */
-import { element, find } from "../shared/dom.mjs";
+import { around, closest, element, find, need, targetOf, within } from "../shared/dom.mjs";
 import { changeSearch, now } from "./state.mjs";
 
 let waiting = 0;
 
+/** @param {string} value @param {string} words */
 const option = (value, words) => Object.assign(element("option", "", words), { value });
 
+/** @param {string} words @param {string} of @param {...Node} controls */
 function labelled(words, of, ...controls) {
   const label = element("label", "search-label", words);
   label.htmlFor = of;
   return element("div", "search-option", label, ...controls);
 }
 
+/** @param {string} id @param {Record<string, any>} attributes */
 function input(id, attributes) {
   return Object.assign(element("input", "search-text"), { id, autocomplete: "off", ...attributes });
 }
 
+/** @param {HTMLElement} box */
 function build(box) {
   const engine = element("select", "search-select", ...now.engines.map(({ value, label }) => option(value, label)));
   engine.id = "search-engine";
@@ -46,58 +50,61 @@ export const drawOptions = () => {
   if (!box.firstChild) build(box);
   const { view, found, clips } = now;
   const actions = (clips && clips.actions) || [];
-  const label = find("search-label");
+  const label = need("search-label");
   const mark = JSON.stringify(actions);
   if (label.dataset.mark !== mark) {
     label.dataset.mark = mark;
     label.replaceChildren(option("", "any"), ...actions.map((action) => option(action, action)));
   }
-  label.parentNode.classList.toggle("hidden", !actions.length);
+  around(label, ".search-option").classList.toggle("hidden", !actions.length);
   const [shortest, longest] = (view.lasting || "-").split("-");
   const values = {
     "search-engine": view["search-method"] || "bounded-edit", "search-level": view.level || (found && found.level) || "clip",
     "search-route": view.route || "0", "search-label": view.label || "", "search-named": view.named || "",
     "search-shortest": shortest, "search-longest": longest,
   };
-  if (!waiting) for (const [id, value] of Object.entries(values)) if (find(id) !== document.activeElement || find(id).tagName === "SELECT") find(id).value = value;
+  if (!waiting) for (const [id, value] of Object.entries(values)) if (find(id) !== document.activeElement || need(id).tagName === "SELECT") need(id).value = value;
   sayRoute();
   fold();
 };
 
 // ---- all of what counts can be folded away: where there is little room it is, once there is a query ----
+/** @type {boolean | null} */
 let folded = null;
 function fold() {
-  const [button, box] = [find("search-counts"), find("search-wanted")];
+  const [button, box] = [need("search-counts"), need("search-wanted")];
   const little = button.clientWidth < 780;
   const closed = folded ?? (little && Boolean(now.view.query));
   button.setAttribute("aria-expanded", String(!closed));
   box.classList.toggle("hidden", closed);
-  const chosen = (id) => find(id).selectedOptions[0]?.textContent;
+  /** @param {string} id */
+  const chosen = (id) => /** @type {any} */ (need(id)).selectedOptions[0]?.textContent;
   const { view } = now;
-  const said = [find("search-preset") && chosen("search-preset"), chosen("search-engine"), chosen("search-level"),
+  const summary = [find("search-preset") && chosen("search-preset"), chosen("search-engine"), chosen("search-level"),
     view.route && `path ${view.route} %`, view.label, view.named && `“${view.named}”`, view.lasting && `${view.lasting} s`];
-  find("search-counts-says").textContent = said.filter(Boolean).join(" · ");
+  need("search-counts-says").textContent = summary.filter(Boolean).join(" · ");
 }
 document.addEventListener("click", (event) => {
-  const button = event.target.closest && event.target.closest("#search-counts");
+  const button = closest(event, "#search-counts");
   if (!button) return;
   folded = button.getAttribute("aria-expanded") === "true";
   fold();
 });
 
 function sayRoute() {
-  const { value, style } = find("search-route");
+  const { value, style } = need("search-route");
   style.setProperty("--share", `${value}%`);
-  document.querySelector(".search-route-says").textContent = `${value} %`;
+  within(document, ".search-route-says").textContent = `${value} %`;
 }
 
 function lasting() {
-  const [low, high] = ["search-shortest", "search-longest"].map((id) => find(id).value.trim());
+  const [low, high] = ["search-shortest", "search-longest"].map((id) => need(id).value.trim());
   return low || high ? `${low}-${high}` : "";
 }
 
+/** @param {string} id */
 function take(id) {
-  const value = find(id) ? find(id).value : "";
+  const value = find(id) ? need(id).value : "";
   if (id === "search-engine") changeSearch({ "search-method": value === "bounded-edit" ? "" : value });
   else if (id === "search-level") changeSearch({ level: value, top: "" });
   else if (id === "search-route") changeSearch({ route: value === "0" ? "" : value });
@@ -106,13 +113,14 @@ function take(id) {
   else changeSearch({ lasting: lasting(), top: "" });
 }
 
+/** @param {HTMLElement} target */
 const mine = (target) => target.closest && target.closest("#search-options");
-document.addEventListener("change", (event) => { if (mine(event.target) && event.target.tagName === "SELECT") take(event.target.id); });
+document.addEventListener("change", (event) => { if (mine(targetOf(event)) && targetOf(event).tagName === "SELECT") take(targetOf(event).id); });
 document.addEventListener("input", (event) => {
-  if (!mine(event.target) || event.target.tagName === "SELECT") return;
-  if (event.target.id === "search-route") sayRoute();
+  if (!mine(targetOf(event)) || targetOf(event).tagName === "SELECT") return;
+  if (targetOf(event).id === "search-route") sayRoute();
   clearTimeout(waiting);
-  const { id } = event.target;
+  const { id } = targetOf(event);
   waiting = setTimeout(() => {
     waiting = 0;
     take(id);

@@ -1,21 +1,27 @@
 /* Where the query comes from: one row a piece, each a clip with a range dragged on its pictures. */
 import { notify } from "../shared/dash.mjs";
-import { element, find, icon } from "../shared/dom.mjs";
+import { allWithin, around, childrenOf, closest, element, find, hasClass, icon, need, targetOf, within } from "../shared/dom.mjs";
 import { clock } from "../shared/words.mjs";
 import { player } from "../stage/player.mjs";
 import { drawBody } from "./body.mjs";
 import { seekPiece } from "./hits.mjs";
 import { canGoBack, changeSearch, copyPieces, goBack, now, remember, searchFor } from "./state.mjs";
 import { chooseRecording } from "./upload.mjs";
+/** @import { ClipList, Drag, QueryPiece, ShownPiece } from "./types.d.ts" */
 
 const PICTURES = 12;
 const LABELS = ["#4e79a7", "#f28e2b", "#59a14f", "#e15759", "#b07aa1", "#9c755f", "#76b7b2", "#d4a720", "#ff9da7", "#79706e"];
+/** @type {Map<string, [number, number]>} */
 const windows = new Map(); // "dataset clip" -> [from, to] frames that its row shows
 
+/** @param {ShownPiece} piece */
 const nameOf = (piece) => `${piece.dataset} ${piece.clip}`;
+/** @param {ShownPiece} piece */
 const shownOf = (piece) => windows.get(nameOf(piece)) || [0, piece.frames];
+/** @param {string} name */
 const clipCalled = (name) => now.clips && now.clips.clips.find((clip) => clip[0] === name);
 
+/** @param {ShownPiece} piece @param {[number, number]} range */
 function pictures(piece, [from, to]) {
   const box = element("div", "search-pictures");
   const step = (to - from) / PICTURES;
@@ -23,7 +29,7 @@ function pictures(piece, [from, to]) {
     const start = Math.round(from + k * step);
     const end = Math.max(Math.round(from + (k + 1) * step), start + 1);
     const picture = element("img");
-    const pairs = new URLSearchParams({ start, end: Math.min(end, piece.frames), n: 1, v: piece.version.slice(0, 8) });
+    const pairs = new URLSearchParams({ start: String(start), end: String(Math.min(end, piece.frames)), n: "1", v: piece.version.slice(0, 8) });
     picture.src = `/api/filmstrip/${encodeURIComponent(piece.source)}/${encodeURIComponent(piece.clip)}?${pairs}`;
     picture.alt = "";
     picture.draggable = false;
@@ -32,6 +38,7 @@ function pictures(piece, [from, to]) {
   return box;
 }
 
+/** @param {ShownPiece} piece @param {[number, number]} range */
 function labels(piece, [from, to]) {
   const box = element("div", "search-labels");
   const actions = now.clips ? now.clips.actions : [];
@@ -47,22 +54,25 @@ function labels(piece, [from, to]) {
   return box;
 }
 
+/** @param {HTMLElement} node @param {number} start @param {number} end @param {[number, number]} range */
 const place = (node, start, end, [from, to]) => {
   node.style.left = (100 * (start - from)) / (to - from) + "%";
   node.style.width = Math.max((100 * (end - start)) / (to - from), 0.3) + "%";
 };
 
+/** @param {string} which @param {ShownPiece} piece */
 function handle(which, piece) {
   const made = element("div", "search-handle search-handle-" + which);
   made.tabIndex = 0;
   made.setAttribute("role", "slider");
   made.setAttribute("aria-label", which === "start" ? "First frame of the query" : "End of the query");
-  made.setAttribute("aria-valuemin", 0);
-  made.setAttribute("aria-valuemax", piece.frames);
+  made.setAttribute("aria-valuemin", String(0));
+  made.setAttribute("aria-valuemax", String(piece.frames));
   made.dataset.end = which;
   return made;
 }
 
+/** @param {string} symbol @param {string} label @param {string} action */
 function tool(symbol, label, action) {
   const made = element("button", "search-tool", icon(symbol, 14));
   made.type = "button";
@@ -72,9 +82,10 @@ function tool(symbol, label, action) {
   return made;
 }
 
+/** @param {ShownPiece} piece @param {number} index @param {boolean} several */
 function row(piece, index, several) {
   const made = element("div", "search-source");
-  made.dataset.index = index;
+  made.dataset.index = String(index);
   made.style.setProperty("--own", piece.colour);
   const badge = element("button", "search-badge", "ABCDEF"[index]);
   badge.type = "button";
@@ -100,20 +111,21 @@ function row(piece, index, several) {
   return made;
 }
 
+/** @param {HTMLElement} node @param {ShownPiece} piece */
 function settle(node, piece) {
   const range = shownOf(piece);
   const { start, end, fps, frames } = piece;
-  place(node.querySelector(".search-selection"), Math.max(start, range[0]), Math.min(end, range[1]), range);
-  place(node.querySelector(".search-shade-left"), range[0], Math.max(start, range[0]), range);
-  place(node.querySelector(".search-shade-right"), Math.min(end, range[1]), range[1], range);
-  node.querySelector(".search-shade-left").style.minWidth = 0;
-  for (const [which, value] of [["start", start], ["end", end]]) {
-    const one = node.querySelector(".search-handle-" + which);
-    one.setAttribute("aria-valuenow", value);
+  place(within(node, ".search-selection"), Math.max(start, range[0]), Math.min(end, range[1]), range);
+  place(within(node, ".search-shade-left"), range[0], Math.max(start, range[0]), range);
+  place(within(node, ".search-shade-right"), Math.min(end, range[1]), range[1], range);
+  within(node, ".search-shade-left").style.minWidth = "0";
+  for (const [which, value] of /** @type {[string, number][]} */ ([["start", start], ["end", end]])) {
+    const one = within(node, ".search-handle-" + which);
+    one.setAttribute("aria-valuenow", String(value));
     one.setAttribute("aria-valuetext", clock(value / fps));
   }
   const whole = start === 0 && end === frames;
-  node.querySelector(".search-span").textContent = whole ? `whole clip, ${(frames / fps).toFixed(1)} s`
+  within(node, ".search-span").textContent = whole ? `whole clip, ${(frames / fps).toFixed(1)} s`
     : `${clock(start / fps)} to ${clock(end / fps)}, ${((end - start) / fps).toFixed(1)} s`;
 }
 
@@ -124,40 +136,42 @@ function empty() {
   name.placeholder = now.clips ? "Choose a clip" : "No dataset yet";
   const hint = element("span", "muted search-hint", "What motion do you look for? Choose a clip, then drag over the part that matters.");
   const made = element("div", "search-source search-source-empty", element("div", "search-source-head", name, hint));
-  made.dataset.index = 0;
+  made.dataset.index = String(0);
   return made;
 }
 
 let drawn = "";
+/** @type {Drag | null} */
 let dragged = null; // {index, start, end, mode, at}: while one drags
 export const drawSources = () => {
-  const box = find("search-sources");
+  const box = need("search-sources");
   const pieces = (now.found && now.found.pieces) || [];
   const mark = JSON.stringify([now.clips && [now.clips.dataset, now.clips.version, now.clips.clips.length], pieces.map((p) =>
     [p.dataset, p.clip, p.version, p.gives, p.labels.length, shownOf(p)])]);
   if (mark !== drawn || !box.firstChild) {
     const focus = document.activeElement && box.contains(document.activeElement)
-      ? [document.activeElement.closest(".search-source")?.dataset.index, document.activeElement.className] : null;
+      ? [closest({ target: document.activeElement }, ".search-source")?.dataset.index, document.activeElement.className] : null;
     drawn = mark;
     now.active = Math.min(now.active, Math.max(pieces.length - 1, 0));
     box.replaceChildren(...(pieces.length ? pieces.map((piece, k) => row(piece, k, pieces.length > 1)) : [empty()]));
-    const again = focus && focus[1] && [...box.querySelectorAll(`[data-index="${focus[0]}"] *`)].find((one) => one.className === focus[1]);
+    const again = focus && focus[1] && allWithin(box, `[data-index="${focus[0]}"] *`).find((one) => one.className === focus[1]);
     if (again) again.focus();
     names();
   }
-  pieces.forEach((piece, k) => { if (!dragged || dragged.index !== k) settle(box.children[k], piece); });
-  box.querySelectorAll(".search-source").forEach((one, k) => one.classList.toggle("active", k === now.active && pieces.length > 1));
+  pieces.forEach((piece, k) => { if (!dragged || dragged.index !== k) settle(childrenOf(box)[k], piece); });
+  allWithin(box, ".search-source").forEach((one, k) => one.classList.toggle("active", k === now.active && pieces.length > 1));
   drawMotifs();
   const back = document.querySelector("[data-search='back']");
   if (back) back.classList.toggle("hidden", !canGoBack());
-  const combineButton = document.querySelector("[data-search='combine']");
+  const combineButton = allWithin(document, "[data-search='combine']")[0];
   if (combineButton) combineButton.disabled = !pieces.length || pieces.length >= 6;
-  const warning = find("search-warning");
+  const warning = need("search-warning");
   const doubt = (now.found && now.found.doubt) || "";
   warning.classList.toggle("hidden", !doubt);
   warning.textContent = doubt;
 };
 
+/** @type {ClipList | null} */
 let named = null;
 function names() {
   const list = find("search-clip-names");
@@ -186,9 +200,11 @@ function drawMotifs() {
 }
 
 // ---- the pieces are changed ----
+/** @param {number} index @param {string} name */
 function takeClip(index, name) {
   const clip = clipCalled(name);
   if (!clip) return false;
+  /** @type {QueryPiece[]} */
   const pieces = copyPieces();
   const leaves = pieces[index] ? pieces[index].leaves : [...now.body.leaves];
   pieces[index] = { clip: name, dataset: "", start: 0, end: clip[1], leaves };
@@ -196,6 +212,7 @@ function takeClip(index, name) {
   return true;
 }
 
+/** @param {number} index @param {number} start @param {number} end */
 function setRange(index, start, end) {
   const pieces = copyPieces();
   const piece = pieces[index];
@@ -207,6 +224,7 @@ function setRange(index, start, end) {
   searchFor(pieces);
 }
 
+/** @param {number} index @param {string} action */
 function zoom(index, action) {
   const piece = now.found.pieces[index];
   const [from, to] = shownOf(piece);
@@ -236,41 +254,42 @@ function fromStage() {
   const item = player.frameOf(0);
   if (!item) return notify("Nothing is on the Stage", "Play a clip, a motif or a walk first; what the Stage shows can then be looked for.");
   const here = !item.dataset || item.dataset === now.clips.dataset;
-  const piece = { clip: item.clip, start: item.start, end: item.end, dataset: here ? "" : item.dataset, leaves: [...now.body.leaves] };
+  const piece = { clip: item.clip, start: item.start, end: item.end, dataset: here ? "" : item.dataset ?? "", leaves: [...now.body.leaves] };
   return searchFor([piece]);
 }
 
 document.addEventListener("change", (event) => {
-  if (event.target.id === "search-motif" && event.target.value) {
+  if (targetOf(event).id === "search-motif" && targetOf(event).value) {
     remember();
-    changeSearch({ query: event.target.value });
-    event.target.value = "";
-  } else if (event.target.classList.contains("search-clip")) {
-    const index = Number(event.target.closest(".search-source").dataset.index);
+    changeSearch({ query: targetOf(event).value });
+    targetOf(event).value = "";
+  } else if (hasClass(event, "search-clip")) {
+    const index = Number(around(targetOf(event), ".search-source").dataset.index);
     const piece = now.found && now.found.pieces && now.found.pieces[index];
-    if (!takeClip(index, event.target.value) && event.target.value) {
-      notify("No clip of this name", `“${event.target.value}” is not in this dataset.`);
-      event.target.value = piece ? piece.clip : "";
+    if (!takeClip(index, targetOf(event).value) && targetOf(event).value) {
+      notify("No clip of this name", `“${targetOf(event).value}” is not in this dataset.`);
+      targetOf(event).value = piece ? piece.clip : "";
     }
   }
 });
 
 document.addEventListener("input", (event) => { // a choice from the list needs no Enter
-  if (event.target.classList.contains("search-clip") && event.inputType === undefined && clipCalled(event.target.value)) {
-    takeClip(Number(event.target.closest(".search-source").dataset.index), event.target.value);
+  if (hasClass(event, "search-clip") && /** @type {InputEvent} */ (event).inputType === undefined && clipCalled(targetOf(event).value)) {
+    takeClip(Number(around(targetOf(event), ".search-source").dataset.index), targetOf(event).value);
   }
 });
 
 document.addEventListener("click", (event) => {
-  const button = event.target.closest && event.target.closest("[data-search]");
+  const button = closest(event, "[data-search]");
   if (button) {
-    const act = { stage: fromStage, combine, back: goBack, upload: chooseRecording }[button.dataset.search];
-    if (act) act();
+    /** @type {Record<string, () => void>} */
+    const acts = { stage: fromStage, combine, back: goBack, upload: chooseRecording };
+    acts[button.dataset.search ?? ""]?.();
     return;
   }
-  const on = event.target.closest && event.target.closest("[data-piece]");
+  const on = closest(event, "[data-piece]");
   if (!on) return;
-  const index = Number(on.closest(".search-source").dataset.index);
+  const index = Number(around(on, ".search-source").dataset.index);
   const piece = now.found.pieces[index];
   if (on.dataset.piece === "active") {
     now.active = index;
@@ -285,10 +304,11 @@ document.addEventListener("click", (event) => {
     pieces[0].leaves = now.body.leaves.filter((leaf) => pieces[0].leaves.includes(leaf) || gone.leaves.includes(leaf));
     now.active = 0;
     searchFor(pieces);
-  } else zoom(index, on.dataset.piece);
+  } else zoom(index, on.dataset.piece ?? "");
 });
 
 // ---- dragging a range ----
+/** @param {HTMLElement} track @param {ShownPiece} piece @param {number} x */
 const frameAt = (track, piece, x) => {
   const box = track.getBoundingClientRect();
   const [from, to] = shownOf(piece);
@@ -296,16 +316,16 @@ const frameAt = (track, piece, x) => {
 };
 
 document.addEventListener("pointerdown", (event) => {
-  const track = event.target.closest && event.target.closest(".search-track");
+  const track = closest(event, ".search-track");
   if (!track || event.button) return;
-  const index = Number(track.closest(".search-source").dataset.index);
+  const index = Number(around(track, ".search-source").dataset.index);
   const piece = now.found.pieces[index];
   const at = frameAt(track, piece, event.clientX);
-  const end = event.target.dataset.end;
-  dragged = { index, track, at, piece: { ...piece }, mode: end || "new", moved: false, id: event.pointerId, label: event.target.dataset.range };
+  const end = targetOf(event).dataset.end;
+  dragged = { index, track, at, piece: { ...piece }, mode: end || "new", moved: false, start: 0, end: 0, id: event.pointerId, label: targetOf(event).dataset.range };
   track.setPointerCapture(event.pointerId);
   event.preventDefault();
-  if (end) event.target.focus();
+  if (end) targetOf(event).focus();
 });
 
 document.addEventListener("pointermove", (event) => {
@@ -320,16 +340,17 @@ document.addEventListener("pointermove", (event) => {
   else [start, end] = [Math.min(frame, dragged.at), Math.max(frame, dragged.at)];
   dragged.start = start;
   dragged.end = Math.max(end, start + 1);
-  settle(track.closest(".search-source"), { ...piece, start, end: dragged.end });
+  settle(around(track, ".search-source"), { ...piece, start, end: dragged.end });
 });
 
+/** @param {PointerEvent} event */
 const release = (event) => {
   if (!dragged || event.pointerId !== dragged.id) return;
   const { index, moved, start, end, label, piece, track } = dragged;
   const least = Math.max(2, Math.round(0.1 * piece.fps));
   dragged = null;
   if (event.type === "pointercancel") return drawSources();
-  if (label && !moved) return setRange(index, ...label.split("-").map(Number));
+  if (label && !moved) return setRange(index, Number(label.split("-")[0]), Number(label.split("-")[1]));
   if (!moved) return seekPiece(index, frameAt(track, piece, event.clientX));
   if (end - start < least) return drawSources();
   return setRange(index, start, end);
@@ -338,8 +359,8 @@ document.addEventListener("pointerup", release);
 document.addEventListener("pointercancel", release);
 
 document.addEventListener("keydown", (event) => {
-  if (!event.target.classList || !event.target.classList.contains("search-handle")) return;
-  const index = Number(event.target.closest(".search-source").dataset.index);
+  if (!hasClass(event, "search-handle")) return;
+  const index = Number(around(targetOf(event), ".search-source").dataset.index);
   const piece = now.found.pieces[index];
   const step = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageUp: 10, PageDown: -10 }[event.key];
   const by = event.shiftKey ? 10 * (step || 0) : step;
@@ -347,6 +368,6 @@ document.addEventListener("keydown", (event) => {
   if (!home) return;
   event.preventDefault();
   event.stopPropagation();
-  if (event.target.dataset.end === "start") setRange(index, Math.min(piece.start + home, piece.end - 1), piece.end);
+  if (targetOf(event).dataset.end === "start") setRange(index, Math.min(piece.start + home, piece.end - 1), piece.end);
   else setRange(index, piece.start, Math.max(piece.end + home, piece.start + 1));
 });

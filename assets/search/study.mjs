@@ -1,14 +1,21 @@
 /* Do people agree? Pairs and duels on the Stage, answered by keys; nothing here knows which engine found what. */
 import { changeView, clientside, register, setStore } from "../shared/dash.mjs";
-import { element, find, icon } from "../shared/dom.mjs";
+import { childrenOf, closest, element, find, icon, need, targetOf } from "../shared/dom.mjs";
 import { player } from "../stage/player.mjs";
+/** @import { Person, Question, Study } from "./types.d.ts" */
+/** @import { Child } from "../shared/dom.mjs" */
+/** @import { View } from "../shared/types.d.ts" */
 
 const SCALE = ["completely different", "", "", "", "", "", "", "", "", "identical"];
 const CHOICES = { left: ["A", "#3a9b7a", "A"], same: ["No difference", "", "S"], right: ["B", "#d2762b", "B"] };
+/** @type {Record<string, string>} */
 const VALUES = { A: "left", S: "same", B: "right" };
 
-let data = null;
+/** @type {Study} */
+let data = /** @type {any} */ (null); // until it has come
+/** @type {View} */
 let view = {};
+/** @type {Record<string, number>} */
 const at = { rate: 0, vote: 0 }; // which pair is asked about
 let shown = ""; // what is on the Stage
 
@@ -17,6 +24,7 @@ const mode = () => (view.study === "vote" ? "vote" : view.study === "results" ? 
 const awaited = () => data.asked[2] !== (person.name || person.id);
 const rows = () => (awaited() ? [] : (mode() === "vote" ? data.duels : data.pairs) || []);
 const visible = () => Boolean(find("study-setup")?.offsetParent) && data && !data.error;
+/** @param {Child | Child[]} words @param {string} name @param {string} [className] */
 const button = (words, name, className = "search-button") => {
   const made = element("button", className, ...[words].flat());
   made.type = "button";
@@ -49,7 +57,7 @@ function setup() {
   const add = button([icon("plus", 13), "The query of the search"], "add");
   add.disabled = !whole();
   add.title = whole() ? "" : "Choose a query of this dataset, for the whole body, under Search first";
-  find("study-setup").replaceChildren(
+  need("study-setup").replaceChildren(
     element("div", "study-line", element("span", "search-label", "Queries"), ...queries, add, button([icon("dice", 15), "Draw three"], "draw")),
     element("div", "study-line", element("span", "search-label", "Engines"), ...engines),
     element("div", "study-line", label, name),
@@ -63,6 +71,7 @@ function whole() {
 }
 
 // ---- what is asked ----
+/** @param {string} words */
 function nothing(words) {
   return element("p", "muted study-nothing", words);
 }
@@ -70,7 +79,7 @@ function nothing(words) {
 function draw() {
   const which = mode();
   if (which === "results") return;
-  const box = find(which === "vote" ? "study-vote" : "study-rate");
+  const box = need(which === "vote" ? "study-vote" : "study-rate");
   const all = rows();
   if (awaited()) return box.replaceChildren(nothing(`Fetching the pairs for ${person.name || "you"} …`));
   if (!data.queries.length) return box.replaceChildren(nothing("Choose queries above: the one of the search, or three drawn by chance."));
@@ -83,29 +92,31 @@ function draw() {
   const row = all[at[which]];
   const done = all.filter((one) => one.value).length;
   const bar = element("div", "job-progress", element("div"));
-  bar.firstChild.style.width = `${(100 * done) / all.length}%`;
+  childrenOf(bar)[0].style.width = `${(100 * done) / all.length}%`;
   const walk = element("div", "study-walk", move("Back", -1, "back"), element("span", "muted number", `${at[which] + 1} of ${all.length}, ${done} answered`), move("Skip", 1, "next"));
-  box.replaceChildren(...[
+  box.replaceChildren(
     element("div", "study-progress", bar),
     element("h2", "study-question", which === "vote" ? "Which is more like the query: A or B?" : "How alike are the two motions on the Stage?"),
     which === "vote" ? choices(row) : scale(row),
     walk,
-    done === all.length ? element("p", "study-thanks", "All pairs are answered. Thank you! Results shows what came of it.") : null,
-  ].filter(Boolean));
+    ...(done === all.length ? [element("p", "study-thanks", "All pairs are answered. Thank you! Results shows what came of it.")] : []),
+  );
   play(row);
   return undefined;
 }
 
+/** @param {string} words @param {number} by @param {string} symbol */
 function move(words, by, symbol) {
   const made = button([icon(symbol, 13), words], "move");
-  made.dataset.by = by;
+  made.dataset.by = String(by);
   return made;
 }
 
+/** @param {Question} row */
 function scale(row) {
   const buttons = SCALE.map((words, k) => {
     const one = button([element("b", "", String(k + 1)), element("span", "", words)], "answer", "study-value");
-    one.dataset.value = k + 1;
+    one.dataset.value = String(k + 1);
     one.setAttribute("aria-label", `${k + 1}${words ? `: ${words}` : ""}`);
     one.setAttribute("aria-pressed", String(row.value === k + 1));
     return one;
@@ -114,6 +125,7 @@ function scale(row) {
   return element("div", "", element("div", "study-scale", ...buttons), keys);
 }
 
+/** @param {Question} row */
 function choices(row) {
   const buttons = Object.entries(CHOICES).map(([value, [words, colour, key]]) => {
     const dot = element("span", "study-dot");
@@ -126,6 +138,7 @@ function choices(row) {
   return element("div", "study-choices", ...buttons);
 }
 
+/** @param {Question} row */
 function play(row) {
   const wanted = JSON.stringify([row.query, row.hit, row.left, row.right]);
   if (wanted === shown && player.status !== "empty") return;
@@ -136,15 +149,16 @@ function play(row) {
   if (next) setTimeout(() => player.prefetch(next.request), 600);
 }
 
+/** @param {number | string} value */
 function answer(value) {
   const which = mode();
   const row = rows()[at[which]];
   if (!row) return;
   row.value = value;
   given.set(nameOf(row), value);
-  const told = which === "vote" ? { kind: "vote", query: row.query, left: row.left, right: row.right, choice: value }
+  const message = which === "vote" ? { kind: "vote", query: row.query, left: row.left, right: row.right, choice: value }
     : { kind: "rating", query: row.query, hit: row.hit, value };
-  pending.push({ ...told, person: person.name || person.id, id: `${Date.now()} ${Math.random()}` });
+  pending.push({ ...message, person: person.name || person.id, id: `${Date.now()} ${Math.random()}` });
   send();
   step(1);
 }
@@ -157,6 +171,7 @@ function send() {
   setTimeout(send, PATIENCE); // where no answer came: the server was away
 }
 
+/** @param {number} by */
 function step(by) {
   const which = mode();
   at[which] = Math.min(Math.max(at[which] + by, 0), Math.max(rows().length - 1, 0));
@@ -165,19 +180,28 @@ function step(by) {
 
 // Answers given here: data that was on its way meanwhile does not know them yet.
 const given = new Map();
+/** @param {Question} row */
 const nameOf = (row) => JSON.stringify([person.name || person.id, row.query, row.hit, row.left, row.right]);
 
-/** Where to go on: at the question one was at, where the order is the same, else at the first without an answer. */
+/**
+ * Where to go on: at the question one was at, where the order is the same, else at the first without an answer.
+ * @param {number} number
+ * @param {Question[]} before
+ * @param {Question[]} all
+ */
 function place(number, before, all) {
   const same = before[number] && before.length === all.length && nameOf(before[number]) === nameOf(all[number]);
   return same ? number : Math.max(all.findIndex((row) => !row.value), 0);
 }
 
 const PATIENCE = 20000; // milliseconds
+/** @type {Record<string, any>[]} */
 const pending = []; // answers the server has not confirmed
 let sent = 0; // when the message under way was sent, 0 where none is
 
+/** @type {Person} */
 let person = {};
+/** @param {Person | null} stored */
 function who(stored) {
   person = stored || {};
   if (!person.id) {
@@ -187,6 +211,7 @@ function who(stored) {
 }
 
 register("study", {
+  /** @param {{ kept?: string[] } | null} confirmed */
   kept(confirmed) {
     if (!confirmed || !confirmed.kept) return clientside.no_update;
     for (const id of confirmed.kept) {
@@ -197,6 +222,7 @@ register("study", {
     send();
     return clientside.no_update;
   },
+  /** @param {Study | null} found @param {View | null} seen @param {Person | null} stored */
   draw(found, seen, stored) {
     view = seen || {};
     if (!found || view.look !== "agree" || !find("study-setup")) {
@@ -209,12 +235,12 @@ register("study", {
     const before = data && data.asked[2] === found.asked[2] ? data : null;
     data = found;
     if (data.error) {
-      find("study-setup").replaceChildren(nothing(data.error));
-      for (const id of ["study-rate", "study-vote"]) find(id).replaceChildren();
+      need("study-setup").replaceChildren(nothing(data.error));
+      for (const id of ["study-rate", "study-vote"]) need(id).replaceChildren();
       return clientside.no_update;
     }
     if (fresh) for (const row of [...data.pairs, ...data.duels]) row.value = given.get(nameOf(row)) ?? row.value;
-    if (fresh) for (const [which, all] of [["rate", "pairs"], ["vote", "duels"]]) at[which] = place(at[which], (before && before[all]) || [], data[all]);
+    if (fresh) for (const [which, all] of /** @type {["rate" | "vote", "pairs" | "duels"][]} */ ([["rate", "pairs"], ["vote", "duels"]])) at[which] = place(at[which], (before && before[all]) || [], data[all]);
     setup();
     draw();
     return clientside.no_update;
@@ -222,10 +248,13 @@ register("study", {
 });
 
 // ---- what one does ----
+/** @type {Record<string, (button: HTMLElement) => void>} */
 const ACTS = {
   add: () => asks([...data.queries.map((query) => query.name), whole()]),
+  /** @param {HTMLElement} on */
   remove: (on) => asks(data.queries.map((query) => query.name).filter((name) => name !== on.dataset.name)),
   draw: () => setStore("study-wish", { draw: 1 + Math.floor(Math.random() * 1e6) }),
+  /** @param {HTMLElement} on */
   build: (on) => setStore("study-wish", { build: on.dataset.method, at: Date.now() }),
   clear() {
     if (!window.confirm("Remove all ratings and votes about this dataset, of all people?")) return;
@@ -234,18 +263,21 @@ const ACTS = {
     for (const row of [...data.pairs, ...data.duels]) row.value = null;
     setStore("study-wish", { clear: true, at: Date.now() });
   },
+  /** @param {HTMLElement} on */
   move: (on) => step(Number(on.dataset.by)),
-  answer: (on) => answer(mode() === "vote" ? on.dataset.value : Number(on.dataset.value)),
+  /** @param {HTMLElement} on */
+  answer: (on) => answer(mode() === "vote" ? on.dataset.value ?? "" : Number(on.dataset.value)),
 };
+/** @param {string[]} names */
 const asks = (names) => changeView({ asks: [...new Set(names.filter(Boolean))].join(",") });
 
 document.addEventListener("click", (event) => {
-  const on = event.target.closest && event.target.closest("[data-study]");
-  if (on && !on.disabled) ACTS[on.dataset.study](on);
+  const on = closest(event, "[data-study]");
+  if (on && !on.disabled) ACTS[on.dataset.study ?? ""](on);
 });
 document.addEventListener("change", (event) => {
-  if (event.target.id !== "study-name") return;
-  who({ ...person, name: event.target.value.trim() });
+  if (targetOf(event).id !== "study-name") return;
+  who({ ...person, name: targetOf(event).value.trim() });
   setStore("study-person", person);
   draw();
 });
@@ -253,7 +285,7 @@ document.addEventListener("change", (event) => {
 // Digits belong to the answers while pairs are shown, wherever the focus is but in a field.
 document.addEventListener("keydown", (event) => {
   if (!visible() || mode() === "results" || !rows().length || event.ctrlKey || event.metaKey || event.altKey) return;
-  if (event.target.closest && event.target.closest("input:not([type='radio']), textarea, select")) return;
+  if (closest(event, "input:not([type='radio']), textarea, select")) return;
   const key = event.key.toUpperCase();
   let done = true;
   if (mode() === "rate" && /^[0-9]$/.test(key)) answer(key === "0" ? 10 : Number(key));

@@ -1,23 +1,27 @@
 /* A recording of one's own as the query: sent by PUT to the upload route, read by a job. */
 import { setStore } from "../shared/dash.mjs";
-import { element } from "../shared/dom.mjs";
+import { allWithin, element, find, within } from "../shared/dom.mjs";
 
 const HEADERS = { "X-Motionscape": "upload" };
-const status = () => document.getElementById("search-upload-status");
-let sending = null, turn = 0; // the request that sends, and how often files were chosen: the last choice counts
+const status = () => find("search-upload-status");
+/** @type {XMLHttpRequest | null} */
+let sending = null;
+let turn = 0; // the request that sends, and how often files were chosen: the last choice counts
 
-const suffixes = () => document.querySelector(".search-choose").dataset.suffixes.split(",").filter((one) => one !== ".csv");
+const suffixes = () => (within(document, ".search-choose").dataset.suffixes ?? "").split(",").filter((one) => one !== ".csv");
 
+/** @param {string} words @param {string} [kind] */
 function say(words, kind = "muted") {
   const box = document.querySelector(".search-sending") || element("span", "search-sending");
   box.className = `search-sending ${kind}`;
   box.textContent = words;
-  if (!box.isConnected) status().before(box);
+  if (!box.isConnected) status()?.before(box);
 }
-const quiet = () => document.querySelectorAll(".search-sending").forEach((one) => one.remove());
+const quiet = () => allWithin(document, ".search-sending").forEach((one) => one.remove());
 
+/** @param {string} token @param {File} file @param {(share: number) => void} tell */
 function put(token, file, tell) {
-  return new Promise((resolve, reject) => {
+  return /** @type {Promise<void>} */ (new Promise((resolve, reject) => {
     const request = new XMLHttpRequest();
     sending = request;
     request.open("PUT", `/api/uploads/${token}/${encodeURIComponent(file.name)}`);
@@ -31,10 +35,13 @@ function put(token, file, tell) {
       return reject(new Error(message));
     };
     request.send(file);
-  });
+  }));
 }
 
-/** Sends the files of one recording and asks for it to be read. */
+/**
+ * Sends the files of one recording and asks for it to be read.
+ * @param {File[]} files
+ */
 async function send(files) {
   if (!files.length) return;
   const mine = ++turn;
@@ -61,7 +68,7 @@ async function send(files) {
     if (token) fetch(`/api/uploads/${token}`, { method: "DELETE", headers: HEADERS }).catch(() => {});
     if (mine !== turn) return;
     sending = null;
-    say(error.message, "error-text");
+    say(error instanceof Error ? error.message : String(error), "error-text");
   }
 }
 
@@ -70,7 +77,7 @@ export const chooseRecording = () => {
   chooser.type = "file";
   chooser.multiple = true;
   chooser.accept = suffixes().join(",");
-  chooser.onchange = () => send([...chooser.files]);
+  chooser.onchange = () => send([...(chooser.files ?? [])]);
   chooser.click();
 };
 

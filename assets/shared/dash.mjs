@@ -1,25 +1,45 @@
 // What Dash gives to the browser: functions it may call, the stores it keeps, and its notices.
 
 /** Dash's own object: `set_props`, `no_update`, `callback_context`, and the functions of our callbacks by namespace. */
-export const clientside = (window.dash_clientside ||= {});
+export const clientside = (globalThis.dash_clientside ||= /** @type {any} */ ({}));
 
-/** Let Dash call `functions` as ClientsideFunction(namespace, name). */
+/**
+ * Let Dash call `functions` as ClientsideFunction(namespace, name).
+ * @param {string} namespace
+ * @param {Record<string, Function>} functions
+ */
 export function register(namespace, functions) {
   clientside[namespace] = functions;
 }
 
-/** Put data into a dcc.Store. */
+/**
+ * Put data into a dcc.Store.
+ * @param {string} store
+ * @param {any} data
+ */
 export const setStore = (store, data) => clientside.set_props(store, { data });
 
-/** Change keys of the store "view", and so of the link; an empty value takes the key away. */
+/**
+ * Change keys of the store "view", and so of the link; an empty value takes the key away.
+ * @param {Record<string, any>} values
+ */
 export const changeView = (values) => setStore("view-change", values);
 
-/** Show a notice in the header. */
+/**
+ * Show a notice in the header.
+ * @param {string} title
+ * @param {string} message
+ * @param {string} [color]
+ */
 export function notify(title, message, color = "orange") {
   clientside.set_props("notices", { sendNotifications: [{ action: "show", title, message, color }] });
 }
 
-/** Open another page without loading the app again, as dcc.Link does; `stores` are its data by store. */
+/**
+ * Open another page without loading the app again, as dcc.Link does; `stores` are its data by store.
+ * @param {string} pathname
+ * @param {Record<string, any>} [stores]
+ */
 export function openPage(pathname, stores = {}) {
   history.pushState({}, "", pathname);
   for (const [store, data] of Object.entries(stores)) setStore(store, data);

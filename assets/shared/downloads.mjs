@@ -1,27 +1,35 @@
 /* Saving what is on the page: charts as PNG, SVG or CSV, drawings as PNG or SVG, tables as CSV. */
 import { clientside, notify, register } from "./dash.mjs";
+import { closest, find } from "./dom.mjs";
 import { gridApi } from "./grid.mjs";
 import { pngOf, save } from "./save.mjs";
 
-/** Addresses of drawings that the server makes, by the name of what they show: `drawings.timeline = () => address`. */
+/** Addresses of drawings that the server makes, by the name of what they show: `drawings.timeline = () => address`.
+ * @type {Record<string, () => string | null>} */
 export const drawings = {};
 
 const dataset = () => {
-  const picker = document.getElementById("dataset-picker");
+  const picker = find("dataset-picker");
   return (picker && picker.value) || "motionscape";
 };
 
+/** @param {any} value */
 const cell = (value) => {
   const text = value === null || value === undefined ? "" : String(value);
   return /[",\n]/.test(text) ? `"${text.replace(/"/g, '""')}"` : text;
 };
 
 // Plotly may hold numbers as {dtype, bdata}; its calculated copy has plain arrays.
+/** @param {any} values */
 const plain = (values) => (values && values._inputArray) || values || [];
 
-/** A row a point: name of the series, x, y and, where there is one, z. */
+/**
+ * A row a point: name of the series, x, y and, where there is one, z.
+ * @param {any} plot
+ */
 function table(plot) {
   const layout = plot._fullLayout;
+  /** @param {string} axis @param {string} other */
   const title = (axis, other) => (layout[axis] && layout[axis].title && layout[axis].title.text) || other;
   const rows = [["series", title("xaxis", "x"), title("yaxis", "y"), "value"]];
   for (const trace of plot._fullData) {
@@ -35,21 +43,32 @@ function table(plot) {
   return rows.map((row) => row.map(cell).join(",")).join("\n") + "\n";
 }
 
+/** @param {string} target @param {string} kind @param {string} name */
 function chart(target, kind, name) {
-  const box = document.getElementById(target);
+  const box = find(target);
   const plot = box && (box.classList.contains("js-plotly-plot") ? box : box.querySelector(".js-plotly-plot"));
   if (!plot) return;
   if (kind === "csv") save(table(plot), name + ".csv");
   else window.Plotly.downloadImage(plot, { format: kind, filename: name, scale: kind === "png" ? 2 : 1 });
 }
 
-/** A drawing that the server makes; as a picture at twice its size. */
+/**
+ * A drawing that the server makes; as a picture at twice its size.
+ * @param {string} target
+ * @param {string} kind
+ * @param {string} name
+ */
 async function drawing(target, kind, name) {
   const address = drawings[target]();
   if (address) await savePicture(address, kind, name);
 }
 
-/** Save the drawing at an address of the server, as "svg" or "png". */
+/**
+ * Save the drawing at an address of the server, as "svg" or "png".
+ * @param {string} address
+ * @param {string} kind
+ * @param {string} name
+ */
 export async function savePicture(address, kind, name) {
   const answer = await fetch(address).catch(() => null);
   if (!answer || !answer.ok) {
@@ -62,6 +81,7 @@ export async function savePicture(address, kind, name) {
   if (png) save(png, name + ".png", "image/png");
 }
 register("downloads", {
+  /** @param {{ address?: string } | null} ready */
   fetch(ready) {
     if (ready && ready.address) {
       const link = document.createElement("a");
@@ -74,15 +94,15 @@ register("downloads", {
 });
 
 document.addEventListener("click", async (event) => {
-  const button = event.target.closest && event.target.closest("[data-save]");
+  const button = closest(event, "[data-save]");
   if (!button) return;
-  const { save: what, target, kind } = button.dataset;
+  const { save: what, target = "", kind = "" } = button.dataset;
   const name = `${dataset()} ${button.dataset.name}`;
   if (what === "chart") chart(target, kind, name);
   else if (what === "drawing") drawing(target, kind, name);
   else {
     const api = await gridApi(target);
-    const columns = api && api.getColumns().map((column) => column.getColId()).filter((id) => !["strip", "key"].includes(id));
+    const columns = api && api.getColumns().map((/** @type {any} */ column) => column.getColId()).filter((/** @type {string} */ id) => !["strip", "key"].includes(id));
     if (api) api.exportDataAsCsv({ fileName: name + ".csv", columnKeys: columns });
   }
 });

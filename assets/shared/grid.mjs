@@ -6,10 +6,16 @@ export const gridFunctions = (window.dashAgGridFunctions ||= {});
 /** React components by name, for `cellRenderer`. */
 export const cellRenderers = (window.dashAgGridComponentFunctions ||= {});
 
-/** A React element; React is loaded by Dash after this script. */
+/**
+ * A React element; React is loaded by Dash after this script.
+ * @param {...any} parts
+ */
 export const reactElement = (...parts) => window.React.createElement(...parts);
 
-/** The API of the table with an id; null where the page has none (any more). */
+/**
+ * The API of the table with an id; null where the page has none (any more).
+ * @param {string} id
+ */
 export async function gridApi(id) {
   const api = await window.dash_ag_grid.getApiAsync(id).catch(() => null);
   return api && !api.isDestroyed() ? api : null;

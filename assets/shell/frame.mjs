@@ -1,51 +1,44 @@
 /* The frame: state into the URL, theme to the canvases, the splitter, the share button. */
 import { clientside, notify, register, setStore } from "../shared/dash.mjs";
-import { find, whenParsed } from "../shared/dom.mjs";
+import { allWithin, closest, find, hasClass, targetOf, whenParsed, within } from "../shared/dom.mjs";
 import { player } from "../stage/player.mjs";
+import { addressOf, pageOf, stageOfLink, stateOfLink } from "./address.mjs";
+/** @import { Selection, View } from "../shared/types.d.ts" */
+/** @import { Shown } from "./address.mjs" */
 
 const WIDTH_KEY = "motionscape-stage-width";
 
-const put = (pairs, values) => {
-  for (const [key, value] of Object.entries(values || {})) {
-    if (value !== null && value !== undefined && value !== "") pairs.set(key, String(value));
-  }
-};
-
+/** What the address says. @type {Shown} */
 const shown = { dataset: null, parameters: {}, selection: {}, view: {}, keys: {}, chosen: "{}", stage: {} };
 let handled = false; // the view was turned by hand: then it is worth a place in the link
 
-const page = (pathname) => (pathname || location.pathname).replace(/\//g, "") || "library";
-
+/** The link of what is shown, in the address line and for the store "address"; nothing while no data set is shown. */
 function writeAddress() {
   if (!shown.dataset) return clientside.no_update;
-  const pairs = new URLSearchParams();
-  put(pairs, { dataset: shown.dataset });
-  put(pairs, shown.parameters);
-  for (const key of shown.keys[page()] || []) put(pairs, { [key]: (shown.view || {})[key] });
-  put(pairs, shown.selection);
-  if (shown.chosen !== "{}" || (shown.view || {}).walk || (shown.view || {}).sentence) put(pairs, shown.stage);
-  const address = location.pathname + "?" + pairs.toString().replace(/%2C/g, ",").replace(/%3A/g, ":");
+  const address = addressOf(location.pathname, shown);
   if (address !== location.pathname + location.search) history.replaceState(history.state, "", address);
   return address;
 }
 
 // The Stage tells now and then what one sees; the moment counts only where it stands still.
 window.addEventListener("stage-state", (event) => {
-  const { time, playing, speed, layout, camera } = event.detail;
-  shown.stage = {
-    time: playing ? "" : time,
-    speed: speed === 1 ? "" : speed,
-    layout: layout === "overlay" ? "" : layout,
-    camera: handled ? [camera.yaw, camera.pitch, camera.distance, ...camera.pan, camera.follow ? 1 : 0].join(",") : "",
-  };
+  shown.stage = stageOfLink(event.detail, handled);
   writeAddress();
 });
 for (const kind of ["wheel", "pointerdown", "keydown"]) {
-  document.addEventListener(kind, (event) => { if (event.target.id === "stage-canvas") handled = true; }, { passive: true, capture: true });
+  document.addEventListener(kind, (event) => { if (targetOf(event).id === "stage-canvas") handled = true; }, { passive: true, capture: true });
 }
 
 register("shell", {
   // Everything that names what one sees goes into the address, without a new entry in the history.
+  /**
+   * @param {string} pathname
+   * @param {string | null} dataset
+   * @param {Record<string, string>} parameters
+   * @param {Selection | null} selection
+   * @param {View | null} view
+   * @param {Record<string, string[]>} keys
+   */
   address(pathname, dataset, parameters, selection, view, keys) {
     const chosen = JSON.stringify(selection || {});
     if (shown.dataset && (chosen !== shown.chosen || dataset !== shown.dataset)) {
@@ -56,6 +49,7 @@ register("shell", {
     return writeAddress();
   },
   // What a page shows is changed key by key.
+  /** @param {Record<string, any> | null} change @param {View | null} view */
   change(change, view) {
     const next = { ...(view || {}) };
     for (const [key, value] of Object.entries(change || {})) {
@@ -67,21 +61,15 @@ register("shell", {
     return clientside.no_update;
   },
   // What a link says of the Stage; it is taken up when the motion has arrived.
+  /** @param {Record<string, string> | null} stage */
   restore(stage) {
     if (!stage || !Object.keys(stage).length) return clientside.no_update;
     shown.stage = stage;
-    const state = {};
-    if (stage.time) Object.assign(state, { time: Number(stage.time), playing: false });
-    if (stage.speed) state.speed = Number(stage.speed);
-    if (stage.layout) state.layout = stage.layout;
-    if (stage.camera) {
-      handled = true;
-      const [yaw, pitch, distance, x, y, z, follow] = stage.camera.split(",").map(Number);
-      state.camera = { yaw, pitch, distance, pan: [x, y, z], follow: follow !== 0 };
-    }
-    player.restore(state);
+    if (stage.camera) handled = true;
+    player.restore(stateOfLink(stage));
     return clientside.no_update;
   },
+  /** @param {{ dataset: string | null } | null} choice @param {string[] | null} cleared */
   choose(choice, cleared) {
     if (!choice) return clientside.no_update;
     if (choice.dataset !== shown.dataset) {
@@ -92,18 +80,21 @@ register("shell", {
     }
     return clientside.no_update;
   },
+  /** @param {string | null} value @param {string | null} dataset */
   pick(value, dataset) {
     if (value && value !== dataset) setStore("dataset-choice", { dataset: value, at: Date.now() });
     return clientside.no_update;
   },
   // One link is the current page's.
+  /** @param {string} pathname */
   current(pathname) {
-    for (const link of document.querySelectorAll(".nav-link")) {
-      if (link.id === "nav-" + page(pathname)) link.setAttribute("aria-current", "page");
+    for (const link of allWithin(document, ".nav-link")) {
+      if (link.id === "nav-" + pageOf(pathname)) link.setAttribute("aria-current", "page");
       else link.removeAttribute("aria-current");
     }
     return clientside.no_update;
   },
+  /** @param {number | null} clicks */
   async share(clicks) {
     if (!clicks) return clientside.no_update;
     const done = await copy(location.href);
@@ -116,6 +107,7 @@ register("shell", {
   },
 });
 
+/** @param {string} text */
 async function copy(text) {
   try {
     await navigator.clipboard.writeText(text);
@@ -133,17 +125,18 @@ async function copy(text) {
   }
 }
 
-// Buttons that carry a text to copy (webapp/components/actions.py).
+// Buttons that carry a text to copy (webapp/shell/buttons.py).
 document.addEventListener("click", async (event) => {
-  const button = event.target.closest && event.target.closest("[data-copy]");
+  const button = closest(event, "[data-copy]");
   if (!button) return;
-  const done = await copy(button.dataset.copy);
+  const done = await copy(button.dataset.copy ?? "");
   if (done) notify("Copied", "Paste it where you want to run it.", "accent");
-  else notify("Could not copy", button.dataset.copy);
+  else notify("Could not copy", button.dataset.copy ?? "");
 });
 
 function watchTheme() {
   const root = document.documentElement;
+  /** @type {string | null} */
   let last = null;
   const tell = () => {
     const scheme = root.dataset.mantineColorScheme;
@@ -155,22 +148,25 @@ function watchTheme() {
   tell();
 }
 
+/** @param {number} pixels */
 function setStageWidth(pixels) {
   const width = Math.round(Math.min(Math.max(pixels, 320), innerWidth - 84 - 367));
   document.documentElement.style.setProperty("--stage-width", width + "px");
   return width;
 }
 
+/** @param {number} width */
 function remember(width) {
-  try { localStorage.setItem(WIDTH_KEY, width); } catch { /* private mode: then it is not remembered */ }
+  try { localStorage.setItem(WIDTH_KEY, String(width)); } catch { /* private mode: then it is not remembered */ }
 }
 
 function watchSplitter() {
+  /** @type {HTMLElement | null} */
   let dragging = null;
-  const width = () => document.querySelector(".stage-panel").getBoundingClientRect().width;
+  const width = () => within(document, ".stage-panel").getBoundingClientRect().width;
   document.addEventListener("pointerdown", (event) => {
-    if (!event.target.classList || !event.target.classList.contains("splitter")) return;
-    dragging = event.target;
+    if (!hasClass(event, "splitter")) return;
+    dragging = targetOf(event);
     dragging.classList.add("dragging");
     dragging.setPointerCapture(event.pointerId);
     event.preventDefault();
@@ -185,14 +181,14 @@ function watchSplitter() {
     remember(width());
   });
   document.addEventListener("keydown", (event) => {
-    if (!event.target.classList || !event.target.classList.contains("splitter")) return;
+    if (!hasClass(event, "splitter")) return;
     const step = { ArrowLeft: 32, ArrowRight: -32 }[event.key];
     if (!step) return;
     event.preventDefault();
     event.stopPropagation();
     remember(setStageWidth(width() + step));
   });
-  let stored = null;
+  let stored = 0;
   try { stored = Number(localStorage.getItem(WIDTH_KEY)); } catch { /* nothing is remembered */ }
   if (stored > 0) setStageWidth(stored);
 }

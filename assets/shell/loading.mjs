@@ -1,7 +1,10 @@
 // Heavy component libraries and Plotly are loaded when they are first needed; what the page brought along (layout, list
 // of callbacks) is not asked for again. What a page says of them is written by webapp/shell/loading.py.
-import { find } from "../shared/dom.mjs";
+import { closest, find } from "../shared/dom.mjs";
 
+/** @typedef {{ source: string, components: string[] }} Suite */
+
+/** @type {{ suites?: Record<string, Suite>, plotly?: string, pages?: Record<string, string[]> }} */
 const { suites = {}, plotly = "", pages = {} } = JSON.parse(find("loading")?.textContent || "{}");
 
 /** Answers from the page for the two requests that Dash's renderer makes when it starts. */
@@ -12,7 +15,7 @@ function answerFirstRequests() {
   ]);
   const send = window.fetch;
   window.fetch = (address, options) => {
-    const name = String(address).split("/").pop();
+    const name = String(address).split("/").pop() ?? "";
     const text = answers.get(name);
     if (!text) return send.call(window, address, options);
     answers.delete(name);
@@ -21,6 +24,7 @@ function answerFirstRequests() {
   };
 }
 
+/** @param {string} source */
 function loadScript(source) {
   return new Promise((resolve, reject) => {
     const script = document.createElement("script");
@@ -31,14 +35,23 @@ function loadScript(source) {
   });
 }
 
-/** Takes a library's place in `window[namespace]`; its components load the library when they are first drawn. */
+/**
+ * Takes a library's place in `window[namespace]`; its components load the library when they are first drawn.
+ * @param {string} namespace
+ * @param {Suite} suite
+ */
 function standIn(namespace, { source, components }) {
+  /** @type {Record<string, any> | null} */
   let library = null;
+  /** @type {() => void} */
   let arrive;
+  /** @type {Promise<void>} */
   const arrived = new Promise((resolve) => { arrive = resolve; });
+  /** @type {Promise<unknown> | null} */
   let loading = null;
   const load = () => (loading ||= loadScript(source)).then(() => arrived);
-  const suite = { getApiAsync: (...parts) => arrived.then(() => library.getApiAsync(...parts)) };
+  /** @type {Record<string, any>} */
+  const suite = { getApiAsync: (/** @type {any[]} */ ...parts) => arrived.then(() => library?.getApiAsync(...parts)) };
   Object.defineProperty(window, namespace, {
     get: () => suite,
     set: (value) => {
@@ -49,12 +62,13 @@ function standIn(namespace, { source, components }) {
   });
   for (const name of components) suite[name] = component(name);
 
+  /** @param {string} name */
   function component(name) {
     const { createElement, lazy, Suspense } = window.React;
-    const Loaded = lazy(() => load().then(() => ({ default: library[name] })));
-    const Component = (props) => createElement(Suspense, { fallback: null }, createElement(Loaded, props));
+    const Loaded = lazy(() => load().then(() => ({ default: library?.[name] })));
+    const Component = (/** @type {object} */ props) => createElement(Suspense, { fallback: null }, createElement(Loaded, props));
     // Dash's protocol for components that come later: callbacks about them wait until this is true.
-    const ready = () => library[name]._dashprivate_isLazyComponentReady ?? true;
+    const ready = () => library?.[name]._dashprivate_isLazyComponentReady ?? true;
     Object.defineProperty(Component, "_dashprivate_isLazyComponentReady", {
       get: () => (library ? ready() : arrived.then(ready)),
     });
@@ -62,10 +76,10 @@ function standIn(namespace, { source, components }) {
   }
 }
 
-/** Fetches what a page will need while the pointer or the focus is on its link. */
-function fetchAhead({ target }) {
-  const link = target.closest?.("a.nav-link");
-  for (const address of (link && pages[link.pathname.split("/").pop()]) || []) {
+/** Fetches what a page will need while the pointer or the focus is on its link. @param {Event} event */
+function fetchAhead(event) {
+  const link = /** @type {HTMLAnchorElement | null} */ (/** @type {Element | null} */ (closest(event, "a.nav-link")));
+  for (const address of (link && pages[link.pathname.split("/").pop() ?? ""]) || []) {
     if (document.head.querySelector(`link[href="${address}"]`)) continue;
     document.head.append(Object.assign(document.createElement("link"), { rel: "preload", as: "script", href: address }));
   }

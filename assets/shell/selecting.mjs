@@ -1,17 +1,20 @@
 /* Buttons and table rows that put a value into a store. */
 import { clientside, register, setStore } from "../shared/dash.mjs";
+import { allWithin, closest, find } from "../shared/dom.mjs";
 import { cellRenderers, gridApi, gridFunctions, reactElement } from "../shared/grid.mjs";
 import { ahead } from "../stage/ahead.mjs";
+/** @import { Selection } from "../shared/types.d.ts" */
 
+/** @param {string} store @param {any} value @param {string | boolean | undefined} stamp */
 const put = (store, value, stamp) => {
   if (store === "selection") ahead.play(value);
   setStore(store, stamp ? { ...value, at: Date.now() } : value);
 };
 
 document.addEventListener("click", (event) => {
-  const button = event.target.closest && event.target.closest("[data-store]");
+  const button = closest(event, "[data-store]");
   if (!button || button.disabled) return;
-  put(button.dataset.store, JSON.parse(button.dataset.value), button.dataset.stamp);
+  put(button.dataset.store ?? "", JSON.parse(button.dataset.value ?? "{}"), button.dataset.stamp);
   if (button.dataset.page) clientside.set_props("url", { pathname: button.dataset.page, search: "" });
 });
 
@@ -31,6 +34,7 @@ cellRenderers.Filmstrip = (props) =>
   props.value
     ? reactElement("img", { className: "filmstrip", src: props.value, alt: "", loading: "lazy", decoding: "async", draggable: false })
     : null;
+/** @type {Record<string, string>} */
 const MARKS = { ok: "check", warning: "warning", error: "error" };
 cellRenderers.Verdict = (props) =>
   props.value
@@ -42,19 +46,23 @@ cellRenderers.Verdict = (props) =>
 // The row of what is selected is marked in every table, wherever it was selected. Rows come and go as one scrolls, so
 // a class rule marks new ones; those that are there are marked directly (redrawing them would lose the focus).
 const KEYS = ["clip", "motif", "edge"];
+/** @param {any} a @param {any} b */
 const same = (a, b) => Boolean(a && b) && KEYS.some((key) => key in a) && KEYS.every((key) => String(a[key] ?? "") === String(b[key] ?? ""));
+/** @type {Selection | null} */
 let chosen = null;
-const among = (own) => Boolean(own && chosen && chosen.motifs && "motif" in own) && chosen.motifs.split("-").includes(String(own.motif));
+/** @param {Selection | null | undefined} own */
+const among = (own) => own?.motif !== undefined && Boolean(chosen?.motifs?.split("-").includes(String(own.motif)));
 gridFunctions.isChosen = (params) => same(params.data && params.data.selection, chosen) || among(params.data && params.data.selection);
 
 register("tables", {
+  /** @param {Selection | null} selection @param {unknown} rows @param {string} id */
   async mark(selection, rows, id) {
     chosen = selection;
     const api = await gridApi(id);
-    const box = document.getElementById(id);
+    const box = find(id);
     if (!api || !box) return clientside.no_update; // it has gone with its page
-    api.forEachNode((node) => { if (gridFunctions.isChosen(node)) api.ensureNodeVisible(node); });
-    for (const row of box.querySelectorAll(".ag-row")) {
+    api.forEachNode((/** @type {any} */ node) => { if (gridFunctions.isChosen(node)) api.ensureNodeVisible(node); });
+    for (const row of allWithin(box, ".ag-row")) {
       const node = api.getRowNode(row.getAttribute("row-id"));
       row.classList.toggle("row-chosen", Boolean(node) && gridFunctions.isChosen(node));
     }

@@ -1,14 +1,23 @@
 // Buttons, scrub bar, pointer and keyboard: everything a person does to the stage.
+import { allWithin, closest, within } from "../shared/dom.mjs";
 import { css } from "./colours.mjs";
 import { iconMarkup } from "./icons.mjs";
 import { shorten } from "./names.mjs";
+/** @import { Figure } from "./figure.mjs" */
+/** @import { Stage } from "./stage.mjs" */
 
+/** @type {Record<string, string>} */
 const LOOP_WORDS = { loop: "Repeat", bounce: "Back and forth", once: "Play once" };
+/** @type {Record<string, string>} */
 const TRAIL_WORDS = { off: "Trails off", root: "Trail of the body", limbs: "Trails of hands and feet" };
 
-/** What each button and key does. A `say` is shown for a moment and read to screen readers. */
+/**
+ * What each button and key does. A `say` is shown for a moment and read to screen readers.
+ * @param {Stage} stage
+ */
 function makeActions(stage) {
   const { clock, camera, traces } = stage;
+  /** @param {string} text */
   const say = (text) => stage.say(text);
   return {
     play: () => (clock.playing ? stage.pause() : stage.play()),
@@ -29,20 +38,23 @@ function makeActions(stage) {
     warp: () => stage.setSync(stage.sync === "warp" ? "start" : "warp"),
     reset: () => stage.resetCamera(),
     help: () => stage.toggleHelp(),
-    retry: () => stage.requests.show(stage.request),
+    retry: () => stage.requests.show(stage.request ?? null),
   };
 }
 
+/** @type {Record<string, string>} */
 const KEYS = {
   " ": "play", k: "play", Home: "start", End: "end", "+": "faster", "=": "faster", "-": "slower", _: "slower", 0: "speed",
   l: "loop", g: "ghosts", t: "trails", f: "follow", r: "reset", 1: "overlay", 2: "side", 3: "pose", s: "warp", "?": "help",
   ArrowLeft: "back", ArrowRight: "forward",
 };
+/** @type {Record<string, [number, number]>} */
 const ORBIT = { ArrowLeft: [-0.12, 0], ArrowRight: [0.12, 0], ArrowUp: [0, 0.08], ArrowDown: [0, -0.08] };
 
+/** @param {Stage} stage @param {Record<string, () => void>} actions @param {KeyboardEvent} event */
 function onKey(stage, actions, event) {
   if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
-  const button = event.target.closest("button");
+  const button = closest(event, "button");
   if (button && (event.key === " " || event.key === "Enter")) return;
   if (event.key === "Escape" && stage.toggleHelp(false)) return;
   const orbit = event.shiftKey && ORBIT[event.key];
@@ -58,7 +70,11 @@ function onKey(stage, actions, event) {
   stage.touch(true);
 }
 
-/** Drag orbits; with shift, another button or two fingers it pans; wheel and pinch zoom. */
+/**
+ * Drag orbits; with shift, another button or two fingers it pans; wheel and pinch zoom.
+ * @param {Stage} stage
+ * @param {HTMLCanvasElement} canvas
+ */
 function watchPointer(stage, canvas) {
   const pointers = new Map();
   const spread = () => {
@@ -82,6 +98,7 @@ function watchPointer(stage, canvas) {
     if (pinch) stage.camera.zoom(pinch / Math.max(spread(), 1));
     stage.touch(true);
   });
+  /** @param {PointerEvent} event */
   const release = (event) => {
     pointers.delete(event.pointerId);
     if (!pointers.size) canvas.classList.remove("ms-grabbing");
@@ -97,9 +114,14 @@ function watchPointer(stage, canvas) {
   }, { passive: false });
 }
 
-/** Dragging along a bar seeks; the clock waits meanwhile. */
+/**
+ * Dragging along a bar seeks; the clock waits meanwhile.
+ * @param {Stage} stage
+ * @param {HTMLElement} bar
+ */
 function watchSeeking(stage, bar) {
   let resume = false;
+  /** @param {PointerEvent} event */
   const seek = (event) => {
     const box = bar.getBoundingClientRect();
     stage.seek(stage.clock.duration * Math.min(Math.max((event.clientX - box.left) / box.width, 0), 1));
@@ -122,7 +144,10 @@ function watchSeeking(stage, bar) {
 
 const CHIP_LETTERS = 20;
 
-/** What the colours of a single figure mean. */
+/**
+ * What the colours of a single figure mean.
+ * @param {string} side
+ */
 function legend(side) {
   const entry = document.createElement("span");
   entry.className = `ms-legend ms-legend-${side}`;
@@ -131,28 +156,37 @@ function legend(side) {
 }
 
 export class Controls {
+  /** @param {Stage} stage @param {HTMLElement} root */
   constructor(stage, root) {
     this.stage = stage;
     this.root = root;
+    /** @type {Record<string, () => void>} */
     this.actions = makeActions(stage);
-    this.find = (selector) => root.querySelector(selector);
+    this.listed = "";
+    this.shown = "";
     this.scrub = this.find(".ms-scrub");
-    for (const button of root.querySelectorAll("[data-icon]")) button.innerHTML = iconMarkup(button.dataset.icon);
+    for (const button of allWithin(root, "[data-icon]")) button.innerHTML = iconMarkup(button.dataset.icon ?? "");
     root.addEventListener("click", (event) => this.press(event));
     root.addEventListener("keydown", (event) => onKey(stage, this.actions, event));
-    watchPointer(stage, this.find("#stage-canvas"));
+    watchPointer(stage, stage.scene.canvas);
     watchSeeking(stage, this.scrub);
     watchSeeking(stage, this.find(".ms-bands"));
     watchSeeking(stage, this.find(".ms-warp-rows"));
     this.find(".ms-warp-rows").addEventListener("pointermove", (event) => {
-      event.currentTarget.title = stage.warpStrip.describe(event);
+      this.find(".ms-warp-rows").title = stage.warpStrip.describe(event);
     });
   }
 
+  /** The part of the controls that matches. @param {string} selector */
+  find(selector) {
+    return within(this.root, selector);
+  }
+
+  /** @param {Event} event */
   press(event) {
-    const button = event.target.closest("[data-action]");
+    const button = closest(event, "[data-action]");
     if (!button || button.disabled) return;
-    this.actions[button.dataset.action]?.();
+    this.actions[button.dataset.action ?? ""]?.();
     this.stage.touch(true);
   }
 
@@ -167,6 +201,7 @@ export class Controls {
     if (figures.length === 1 && !figures[0].item.colour) list.append(legend("left"), legend("right"));
   }
 
+  /** @param {Figure} figure @param {number} k */
   chip(figure, k) {
     const chip = document.createElement("button");
     chip.type = "button";
@@ -190,7 +225,7 @@ export class Controls {
   }
 
   colourChips() {
-    this.root.querySelectorAll(".ms-chip-colour").forEach((swatch, k) => {
+    allWithin(this.root, ".ms-chip-colour").forEach((swatch, k) => {
       const figure = this.stage.figures[k];
       if (figure) swatch.style.background = css(figure.colours[2]);
     });
@@ -200,6 +235,7 @@ export class Controls {
   update() {
     const { stage } = this;
     const { clock, traces, camera } = stage;
+    /** @param {string} action @param {string | null} icon @param {string | null} label @param {boolean} [pressed] */
     const show = (action, icon, label, pressed) => {
       const button = this.find(`.ms-tool[data-action="${action}"]`);
       if (icon && button.dataset.icon !== icon) button.innerHTML = iconMarkup((button.dataset.icon = icon));
@@ -225,7 +261,10 @@ export class Controls {
     this.find(".ms-controls").inert = stage.status !== "ready";
   }
 
-  /** For every frame: the scrub bar and the clock face. */
+  /**
+   * For every frame: the scrub bar and the clock face.
+   * @param {string} text
+   */
   tick(text) {
     const { clock } = this.stage;
     const share = clock.duration > 0 ? clock.time / clock.duration : 0;

@@ -1,19 +1,29 @@
 // One figure: a motion placed on the stage, its limbs, and where its joints are at any time.
 import { readSpans } from "./spans.mjs";
+/** @import { Header, Item, Limb, Motion, Path, Rgb, Shades } from "./types.d.ts" */
 
 // Radii in metres of a body 1.75 m high, by role without its side.
+/** @type {Record<string, number>} */
 const RADII = {
   pelvis: 0.062, spine: 0.062, chest: 0.058, neck: 0.034, head: 0.03,
   clavicle: 0.04, shoulder: 0.041, elbow: 0.031, wrist: 0.022, hand: 0.013,
   hip: 0.055, knee: 0.041, ankle: 0.027, toe: 0.023, foot: 0.017,
 };
+/** @type {Record<string, number>} */
 const SIDES = { left: 0, right: 1, centre: 2 };
 const TRUNK = new Set(["pelvis", "spine", "chest", "neck", "head", "clavicle", ""]);
 
+/** @type {Shades} */
+const NO_SHADES = { ball: () => document.createElement("canvas"), fill: [], edge: [], sheen: [], light: [] };
+
 export class Figure {
+  /** @param {Item} item @param {Motion} motion @param {number} index */
   constructor(item, motion, index) {
     const { header, positions } = motion;
-    Object.assign(this, { item, header, positions, index });
+    this.item = item;
+    this.header = header;
+    this.positions = positions;
+    this.index = index;
     this.label = item.label || header.clip;
     this.frames = header.frames;
     this.fps = header.fps;
@@ -30,45 +40,68 @@ export class Figure {
     this.place = [0, 0];
     this.level = 0; // of the floor it stands on
     this.walksInPlace = false;
+    this.room = Infinity; // metres its label may be wide
+    /** @type {Path | null} */
+    this.path = null;
+    this.name = this.label; // where there is little room
+    this.brief = this.label; // where there is hardly any
+    this.heading = 0;
+    /** @type {Rgb[]} */
+    this.colours = [];
+    this.shades = NO_SHADES;
     this.points = new Float32Array(3 * this.n);
     this.spare = new Float32Array(3 * this.n);
-    [this.x, this.y, this.scale, this.depth] = [0, 1, 2, 3].map(() => new Float32Array(this.n));
+    this.x = new Float32Array(this.n);
+    this.y = new Float32Array(this.n);
+    this.scale = new Float32Array(this.n);
+    this.depth = new Float32Array(this.n);
     this.size = header.height > 0 ? header.height / 1.75 : 1;
     this.sides = Uint8Array.from(header.sides, (side) => SIDES[side] ?? 2);
-    this.radii = Float32Array.from(header.roles, (role) => (RADII[role.split("_").pop()] ?? 0.02) * this.size);
+    this.radii = Float32Array.from(header.roles, (role) => (RADII[role.split("_").pop() ?? ""] ?? 0.02) * this.size);
     this.limbs = makeLimbs(header, this.sides);
     this.stand();
   }
 
   get duration() {
-    return this.warpFps ? (this.warp.length - 1) / this.warpFps : this.ownDuration;
+    return this.warp && this.warpFps ? (this.warp.length - 1) / this.warpFps : this.ownDuration;
   }
 
   get ownDuration() {
     return (this.frames - 1) / this.fps;
   }
 
-  /** Follow the medoid's frames at this rate; 0: run at the motion's own pace, or spread over `stretch` seconds. */
+  /**
+   * Follow the medoid's frames at this rate; 0: run at the motion's own pace, or spread over `stretch` seconds.
+   * @param {number} medoidFps
+   * @param {number} [stretch]
+   */
   follow(medoidFps, stretch = 0) {
     this.warpFps = medoidFps;
     this.stretch = stretch;
     this.offset = 0;
   }
 
-  /** Frame (a fraction, among the frames received) at a time in seconds of the stage. */
+  /**
+   * Frame (a fraction, among the frames received) at a time in seconds of the stage.
+   * @param {number} time
+   */
   frameAt(time) {
     return Math.min(Math.max(this.ledTo(time) + this.offset, 0), this.frames - 1);
   }
 
+  /** @param {number} time */
   ledTo(time) {
-    if (!this.warpFps) return this.stretch ? (time / this.stretch) * (this.frames - 1) : time * this.fps;
+    if (!this.warp || !this.warpFps) return this.stretch ? (time / this.stretch) * (this.frames - 1) : time * this.fps;
     const at = Math.min(time * this.warpFps, this.warp.length - 1);
     const k = Math.min(Math.floor(at), this.warp.length - 2);
     const own = k < 0 ? this.warp[0] : this.warp[k] + (this.warp[k + 1] - this.warp[k]) * (at - k);
     return own / this.header.step;
   }
 
-  /** Time in seconds of the stage at which a frame of the recording is reached; the end where it never is. */
+  /**
+   * Time in seconds of the stage at which a frame of the recording is reached; the end where it never is.
+   * @param {number} recorded
+   */
   timeAt(recorded) {
     const frame = Math.min((recorded - this.header.start) / this.header.step, this.frames - 1);
     let [low, high] = [0, this.stretch || this.duration];
@@ -80,17 +113,27 @@ export class Figure {
     return high;
   }
 
-  /** The coloured span that holds a frame of the recording. */
+  /**
+   * The coloured span that holds a frame of the recording.
+   * @param {number} recorded
+   */
   spanAt(recorded) {
     return this.spans.find((span) => span.start <= recorded && recorded < span.end);
   }
 
-  /** Number of a frame in the recording itself. */
+  /**
+   * Number of a frame in the recording itself.
+   * @param {number} time
+   */
   recordedFrame(time) {
     return Math.round(this.header.start + this.frameAt(time) * this.header.step);
   }
 
-  /** Joints at a time, in the stage's frame, written into `out` (3 n) or the figure's own points. */
+  /**
+   * Joints at a time, in the stage's frame, written into `out` (3 n) or the figure's own points.
+   * @param {number} time
+   * @param {Float32Array} [out]
+   */
   pose(time, out = this.points) {
     const at = this.frameAt(time);
     const first = Math.floor(at);
@@ -112,7 +155,10 @@ export class Figure {
     return out;
   }
 
-  /** Put a frame's root (the first's) at the origin, facing +Z, feet on the floor. */
+  /**
+   * Put a frame's root (the first's) at the origin, facing +Z, feet on the floor.
+   * @param {number} [frame]
+   */
   stand(frame = 0) {
     const first = Math.min(Math.max(Math.floor(frame), 0), this.frames - 1);
     const root = 3 * (first * this.n + this.header.root);
@@ -123,13 +169,20 @@ export class Figure {
     this.turn(0);
   }
 
-  /** Turn to the left of +Z by so many radians. */
+  /**
+   * Turn to the left of +Z by so many radians.
+   * @param {number} angle
+   */
   turn(angle) {
     this.yaw = [Math.cos(this.heading + angle), Math.sin(this.heading + angle)];
   }
 
-  /** Where the trunk faces over a fifth of a second from a frame on, on the ground. */
+  /**
+   * Where the trunk faces over a fifth of a second from a frame on, on the ground.
+   * @param {number} first
+   */
   facing(first) {
+    /** @param {string} name */
     const role = (name) => this.header.roles.indexOf(name);
     const pairs = [["left_hip", "right_hip"], ["left_shoulder", "right_shoulder"]];
     let [x, z] = [0, 0];
@@ -145,7 +198,12 @@ export class Figure {
     return [x, z];
   }
 
-  /** Space the motion takes between two times when it starts at the origin: [min x, max x, min z, max z, max y]. */
+  /**
+   * Space the motion takes between two times when it starts at the origin: [min x, max x, min z, max z, max y].
+   * @param {number} [from]
+   * @param {number} [to]
+   * @param {number} [samples]
+   */
   extent(from = 0, to = this.duration, samples = 32) {
     const box = [0, 0, 0, 0, 0];
     const points = this.spare;
@@ -164,7 +222,10 @@ export class Figure {
   }
 }
 
-/** Float array of finite frames, or null. */
+/**
+ * Float array of finite frames, or null.
+ * @param {number[] | undefined} warp
+ */
 function usableWarp(warp) {
   if (!warp || warp.length < 2) return null;
   const frames = Float32Array.from(warp);
@@ -175,14 +236,19 @@ function usableWarp(warp) {
  * Bones gathered into limbs (trunk, arms, legs), the unit that is sorted by depth: [{side, bones: [[parent, child]],
  * joints, flanks}]; flanks
  * are drawn like bones and the trunk filled between them. Where the anatomy is unknown every bone is its own limb.
+ * @param {Header} header
+ * @param {Uint8Array} sides
  */
 function makeLimbs(header, sides) {
   const { parents, roles, head, nose } = header;
-  const part = (j) => roles[j].split("_").pop();
+  /** @param {number} j */
+  const part = (j) => roles[j].split("_").pop() ?? "";
   const known = roles.some((role) => role === "left_knee");
+  /** @type {Limb[]} */
   const limbs = [];
   const limbOf = new Array(parents.length).fill(-1);
-  const start = (side) => limbs.push({ side, bones: [] }) - 1;
+  /** @param {number} side */
+  const start = (side) => limbs.push({ side, bones: [], joints: [] }) - 1;
   parents.forEach((parent, j) => {
     if (parent < 0 || j === head || j === nose) return;
     const inTrunk = known && TRUNK.has(part(j)) && TRUNK.has(part(parent));

@@ -1,6 +1,9 @@
 // The stage's floor: a round platform, a metre grid that stands still in the world, and the figures' shadows.
 import { capsule } from "./body.mjs";
 import { NEAR } from "./camera.mjs";
+/** @import { Camera } from "./camera.mjs" */
+/** @import { Figure } from "./figure.mjs" */
+/** @import { Shelf, Theme } from "./types.d.ts" */
 
 const LIGHT = [0.28, -0.22]; // metres a shadow slides along x and z for each metre of height
 const SHELF_DEPTH = 0.5; // metres before and behind the stills
@@ -9,14 +12,22 @@ const ROUND = Array.from({ length: 72 }, (_, k) => [Math.cos((k * Math.PI) / 36)
 export class Ground {
   constructor() {
     this.radius = 3;
+    /** @type {Shelf[]} */
     this.shelves = []; // [{level, half}]: instead of the floor
     this.corners = new Float32Array(3 * 74);
     this.world = new Float32Array(6);
-    [this.x, this.y, this.scale, this.depth] = [0, 1, 2, 3].map(() => new Float32Array(74));
-    [this.sx, this.sy, this.ss, this.sd] = [0, 1, 2, 3].map(() => new Float32Array(256));
+    this.x = new Float32Array(74);
+    this.y = new Float32Array(74);
+    this.scale = new Float32Array(74);
+    this.depth = new Float32Array(74);
+    this.sx = new Float32Array(256);
+    this.sy = new Float32Array(256);
+    this.ss = new Float32Array(256);
+    this.sd = new Float32Array(256);
     this.flat = new Float32Array(3 * 256);
   }
 
+  /** @param {CanvasRenderingContext2D} context @param {Camera} camera @param {Theme} theme */
   paint(context, camera, theme) {
     if (this.shelves.length) {
       for (const shelf of this.shelves) this.paintShelf(context, camera, theme, shelf);
@@ -30,7 +41,14 @@ export class Ground {
     context.stroke();
   }
 
-  /** Outline of the platform as a path, cut off where it would lie behind the camera. */
+  /**
+   * Outline of the platform as a path, cut off where it would lie behind the camera.
+   * @param {CanvasRenderingContext2D} context
+   * @param {Camera} camera
+   * @param {number} cx
+   * @param {number} cz
+   * @param {number} radius
+   */
   platform(context, camera, cx, cz, radius) {
     let n = 0;
     const points = this.corners;
@@ -61,7 +79,13 @@ export class Ground {
     return true;
   }
 
-  /** A board across the view under a row of stills. */
+  /**
+   * A board across the view under a row of stills.
+   * @param {CanvasRenderingContext2D} context
+   * @param {Camera} camera
+   * @param {Theme} theme
+   * @param {Shelf} shelf
+   */
   paintShelf(context, camera, theme, { level, half }) {
     [[-half, SHELF_DEPTH], [half, SHELF_DEPTH], [half, -SHELF_DEPTH], [-half, -SHELF_DEPTH]].forEach(([x, z], k) => {
       this.corners.set([x, level, z], 3 * k);
@@ -78,6 +102,7 @@ export class Ground {
     context.stroke();
   }
 
+  /** @param {CanvasRenderingContext2D} context @param {Camera} camera @param {Theme} theme */
   paintGrid(context, camera, theme) {
     if (this.shelves.length) return;
     const [cx, cz] = [camera.target[0], camera.target[2]];
@@ -96,6 +121,14 @@ export class Ground {
     context.stroke();
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Camera} camera
+   * @param {number} x1
+   * @param {number} z1
+   * @param {number} x2
+   * @param {number} z2
+   */
   line(context, camera, x1, z1, x2, z2) {
     const w = this.world;
     let [a, b] = [0, 1];
@@ -113,7 +146,13 @@ export class Ground {
     context.lineTo(this.x[1], this.y[1]);
   }
 
-  /** The figure laid flat along the light; then once more, darker, where it comes close to the floor. */
+  /**
+   * The figure laid flat along the light; then once more, darker, where it comes close to the floor.
+   * @param {CanvasRenderingContext2D} context
+   * @param {Camera} camera
+   * @param {Figure} figure
+   * @param {Theme} theme
+   */
   paintShadow(context, camera, figure, theme) {
     const n = Math.min(figure.n, 256);
     const { points } = figure;
@@ -135,6 +174,13 @@ export class Ground {
     for (const limb of figure.limbs) this.shadowLimb(context, camera, figure, limb.bones, figure.level + 0.16 * figure.size);
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Camera} camera
+   * @param {Figure} figure
+   * @param {number[]} bones
+   * @param {number} below
+   */
   shadowLimb(context, camera, figure, bones, below) {
     const squash = 0.45 + 0.5 * Math.sin(camera.pitch);
     for (let k = 0; k < bones.length; k += 2) {

@@ -1,10 +1,15 @@
 // Own line drawings for the buttons: 20 x 20, drawn with the text's colour.
 
+/** @param {string} d */
 const line = (d) => `<path d="${d}" fill="none" stroke="currentColor" stroke-width="1.6" stroke-linecap="round" stroke-linejoin="round"/>`;
+/** @param {string} d */
 const solid = (d) => `<path d="${d}" fill="currentColor"/>`;
+/** @param {number} x @param {number} y @param {number} r @param {number} [alpha] */
 const dot = (x, y, r, alpha = 1) => `<circle cx="${x}" cy="${y}" r="${r}" fill="currentColor" opacity="${alpha}"/>`;
+/** @param {number} x @param {number} [alpha] */
 const body = (x, alpha = 1) => `<g opacity="${alpha}">${dot(x, 4.6, 1.8)}${line(`M${x} 7.4V12M${x} 12L${x - 2} 16.6M${x} 12L${x + 2} 16.6M${x - 2.6} 9.2H${x + 2.6}`)}</g>`;
 
+/** @type {Record<string, string>} */
 const ICONS = {
   play: solid("M6.5 4.2v11.6c0 .6.7 1 1.2.6l8.4-5.8c.4-.3.4-.9 0-1.2L7.7 3.6c-.5-.4-1.2 0-1.2.6z"),
   pause: solid("M5.6 4h2.6c.4 0 .6.2.6.6v10.8c0 .4-.2.6-.6.6H5.6c-.4 0-.6-.2-.6-.6V4.6c0-.4.2-.6.6-.6zM11.8 4h2.6c.4 0 .6.2.6.6v10.8c0 .4-.2.6-.6.6h-2.6c-.4 0-.6-.2-.6-.6V4.6c0-.4.2-.6.6-.6z"),
@@ -26,4 +31,5 @@ const ICONS = {
   help: line("M7.4 7.6a2.6 2.6 0 115 1c-.5 1.2-2.3 1.4-2.3 3.2") + dot(10.1, 15, 1),
 };
 
+/** @param {string} name */
 export const iconMarkup = (name) => `<svg viewBox="0 0 20 20" width="20" height="20" aria-hidden="true" focusable="false">${ICONS[name] || ""}</svg>`;

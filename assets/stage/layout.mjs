@@ -1,4 +1,6 @@
 // Where figures stand, and how much of the stage they need.
+/** @import { Figure } from "./figure.mjs" */
+/** @import { Shelf } from "./types.d.ts" */
 
 const LANE = { least: 1.0, most: 2.4, gap: 0.3 };
 const ROW = { least: 1.5, most: 3.2 };
@@ -8,6 +10,10 @@ const TURN = 0.5; // radians: side by side, the camera looks straight and the fi
 /**
  * "overlay": all start at the origin. "side": each in a lane of its own, in rows that suit the view's shape. "pose":
  * stills on shelves. Gives the shelves.
+ * @param {Figure[]} figures
+ * @param {string} layout
+ * @param {number} aspect
+ * @param {number} duration
  */
 export function placeFigures(figures, layout, aspect, duration) {
   const still = layout === "pose";
@@ -27,8 +33,10 @@ export function placeFigures(figures, layout, aspect, duration) {
   return [];
 }
 
+/** @param {Figure[]} shown @param {number} aspect */
 function placeInLanes(shown, aspect) {
   const boxes = shown.map((figure) => figure.extent());
+  /** @param {number} low @param {number} high */
   const span = (low, high) => Math.max(...boxes.map((b) => b[high] - b[low]));
   const width = Math.min(Math.max(span(0, 1) + LANE.gap, LANE.least), LANE.most);
   const depth = Math.min(Math.max(span(2, 3) + LANE.gap, ROW.least), ROW.most);
@@ -44,13 +52,20 @@ function placeInLanes(shown, aspect) {
   });
 }
 
-/** One row above the other, so that no still hides another: [{level, half: half of its width}]. */
+/**
+ * One row above the other, so that no still hides another: [{level, half: half of its width}].
+ * @param {Figure[]} shown
+ * @param {number} aspect
+ * @param {number} duration
+ */
 function placeOnShelves(shown, aspect, duration) {
   const boxes = shown.map((figure) => figure.extent(duration / 2, duration / 2, 1));
   const width = Math.min(Math.max(...boxes.map((b) => b[1] - b[0] + SHELF.gap), SHELF.least), SHELF.most);
   const height = Math.max(...boxes.map((b) => b[4])) + SHELF.above;
+  /** @param {number} columns */
   const size = (columns) => Math.min(aspect / (columns * width), 1 / (Math.ceil(shown.length / columns) * height));
   const columns = shown.map((_, k) => k + 1).reduce((best, k) => (size(k) > size(best) ? k : best));
+  /** @type {Shelf[]} */
   const shelves = [];
   inRows(shown, columns, (figure, k, row, rows, column) => {
     figure.room = width;
@@ -62,7 +77,12 @@ function placeOnShelves(shown, aspect, duration) {
   return shelves;
 }
 
-/** Hand out places: row, number of rows, and the column counted from the middle of its row. */
+/**
+ * Hand out places: row, number of rows, and the column counted from the middle of its row.
+ * @param {Figure[]} shown
+ * @param {number} wanted
+ * @param {(figure: Figure, k: number, row: number, rows: number, column: number) => void} put
+ */
 function inRows(shown, wanted, put) {
   const rows = Math.ceil(shown.length / wanted);
   const columns = Math.ceil(shown.length / rows);
@@ -73,7 +93,11 @@ function inRows(shown, wanted, put) {
   });
 }
 
-/** Mean place on the ground of the visible figures' roots, from their current points. */
+/**
+ * Mean place on the ground of the visible figures' roots, from their current points.
+ * @param {Figure[]} figures
+ * @param {number[]} out
+ */
 export function groundCentre(figures, out) {
   let [x, z, n] = [0, 0, 0];
   for (const figure of figures) {
@@ -91,6 +115,9 @@ export function groundCentre(figures, out) {
 /**
  * All places that joints take relative to the figures' common centre on the ground, as seen by a camera that follows
  * it: {cloud: (n, 3) sampled over the motion, radius: the furthest from the centre on the ground}.
+ * @param {Figure[]} figures
+ * @param {number} duration
+ * @param {number} [samples]
  */
 export function measureStage(figures, duration, samples = 24) {
   const shown = figures.filter((figure) => figure.visible);
@@ -113,7 +140,11 @@ export function measureStage(figures, duration, samples = 24) {
   return { cloud, radius };
 }
 
-/** Where the camera stands at first: before a single group, or before rows. */
+/**
+ * Where the camera stands at first: before a single group, or before rows.
+ * @param {Figure[]} figures
+ * @param {string} layout
+ */
 export function homeView(figures, layout) {
   if (layout === "overlay" || figures.length < 2) return { yaw: 0.62, pitch: 0.2 };
   return layout === "pose" ? { yaw: 0.02, pitch: 0.07 } : { yaw: 0.06, pitch: 0.34 };

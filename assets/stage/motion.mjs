@@ -1,9 +1,16 @@
 // Motions from the server: asked for together, fetched as binary, kept in a bounded cache, shared between requests.
+/** @import { Item, Motion, Segment, StageRequest } from "./types.d.ts" */
 
 const CACHE_BYTES = 96 * 1024 * 1024;
+/** @type {[string, "dataset" | "version" | "clip" | "start" | "end"][]} */
+const COLUMNS = [["dataset", "dataset"], ["v", "version"], ["clip", "clip"], ["start", "start"], ["end", "end"]]; // of an address, and what they hold
 const LONGEST_ADDRESS = 6000; // letters; proxies refuse more than eight thousand
 
-/** Which segment an item stands for; its own data set and version count before the request's. */
+/**
+ * Which segment an item stands for; its own data set and version count before the request's.
+ * @param {StageRequest} request
+ * @param {Item} item
+ */
 function segmentOf(request, item) {
   const dataset = String(item.dataset ?? request.dataset ?? "");
   const version = String(((item.dataset ?? null) === null ? item.version ?? request.version : item.version) ?? "");
@@ -12,12 +19,18 @@ function segmentOf(request, item) {
   return { ...segment, key: JSON.stringify(Object.values(segment)), forGood: version !== "" || dataset.startsWith("~") };
 }
 
-/** Addresses that ask for all segments, each with its share of them. */
+/**
+ * Addresses that ask for all segments, each with its share of them.
+ * @param {string} api
+ * @param {Segment[]} segments
+ * @returns {[string, Segment[]][]}
+ */
 function addresses(api, segments) {
   const query = new URLSearchParams();
+  /** @param {string} name @param {string[]} values */
   const column = (name, values) => new Set(values).size === 1 && name !== "clip" ? query.set(name, values[0]) : values.forEach((value) => query.append(name, value));
-  for (const [name, key] of [["dataset", "dataset"], ["v", "version"], ["clip", "clip"], ["start", "start"], ["end", "end"]]) {
-    column(name, segments.map((segment) => segment[key]));
+  for (const [name, key] of COLUMNS) {
+    column(name, segments.map((segment) => String(segment[key])));
   }
   const address = `${api}/motions?${query}`;
   if (address.length <= LONGEST_ADDRESS || segments.length === 1) return [[address, segments]];
@@ -25,29 +38,39 @@ function addresses(api, segments) {
   return [...addresses(api, segments.slice(0, half)), ...addresses(api, segments.slice(half))];
 }
 
-/** uint32 header length, JSON header: the header, and where what follows begins. */
+/**
+ * uint32 header length, JSON header: the header, and where what follows begins.
+ * @param {ArrayBuffer} buffer
+ */
 function readHeader(buffer) {
   const length = new DataView(buffer).getUint32(0, true);
   return [JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, 4, length))), 4 + length];
 }
 
-/** float32 positions (frames, joints, 3) after their header: see docs/architecture.md. */
+/**
+ * float32 positions (frames, joints, 3) after their header: see docs/architecture.md.
+ * @param {ArrayBuffer} buffer
+ */
 function decode(buffer) {
   const [header, at] = readHeader(buffer);
   return { header, positions: new Float32Array(buffer, at, header.frames * header.joints.length * 3), bytes: buffer.byteLength };
 }
 
-/** Each part a motion or an Error; copies, so that one that is kept does not keep them all. */
+/**
+ * Each part a motion or an Error; copies, so that one that is kept does not keep them all.
+ * @param {ArrayBuffer} buffer
+ */
 function decodeParts(buffer) {
-  const [{ parts: told }, begin] = readHeader(buffer);
+  const [{ parts }, begin] = readHeader(buffer);
   let at = begin;
-  return told.map(({ error, bytes }) => {
+  return parts.map(/** @param {{ error?: string, bytes: number }} part */ ({ error, bytes }) => {
     if (error) return new Error(error);
     at += bytes;
     return decode(buffer.slice(at - bytes, at));
   });
 }
 
+/** @param {string} url */
 async function ask(url) {
   let response;
   try {
@@ -62,16 +85,22 @@ async function ask(url) {
 
 /** Least recently used motions are dropped once the rest exceeds the limit. */
 export class MotionCache {
+  /** @param {number} [limit] */
   constructor(limit = CACHE_BYTES) {
     this.limit = limit;
     this.bytes = 0;
+    /** @type {Map<string, Motion>} */
     this.motions = new Map();
+    /** @type {Map<string, Promise<Motion | Error>>} */
     this.coming = new Map(); // key -> promise, so that who asks again meanwhile waits for the same answer
   }
 
   /**
    * The motions of a request's items, in their order: each a motion or an Error in plain words. Never rejects. A data
    * set's name may come to stand for other content, so the server is asked again unless the segment is for good.
+   * @param {string} api
+   * @param {StageRequest} request
+   * @param {Item[]} items
    */
   load(api, request, items) {
     const segments = items.map((item) => segmentOf(request, item));
@@ -82,9 +111,10 @@ export class MotionCache {
       wanted.set(key, segment);
     }
     if (wanted.size) this.fetch(addresses(api, [...wanted.values()]));
-    return Promise.all(segments.map(({ key }) => this.coming.get(key) ?? this.keep(key, this.motions.get(key))));
+    return Promise.all(segments.map(({ key }) => this.coming.get(key) ?? this.keep(key, /** @type {Motion} */ (this.motions.get(key)))));
   }
 
+  /** @param {[string, Segment[]][]} batches */
   fetch(batches) {
     for (const [address, segments] of batches) {
       const answer = ask(address).catch((error) => segments.map(() => error));
@@ -98,6 +128,7 @@ export class MotionCache {
     }
   }
 
+  /** @param {string} key @param {Motion} motion */
   keep(key, motion) {
     this.bytes += motion.bytes - (this.motions.get(key)?.bytes ?? 0);
     this.motions.delete(key);

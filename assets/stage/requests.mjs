@@ -1,17 +1,28 @@
 // From a request to figures: asks for the motions, tells what could not be loaded, lets the newest request win.
+import { within } from "../shared/dom.mjs";
 import { Figure } from "./figure.mjs";
 import { MotionCache } from "./motion.mjs";
+/** @import { Stage } from "./stage.mjs" */
+/** @import { StageRequest } from "./types.d.ts" */
 
 const MOST_FIGURES = 48;
 
 export class Requests {
+  /** @param {Stage} stage */
   constructor(stage) {
     this.stage = stage;
     this.cache = new MotionCache();
+    /** @type {StageRequest | null} */
+    this.next = null; // the newest of those that wait to replace what is shown
+    /** @type {Promise<void> | null} */
+    this.replacing = null;
     this.turn = 0; // counts the requests to show
   }
 
-  /** Fetch what a request needs, so that showing it later costs nothing. */
+  /**
+   * Fetch what a request needs, so that showing it later costs nothing.
+   * @param {StageRequest} request
+   */
   prefetch(request) {
     const items = (request?.items ?? []).slice(0, MOST_FIGURES);
     return this.cache.load(this.api, request, items);
@@ -21,7 +32,10 @@ export class Requests {
     return this.stage.root.dataset.api || "/api";
   }
 
-  /** Show a request from its start. */
+  /**
+   * Show a request from its start.
+   * @param {StageRequest | null} request
+   */
   async show(request) {
     const { stage } = this;
     const turn = ++this.turn;
@@ -46,6 +60,7 @@ export class Requests {
   /**
    * Put other motions in place of those that are shown; time (as a share), camera, layout and what plays stay. While
    * one is being loaded only the newest waits, so that a slider may call this for every step.
+   * @param {StageRequest} request
    */
   replace(request) {
     const { stage } = this;
@@ -67,6 +82,7 @@ export class Requests {
     }
   }
 
+  /** @param {StageRequest} request */
   async figures(request) {
     const items = request.items.slice(0, MOST_FIGURES);
     const motions = await this.cache.load(this.api, request, items);
@@ -77,13 +93,18 @@ export class Requests {
     };
   }
 
-  /** Tell what is missing, without hiding what is there. */
+  /**
+   * Tell what is missing, without hiding what is there.
+   * @param {StageRequest} request
+   * @param {number} n
+   * @param {Error[]} failed
+   */
   notice(request, n, failed) {
     const missing = failed.length ? `${failed.length} of ${n} motions could not be loaded: ${failed[0].message}` : "";
     const cut = request.items.length > n ? `Showing ${n} of ${request.items.length} motions.` : "";
-    const note = this.stage.root.querySelector(".ms-stage-note");
-    note.querySelector("span").textContent = [missing, cut].filter(Boolean).join(" ");
+    const note = within(this.stage.root, ".ms-stage-note");
+    within(note, "span").textContent = [missing, cut].filter(Boolean).join(" ");
     note.hidden = !missing && !cut;
-    note.querySelector("button").hidden = !missing;
+    within(note, "button").hidden = !missing;
   }
 }

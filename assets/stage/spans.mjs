@@ -1,13 +1,22 @@
 // Coloured spans of a motion (nodes of a walk, labels, words of a sentence): bands above the time bar, and the root's
 // path on the floor in their colours.
+import { within } from "../shared/dom.mjs";
 import { NEAR } from "./camera.mjs";
 import { css, parseColour } from "./colours.mjs";
+/** @import { Camera } from "./camera.mjs" */
+/** @import { Figure } from "./figure.mjs" */
+/** @import { PaintedSpan, Path, Span } from "./types.d.ts" */
 
 const PATH_STEPS = 30; // points a second
 const MOST_POINTS = 1200;
 const MOST_ROWS = 8;
 
-/** An item's spans, cut to its segment, in order: [{start, end, rgb, colour, label}] in frames of the clip's own rate. */
+/**
+ * An item's spans, cut to its segment, in order: [{start, end, rgb, colour, label}] in frames of the clip's own rate.
+ * @param {Span[] | undefined} colours
+ * @param {{ start: number, end: number }} segment
+ * @returns {PaintedSpan[]}
+ */
 export function readSpans(colours, { start, end }) {
   if (!Array.isArray(colours)) return [];
   return colours
@@ -21,13 +30,18 @@ export function readSpans(colours, { start, end }) {
 }
 
 export class SpanBands {
+  /** @param {HTMLElement} holder */
   constructor(holder) {
     this.holder = holder;
-    this.rows = holder.querySelector(".ms-band-rows");
-    this.cursor = holder.querySelector(".ms-band-cursor");
+    this.rows = within(holder, ".ms-band-rows");
+    this.cursor = within(holder, ".ms-band-cursor");
   }
 
-  /** One row a visible figure that has spans, along the Stage's time. */
+  /**
+   * One row a visible figure that has spans, along the Stage's time.
+   * @param {Figure[]} figures
+   * @param {number} duration
+   */
   show(figures, duration) {
     const shown = figures.filter((figure) => figure.visible && figure.spans.length).slice(0, MOST_ROWS);
     this.holder.hidden = !shown.length || !(duration > 0);
@@ -35,11 +49,13 @@ export class SpanBands {
     this.rows.replaceChildren(...(this.holder.hidden ? [] : shown.map((figure) => row(figure, duration))));
   }
 
+  /** @param {number} share */
   place(share) {
     if (!this.holder.hidden) this.cursor.style.left = `${(100 * share).toFixed(3)}%`;
   }
 }
 
+/** @param {Figure} figure @param {number} duration */
 function row(figure, duration) {
   const made = document.createElement("div");
   made.className = "ms-band";
@@ -57,10 +73,16 @@ function row(figure, duration) {
   return made;
 }
 
-/** The root's way over the floor, and where each colour begins: {points (n, 3), runs: [{from, to, colour}]}. */
+/**
+ * The root's way over the floor, and where each colour begins: {points (n, 3), runs: [{from, to, colour}]}.
+ * @param {Figure} figure
+ * @param {number} duration
+ * @param {string} plain
+ */
 function makePath(figure, duration, plain) {
   const n = Math.min(Math.max(Math.ceil(duration * PATH_STEPS), 2), MOST_POINTS);
   const points = new Float32Array(3 * n);
+  /** @type {Path["runs"]} */
   const runs = [];
   const root = 3 * figure.header.root;
   for (let s = 0; s < n; s++) {
@@ -69,7 +91,8 @@ function makePath(figure, duration, plain) {
     points[3 * s] = figure.spare[root];
     points[3 * s + 2] = figure.spare[root + 2];
     const colour = figure.spanAt(figure.recordedFrame(time))?.colour ?? plain;
-    if (runs.at(-1)?.colour === colour) runs.at(-1).to = s;
+    const last = runs.at(-1);
+    if (last?.colour === colour) last.to = s;
     else runs.push({ from: Math.max(s - 1, 0), to: s, colour });
   }
   return { points, runs, n };
@@ -78,9 +101,18 @@ function makePath(figure, duration, plain) {
 /** Paint the paths of all visible figures that have spans and really go somewhere. */
 export class PathPainter {
   constructor() {
-    [this.x, this.y, this.scale, this.depth] = [0, 1, 2, 3].map(() => new Float32Array(MOST_POINTS));
+    this.x = new Float32Array(MOST_POINTS);
+    this.y = new Float32Array(MOST_POINTS);
+    this.scale = new Float32Array(MOST_POINTS);
+    this.depth = new Float32Array(MOST_POINTS);
   }
 
+  /**
+   * @param {CanvasRenderingContext2D} context
+   * @param {Camera} camera
+   * @param {Figure[]} figures
+   * @param {number} duration
+   */
   paint(context, camera, figures, duration) {
     context.lineCap = context.lineJoin = "round";
     for (const figure of figures) {

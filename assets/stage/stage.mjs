@@ -1,5 +1,6 @@
 // The Stage: a 3D player of stick figures on a 2D canvas. Time comes from the browser; the server is asked for motions
-// once. This file runs before the other stage_*.js: they fill `parts`, which is used only once the page holds a stage.
+// once.
+import { within } from "../shared/dom.mjs";
 import { Camera } from "./camera.mjs";
 import { figureColours, readTheme, shades } from "./colours.mjs";
 import { Controls } from "./controls.mjs";
@@ -12,21 +13,28 @@ import { calm, LAYOUTS, restoreState, standing, takeState, timeOf } from "./stat
 import { Clock, makeTimeline } from "./timeline.mjs";
 import { Traces } from "./traces.mjs";
 import { WarpStrip } from "./warp.mjs";
+/** @import { Figure } from "./figure.mjs" */
+/** @import { Moment, SavedState, StageRequest } from "./types.d.ts" */
 
 const STATE_EVERY = 400; // milliseconds between "stage-state" events
+/** @type {Record<string, string>} */
 const LAYOUT_WORDS = { overlay: "Laid over one another", side: "Side by side", pose: "Stills in rows" };
 
 export class Stage {
+  /** @param {HTMLElement} root */
   constructor(root) {
     this.root = root;
     this.clock = new Clock();
     this.camera = new Camera();
     this.traces = new Traces();
-    this.scene = new Scene(root.querySelector("#stage-canvas"));
-    this.warpStrip = new WarpStrip(root.querySelector(".ms-warp"));
-    this.bands = new SpanBands(root.querySelector(".ms-bands"));
+    this.scene = new Scene(/** @type {HTMLCanvasElement} */ (/** @type {Element} */ (within(root, "#stage-canvas"))), readTheme(root));
+    this.warpStrip = new WarpStrip(within(root, ".ms-warp"));
+    this.bands = new SpanBands(within(root, ".ms-bands"));
     this.requests = new Requests(this);
+    /** @type {Figure[]} */
     this.figures = [];
+    /** @type {StageRequest | null | undefined} */
+    this.request = undefined;
     this.timeline = { reference: 0, warped: false, fps: 30, duration: 0 };
     this.layout = "overlay";
     this.sync = "warp";
@@ -34,25 +42,38 @@ export class Stage {
     this.followed = [0, 0];
     this.chosen = -1;
     this.fps = 0;
+    this.closed = false;
+    this.dirty = true;
+    this.telling = 0;
+    this.quiet = 0;
+    /** @type {SavedState | undefined} */
+    this.waiting = undefined;
+    /** @type {number | undefined} */
+    this.before = undefined; // when the last frame was
+    /** @type {{ time: number, figures: Figure[] } | undefined} */
+    this.lastFrame = undefined;
+    this.sizes = new ResizeObserver(() => this.resized());
+    this.looks = new MutationObserver(() => this.readLooks());
     this.controls = new Controls(this, root);
     this.watchLooks();
     this.setStatus("empty");
+    /** @type {FrameRequestCallback} */
     this.frame = (now) => this.tick(now);
     requestAnimationFrame(this.frame);
   }
 
   /** Follow changes of size, theme and screen. */
   watchLooks() {
-    const looks = () => {
-      this.scene.setTheme(readTheme(this.root));
-      this.colour();
-    };
-    looks();
-    this.observers = [new ResizeObserver(() => this.resized()), new MutationObserver(looks)];
-    this.observers[0].observe(this.scene.canvas);
+    this.readLooks();
+    this.sizes.observe(this.scene.canvas);
     for (const node of [document.documentElement, document.body]) {
-      this.observers[1].observe(node, { attributes: true, attributeFilter: ["data-mantine-color-scheme", "class", "style"] });
+      this.looks.observe(node, { attributes: true, attributeFilter: ["data-mantine-color-scheme", "class", "style"] });
     }
+  }
+
+  readLooks() {
+    this.scene.setTheme(readTheme(this.root));
+    this.colour();
   }
 
   resized() {
@@ -63,12 +84,17 @@ export class Stage {
 
   close() {
     this.closed = true;
-    this.observers.forEach((observer) => observer.disconnect());
+    this.sizes.disconnect();
+    this.looks.disconnect();
   }
 
-  /** Show figures from their start, as a request wants it. */
+  /**
+   * Show figures from their start, as a request wants it.
+   * @param {Figure[]} figures
+   * @param {StageRequest} request
+   */
   begin(figures, request) {
-    this.layout = LAYOUTS.includes(request.layout) ? request.layout : "overlay";
+    this.layout = request.layout && LAYOUTS.includes(request.layout) ? request.layout : "overlay";
     this.sync = request.sync === "start" ? "start" : "warp";
     this.clock.time = 0;
     this.camera.reset(homeView(figures, this.layout));
@@ -82,7 +108,10 @@ export class Stage {
     this.touch(true);
   }
 
-  /** Put other figures in place of those that are shown; what a person has set, and the share of time, stay. */
+  /**
+   * Put other figures in place of those that are shown; what a person has set, and the share of time, stay.
+   * @param {Figure[]} figures
+   */
   exchange(figures) {
     if (figures.length === this.figures.length) figures.forEach((figure, k) => (figure.visible = this.figures[k].visible));
     this.keepingShare(() => this.setFigures(figures, true));
@@ -96,13 +125,17 @@ export class Stage {
     this.clock.seek(this.clock.duration / 2);
   }
 
+  /** @param {Figure[]} figures @param {boolean} [keepView] */
   setFigures(figures, keepView = false) {
     this.figures = figures;
     nameFigures(figures);
     this.prepare(keepView);
   }
 
-  /** Do what changes the length of time; the clock goes on at the same share of it. */
+  /**
+   * Do what changes the length of time; the clock goes on at the same share of it.
+   * @param {() => void} change
+   */
   keepingShare(change) {
     const { clock } = this;
     const share = clock.duration ? clock.time / clock.duration : 0;
@@ -110,7 +143,10 @@ export class Stage {
     clock.seek(share * clock.duration);
   }
 
-  /** Everything that depends on which figures there are, how they are laid out and kept in step. */
+  /**
+   * Everything that depends on which figures there are, how they are laid out and kept in step.
+   * @param {boolean} [keepView]
+   */
   prepare(keepView = false) {
     this.timeline = makeTimeline(this.figures, this.sync, this.layout);
     this.clock.duration = this.timeline.duration;
@@ -128,6 +164,7 @@ export class Stage {
     this.bands.show(this.figures, this.timeline.duration);
   }
 
+  /** @param {boolean} [keepView] */
   place(keepView = false) {
     this.scene.resize();
     const aspect = this.scene.width / Math.max(this.scene.height, 1);
@@ -157,12 +194,17 @@ export class Stage {
     this.draw();
   }
 
+  /** @param {number} k */
   highlight(k) {
     this.chosen = k;
     this.colour();
   }
 
-  /** Say which figure is under the pointer. */
+  /**
+   * Say which figure is under the pointer.
+   * @param {number} x
+   * @param {number} y
+   */
   pointAt(x, y) {
     const { canvas, ratio } = this.scene;
     const figure = this.figures.length > 1 ? this.scene.figureAt(this.figures, x * ratio, y * ratio) : undefined;
@@ -170,6 +212,7 @@ export class Stage {
     if (canvas.title !== title) canvas.title = title;
   }
 
+  /** @param {number} k @param {boolean} visible */
   setVisible(k, visible) {
     this.figures[k].visible = visible;
     this.place();
@@ -177,6 +220,7 @@ export class Stage {
     this.touch(true);
   }
 
+  /** @param {string} layout */
   setLayout(layout) {
     if (this.figures.length < 2) return;
     this.layout = layout;
@@ -186,6 +230,7 @@ export class Stage {
     this.say(LAYOUT_WORDS[layout]);
   }
 
+  /** @param {string} sync */
   setSync(sync) {
     if (!this.figures.some((figure) => figure.warp)) return;
     this.sync = sync;
@@ -203,15 +248,19 @@ export class Stage {
     this.touch(true);
   }
 
-  /** To a time in seconds, or to a frame of a clip: {clip, frame, dataset?, index?}. False where that is not shown. */
+  /**
+   * To a time in seconds, or to a frame of a clip: {clip, frame, dataset?, index?}. False where that is not shown.
+   * @param {number | Moment | null} to
+   */
   seek(to) {
     const time = typeof to === "number" ? to : to ? timeOf(this.figures, to) : null;
-    if (!Number.isFinite(time)) return false;
+    if (time === null || !Number.isFinite(time)) return false;
     this.clock.seek(time);
     this.touch();
     return true;
   }
 
+  /** @param {number} frames */
   step(frames) {
     this.clock.playing = false;
     const { fps } = this.timeline;
@@ -225,7 +274,10 @@ export class Stage {
     this.say("View reset");
   }
 
-  /** Something changed: draw, bring the buttons in line (`byHand`: the person did it), tell the app. */
+  /**
+   * Something changed: draw, bring the buttons in line (`byHand`: the person did it), tell the app.
+   * @param {boolean} [byHand]
+   */
   touch(byHand) {
     if (byHand) this.controls.update();
     this.draw();
@@ -238,7 +290,7 @@ export class Stage {
 
   tell() {
     if (this.telling || this.status !== "ready") return;
-    this.telling = setTimeout(() => {
+    this.telling = window.setTimeout(() => {
       this.telling = 0;
       window.dispatchEvent(new CustomEvent("stage-state", { detail: { ...this.state(), items: this.standing() } }));
     }, STATE_EVERY);
@@ -252,12 +304,13 @@ export class Stage {
   /** For what follows every frame: a cursor in a chart, a lit node. */
   tellFrame() {
     const { time, duration, playing } = this.clock;
-    if (this.status !== "ready" || (time === this.told?.time && this.figures === this.told.figures)) return;
-    this.told = { time, figures: this.figures };
+    if (this.status !== "ready" || (time === this.lastFrame?.time && this.figures === this.lastFrame.figures)) return;
+    this.lastFrame = { time, figures: this.figures };
     window.dispatchEvent(new CustomEvent("stage-frame", { detail: { time, duration, playing, items: this.standing() } }));
     if (playing) this.tell();
   }
 
+  /** @param {number} now */
   tick(now) {
     if (this.closed) return;
     requestAnimationFrame(this.frame);
@@ -275,6 +328,7 @@ export class Stage {
     this.paint(seconds);
   }
 
+  /** @param {number} seconds */
   paint(seconds) {
     for (const figure of this.figures) if (figure.visible) figure.pose(this.clock.time);
     if (this.figures.length) {
@@ -299,12 +353,13 @@ export class Stage {
     return `${moment} · frame ${frame}${span ? ` · ${span}` : ""}`;
   }
 
+  /** @param {string} status @param {string} [message] */
   setStatus(status, message = "") {
     this.status = status;
     this.root.dataset.status = status;
-    this.root.querySelector(".ms-stage-title").textContent = this.request?.title || (status === "empty" ? "" : this.request?.items[0]?.label || "");
-    this.root.querySelector(".ms-message-text").textContent = message;
-    this.root.querySelector(".ms-stage-note").hidden = true;
+    within(this.root, ".ms-stage-title").textContent = this.request?.title || (status === "empty" ? "" : this.request?.items[0]?.label || "");
+    within(this.root, ".ms-message-text").textContent = message;
+    within(this.root, ".ms-stage-note").hidden = true;
     const n = this.figures.length;
     this.scene.canvas.setAttribute("aria-label", status === "ready"
       ? `${n === 1 ? "One figure" : `${n} figures`} moving: ${this.figures.slice(0, 6).map((f) => f.label).join(", ")}`
@@ -313,17 +368,21 @@ export class Stage {
     this.draw();
   }
 
+  /** @param {string} text */
   say(text) {
-    const toast = this.root.querySelector(".ms-toast");
+    const toast = within(this.root, ".ms-toast");
     toast.textContent = text;
     toast.classList.add("ms-shown");
     clearTimeout(this.quiet);
-    this.quiet = setTimeout(() => toast.classList.remove("ms-shown"), 1100);
+    this.quiet = window.setTimeout(() => toast.classList.remove("ms-shown"), 1100);
   }
 
-  /** Open or close the list of keys; true when it was open. */
+  /**
+   * Open or close the list of keys; true when it was open.
+   * @param {boolean} [open]
+   */
   toggleHelp(open) {
-    const help = this.root.querySelector(".ms-help");
+    const help = within(this.root, ".ms-help");
     const was = !help.hidden;
     help.hidden = open === undefined ? was : !open;
     return was;
@@ -333,6 +392,7 @@ export class Stage {
     return takeState(this);
   }
 
+  /** @param {SavedState} state */
   restore(state) {
     this.waiting = this.status === "ready" ? undefined : state;
     if (this.status !== "ready") return;

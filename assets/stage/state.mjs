@@ -1,12 +1,21 @@
 // What one sees, as plain values: for links, for charts that follow, and back again.
 import { TRAILS } from "./traces.mjs";
+/** @import { Figure } from "./figure.mjs" */
+/** @import { Stage } from "./stage.mjs" */
+/** @import { Moment, SavedState } from "./types.d.ts" */
 
 export const LAYOUTS = ["overlay", "side", "pose"];
+/** @param {number} value */
 const round = (value) => Math.round(value * 1000) / 1000;
+/** @param {any} value @param {string[]} choices @param {string} otherwise */
 const oneOf = (value, choices, otherwise) => (choices.includes(value) ? value : otherwise);
+/** @param {any} value @param {number} otherwise */
 const number = (value, otherwise) => (Number.isFinite(value) ? value : otherwise);
 
-/** Small enough for a link. */
+/**
+ * Small enough for a link.
+ * @param {Stage} stage
+ */
 export function takeState({ clock, camera, traces, layout, sync, figures }) {
   return {
     time: round(clock.time), speed: clock.speed, loop: clock.loop, playing: clock.playing,
@@ -19,7 +28,11 @@ export function takeState({ clock, camera, traces, layout, sync, figures }) {
   };
 }
 
-/** Take up a state again; what is missing or makes no sense stays as it is. */
+/**
+ * Take up a state again; what is missing or makes no sense stays as it is.
+ * @param {Stage} stage
+ * @param {SavedState} state
+ */
 export function restoreState(stage, state) {
   const { clock, camera, traces } = stage;
   stage.layout = oneOf(state.layout, LAYOUTS, stage.layout);
@@ -32,7 +45,7 @@ export function restoreState(stage, state) {
   stage.prepare();
   const seen = state.camera || {};
   camera.moved = Number.isFinite(seen.distance) || camera.moved;
-  for (const name of ["yaw", "pitch", "distance"]) camera[name] = number(seen[name], camera[name]);
+  for (const name of /** @type {const} */ (["yaw", "pitch", "distance"])) camera[name] = number(seen[name], camera[name]);
   if (seen.pan?.length === 3 && seen.pan.every(Number.isFinite)) camera.pan = [...seen.pan];
   if (seen.centre?.length === 2 && seen.centre.every(Number.isFinite)) camera.centre = [...seen.centre];
   camera.follow = Boolean(seen.follow ?? camera.follow);
@@ -40,7 +53,11 @@ export function restoreState(stage, state) {
   clock.playing = Boolean(state.playing ?? clock.playing) && !calm();
 }
 
-/** Where a figure stands: clip, its frame at the clip's own rate, and the coloured span it is in. */
+/**
+ * Where a figure stands: clip, its frame at the clip's own rate, and the coloured span it is in.
+ * @param {Figure} figure
+ * @param {number} time
+ */
 export function standing(figure, time) {
   const frame = figure.recordedFrame(time);
   const { start, end } = figure.header;
@@ -50,12 +67,18 @@ export function standing(figure, time) {
   };
 }
 
-/** Time at which a frame of a clip is shown, by the visible figure whose segment holds it or comes nearest; or null. */
+/**
+ * Time at which a frame of a clip is shown, by the visible figure whose segment holds it or comes nearest; or null.
+ * @param {Figure[]} figures
+ * @param {Moment} moment
+ */
 export function timeOf(figures, { clip, frame, dataset, index }) {
+  /** @param {Figure} figure */
   const away = ({ header }) => Math.max(header.start - frame, frame - (header.end - 1), 0);
   const fitting = figures.filter((figure) => figure.header.clip === clip
     && (dataset === undefined || figure.item.dataset === dataset) && (index === undefined || figure.index === index));
   if (!fitting.length || !Number.isFinite(frame)) return null;
+  /** @param {Figure} figure */
   const rank = (figure) => away(figure) + (figure.visible ? 0 : 0.5);
   return fitting.reduce((best, figure) => (rank(figure) < rank(best) ? figure : best)).timeAt(frame);
 }

@@ -1,4 +1,5 @@
 // Time: one clock, and how each figure's own frames follow it.
+/** @import { Figure } from "./figure.mjs" */
 
 export const SPEEDS = [0.1, 0.25, 0.5, 0.75, 1, 1.5, 2, 3, 4];
 const LOOPS = ["loop", "bounce", "once"];
@@ -14,6 +15,7 @@ export class Clock {
     this.jumped = false; // the last change of time was no smooth step
   }
 
+  /** @param {number} time */
   seek(time) {
     this.time = Math.min(Math.max(time, 0), this.duration);
     this.jumped = true;
@@ -25,6 +27,7 @@ export class Clock {
     this.playing = this.duration > 0;
   }
 
+  /** @param {number} by */
   changeSpeed(by) {
     const nearest = SPEEDS.reduce((best, s, k) =>
       Math.abs(s - this.speed) < Math.abs(SPEEDS[best] - this.speed) ? k : best, 0);
@@ -36,6 +39,7 @@ export class Clock {
     this.direction = 1;
   }
 
+  /** @param {number} seconds */
   advance(seconds) {
     if (!this.playing) return;
     let time = this.time + seconds * this.speed * this.direction;
@@ -56,7 +60,10 @@ export class Clock {
   }
 }
 
-/** Index of the figure whose warp runs straight: the medoid, whose frames count the time of all. */
+/**
+ * Index of the figure whose warp runs straight: the medoid, whose frames count the time of all.
+ * @param {Figure[]} figures
+ */
 function findMedoid(figures) {
   let best = -1;
   let least = Infinity;
@@ -72,6 +79,9 @@ function findMedoid(figures) {
  * How long the figures play and at what rate frames are stepped. In step ("warp"), time is the medoid's and every
  * figure stands at the frame that matches; otherwise each runs at its own pace from its start. Poses side by side all
  * move by the same share of their motion, whatever its length.
+ * @param {Figure[]} figures
+ * @param {string} sync
+ * @param {string} layout
  */
 export function makeTimeline(figures, sync, layout) {
   const medoid = sync === "warp" ? findMedoid(figures) : -1;
@@ -85,14 +95,20 @@ export function makeTimeline(figures, sync, layout) {
   return { reference, warped, fps: chosen ? chosen.fps : 30, duration };
 }
 
-/** All of a motion within the time of the others; half-way it stands at the item's `frame`, or at its middle. */
+/**
+ * All of a motion within the time of the others; half-way it stands at the item's `frame`, or at its middle.
+ * @param {Figure} figure
+ * @param {number} duration
+ */
 function spreadOver(figure, duration) {
   figure.follow(figure.warpFps, duration);
-  if (!Number.isFinite(figure.item.frame)) return;
+  const middle = figure.item.frame;
+  if (middle === undefined || !Number.isFinite(middle)) return;
   const { start, step } = figure.header;
-  figure.offset = (figure.item.frame - start) / step - figure.frameAt(duration / 2);
+  figure.offset = (middle - start) / step - figure.frameAt(duration / 2);
 }
 
+/** @param {Figure[]} figures */
 function longest(figures) {
   return figures.reduce((best, f, k) => (f.ownDuration > figures[best].ownDuration ? k : best), 0);
 }

@@ -2,6 +2,9 @@
 import { disc } from "./body.mjs";
 import { NEAR } from "./camera.mjs";
 import { PathPainter } from "./spans.mjs";
+/** @import { Camera } from "./camera.mjs" */
+/** @import { Figure } from "./figure.mjs" */
+/** @import { Clock } from "./timeline.mjs" */
 
 export const TRAILS = ["off", "root", "limbs"];
 const GHOST_GAP = 0.22; // seconds of the stage between ghosts
@@ -15,10 +18,16 @@ export class Traces {
     this.suited = false; // trails were switched on for the sake of coloured spans
     this.paths = new PathPainter();
     this.points = new Float32Array(3 * 256);
-    [this.x, this.y, this.scale, this.depth] = [0, 1, 2, 3].map(() => new Float32Array(256));
+    this.x = new Float32Array(256);
+    this.y = new Float32Array(256);
+    this.scale = new Float32Array(256);
+    this.depth = new Float32Array(256);
   }
 
-  /** Motions with coloured spans show them on the floor; without them trails are as the person left them. */
+  /**
+   * Motions with coloured spans show them on the floor; without them trails are as the person left them.
+   * @param {Figure[]} figures
+   */
   suit(figures) {
     const coloured = figures.some((figure) => figure.spans.length);
     if (coloured && this.trails === "off") [this.trails, this.suited] = ["root", true];
@@ -30,6 +39,7 @@ export class Traces {
     this.trails = TRAILS[(TRAILS.indexOf(this.trails) + 1) % TRAILS.length];
   }
 
+  /** @param {CanvasRenderingContext2D} context @param {Camera} camera @param {Figure[]} figures @param {Clock} clock */
   paint(context, camera, figures, clock) {
     const shown = figures.filter((figure) => figure.visible);
     context.lineJoin = "round";
@@ -50,6 +60,7 @@ export class Traces {
     context.globalAlpha = 1;
   }
 
+  /** @param {CanvasRenderingContext2D} context @param {Camera} camera @param {Figure} figure @param {number} time */
   paintGhost(context, camera, figure, time) {
     if (figure.n > 256) return;
     figure.pose(time, this.points);
@@ -75,7 +86,13 @@ export class Traces {
     disc(context, this.x[head], this.y[head], radius * this.scale[head]);
   }
 
-  /** A ribbon of the last seconds for the root, or for hands and feet. */
+  /**
+   * A ribbon of the last seconds for the root, or for hands and feet.
+   * @param {CanvasRenderingContext2D} context
+   * @param {Camera} camera
+   * @param {Figure} figure
+   * @param {Clock} clock
+   */
   paintTrails(context, camera, figure, clock) {
     const { header } = figure;
     if (this.trails === "root" && figure.spans.length) return; // its path is on the floor

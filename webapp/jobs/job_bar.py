@@ -71,7 +71,7 @@ def layout() -> Component:
         className="job-bar",
         children=[
             html.Div(id=names.JOB_LIST, role="status", **{"aria-live": "polite", "aria-label": "Jobs"}),
-            dcc.Store(id=names.JOBS_SHOWN),  # the rows; assets/job_bar.js draws them
+            dcc.Store(id=names.JOBS_SHOWN),  # the rows; assets/jobs/job_bar.mjs draws them
             dcc.Interval(id=names.JOB_TICK, interval=FAST),
             dcc.Store(id=names.JOB_POKE),  # written when a job was just asked for: look now
             dcc.Store(id=names.JOB_ACTION),  # {"action": "cancel" | "retry" | "dismiss", "job": id}
@@ -101,7 +101,7 @@ def revision_of(datasets: Sequence[DatasetInfo]) -> str:
 
 
 def rows(jobs: Sequence[Job]) -> list[dict]:
-    """The bar's rows, as assets/job_bar.js draws them; ``error`` is there where the job has failed."""
+    """The bar's rows, as assets/jobs/job_bar.mjs draws them; ``error`` is there where the job has failed."""
     return [_alive(job) if job.alive else _failed(job) for job in jobs]
 
 

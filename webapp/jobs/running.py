@@ -14,7 +14,7 @@ from webapp.shell.icons import icon
 
 
 def running(job: Job, title: str, symbol: str) -> Component:
-    """Stage, progress and Cancel of a job, rendered once; assets/job_bar.js keeps them up to date."""
+    """Stage, progress and Cancel of a job, rendered once; assets/jobs/job_bar.mjs keeps them up to date."""
     known = job.state == "running" and not job.cancelling
     return html.Div(
         className="empty-state running",

@@ -1,4 +1,4 @@
-"""Buttons that write into a store straight away in the browser (assets/actions.js), without a callback each.
+"""Buttons that write into a store straight away in the browser (assets/shell/selecting.mjs), without a callback each.
 
 Lists are redrawn often and hold many buttons; one listener on the document serves them all, and server callbacks
 take the store as their only input.

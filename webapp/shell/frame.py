@@ -89,7 +89,7 @@ def _header() -> Component:
                 comboboxProps={"shadow": "md"},
                 **{"aria-label": "Dataset"},
             ),
-            # in the header's free space (assets/notices.css), where they cover no control
+            # in the header's free space (assets/shell/notices.css), where they cover no control
             dmc.NotificationContainer(
                 id=names.NOTICES, position="top-center", limit=4, autoClose=6000, withinPortal=False
             ),

@@ -1,4 +1,4 @@
-"""Line icons: shapes live in assets/app.css as masks, so they take the colour of the text around them."""
+"""Line icons: shapes live in assets/shared/icons.css as masks, so they take the colour of the text around them."""
 
 from __future__ import annotations
 

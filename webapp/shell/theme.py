@@ -1,4 +1,4 @@
-"""Colours and control styles, in one place. CSS (assets/app.css) names the same colours for everything else."""
+"""Colours and control styles, in one place. CSS (assets/shell/frame.css) names the same colours for everything else."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """``GET /api/stage/<page>?<what a link says>``: what the Stage would play for a link, before anybody follows it.
 
 The browser asks for it when the pointer rests on a motif, so that a click finds its motions already there
-(assets/stage_ahead.js). The callback in webapp/shell/playback.py gives the same answer a round trip later.
+(assets/stage/ahead.mjs). The callback in webapp/shell/playback.py gives the same answer a round trip later.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Names of clips in little room, as assets/stage_names.js has them."""
+"""Names of clips in little room, as assets/stage/names.mjs has them."""
 
 from __future__ import annotations
 

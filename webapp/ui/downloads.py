@@ -1,4 +1,4 @@
-"""Menus that save what is on the page: a chart as PNG, SVG or CSV, a table as CSV (assets/downloads.js)."""
+"""Menus that save what is on the page: a chart as PNG, SVG or CSV, a table as CSV (assets/shared/downloads.mjs)."""
 
 from __future__ import annotations
 

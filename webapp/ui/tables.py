@@ -74,7 +74,7 @@ MOTIF_COLUMNS = [
 def grid(
     table_id: str, columns: list[dict], rows: list[Row], label: str, *, row_height: int = 46, **options: Any
 ) -> html.Div:
-    """A table whose rows are chosen by a click or by Enter (assets/actions.js). ``options``: more of AG Grid's own."""
+    """A table whose rows a click or Enter chooses (assets/shell/selecting.mjs). ``options``: more of AG Grid's own."""
     table = dag.AgGrid(
         id=table_id,
         columnDefs=columns,

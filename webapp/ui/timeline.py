@@ -23,7 +23,7 @@ def motif_colour(motif: int) -> str:
 
 
 def timeline(dataset: Dataset, graph: MotifGraph, notes: Mapping[int, MotifNote] | None = None) -> dict[str, Any]:
-    """What assets/timeline.js draws, in seconds of the clips:
+    """What assets/motifs/timeline.mjs draws, in seconds of the clips:
 
     ``rows``: {clip, brief (its name), fps, seconds, share (of its frames in motifs), motions: [[start, end, motif,
     number]], labels: [[start, end, action number]]}; ``motifs``: id -> {name, colour, motions}; ``actions``: names by

@@ -239,7 +239,7 @@ def _spans(workspace: Workspace, shown: Mapping[str, Any], parameters: Mapping[s
 
 
 def _browser(app: Dash) -> None:
-    """What assets/clip_*.js must hear of."""
+    """What assets/clip/*.mjs must hear of."""
     app.clientside_callback(
         ClientsideFunction("clip", "drawn"),
         Output(names.CLIP_DRAWN, "data"),

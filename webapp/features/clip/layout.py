@@ -48,7 +48,7 @@ def page() -> Component:
             ),
             dcc.Store(id=names.CLIP_SHOWN),  # {"dataset", "version", "clip", "fps", "frames"}
             dcc.Store(id=names.CLIP_CHOICE),  # the joints and channels that the chart shows
-            dcc.Store(id=names.CLIP_GAIT_TABLE),  # drawn by assets/clip_gait.js
+            dcc.Store(id=names.CLIP_GAIT_TABLE),  # drawn by assets/clip/gait.mjs
             dcc.Store(id=names.CLIP_GAIT_DRAWN),  # these four only give clientside callbacks an output
             dcc.Store(id=names.CLIP_DRAWN),
             dcc.Store(id=names.CLIP_MARKED),
@@ -210,7 +210,7 @@ def channel_chips(chosen: Choice) -> list[Component]:
 
 
 def legend(panels: Sequence[Panel]) -> list[Component]:
-    """A chip for every line, in the order of the traces; assets/clip_cursor.js writes the value at the cursor."""
+    """A chip for every line, in the order of the traces; assets/clip/cursor.mjs writes the value at the cursor."""
     return [
         html.Div(
             [

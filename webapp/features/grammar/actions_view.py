@@ -17,7 +17,7 @@ CARRIED = "Carried over from an earlier result that has most of these frames."
 
 
 def layout() -> Component:
-    """Cards on the left, the chosen action on the right; assets/grammar_actions.js fills both."""
+    """Cards on the left, the chosen action on the right; assets/grammar/actions.mjs fills both."""
     return html.Div(
         className="actions-view",
         children=[

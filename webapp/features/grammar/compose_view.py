@@ -1,4 +1,4 @@
-"""New routines that keep to the rules: by chance, then part by part as one likes (assets/grammar_compose.js draws)."""
+"""New routines that keep to the rules: by chance, then part by part as one likes (assets/grammar/compose.mjs draws)."""
 
 from __future__ import annotations
 

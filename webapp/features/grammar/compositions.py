@@ -77,7 +77,7 @@ def code_of(found: LearnedGrammar, tree: Node) -> str:
 
 
 def composed(workspace: Workspace, name: str, view: View) -> dict[str, Any] | None:
-    """All that assets/grammar_compose.js shows of a routine; None while there is no grammar. Raises WorkspaceError."""
+    """All that assets/grammar/compose.mjs shows of a routine; None while there is no grammar. Raises WorkspaceError."""
     found, key = grammars.learned(workspace, name, view), settings.key_of(workspace, grammars.PAGE, name, view)
     if found is None or key is None:
         return None

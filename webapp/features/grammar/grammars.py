@@ -57,7 +57,7 @@ def names_mark(workspace: Workspace, dataset: str, view: View) -> str:
 
 
 def page_data(dataset: Dataset, found: LearnedGrammar, key: str, notes: Mapping[int, MotifNote]) -> dict[str, Any]:
-    """All that assets/grammar_*.js draw of a result, but for trees and new routines."""
+    """All that assets/grammar/*.mjs draw of a result, but for trees and new routines."""
     segments = found.terminals.segments
     cuts: dict[str, list[int]] = {}
     for routine in routines(found):
@@ -90,7 +90,7 @@ def routines(found: LearnedGrammar) -> list[Routine]:
 
 
 def routine_data(dataset: Dataset, routine: Routine) -> dict[str, Any]:
-    """A routine as assets/grammar_routines.js lists it: {clip, seconds: [start, end], actions, leaves: [[start, end]]}
+    """A routine as assets/grammar/routines.mjs lists it: {clip, seconds: [start, end], actions, leaves: [[start, end]]}
 
     (leaves in frames of the clip's own rate).
     """

@@ -79,7 +79,7 @@ def page() -> Component:
 
 
 def result(tiles: Sequence[tuple[str, str, str]]) -> Component:
-    """The figures, every recording as a string, and the views below; assets/grammar_*.js fill them."""
+    """The figures, every recording as a string, and the views below; assets/grammar/*.mjs fill them."""
     return html.Div(
         [
             html.Div([metric_tile(*tile) for tile in tiles], className="tiles grammar-tiles section"),

@@ -14,7 +14,7 @@ from webapp.shell.names import DATASET, VIEW
 
 
 def layout() -> Component:
-    """The list, and the place of the tree; assets/grammar_routines.js fills both."""
+    """The list, and the place of the tree; assets/grammar/routines.mjs fills both."""
     return html.Div(
         className="routines-view",
         children=[

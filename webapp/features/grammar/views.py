@@ -1,4 +1,4 @@
-"""The views below the recordings: one at a time, chosen under "show" in the store "view" (assets/views.js)."""
+"""The views below the recordings: one at a time, chosen under "show" in the store "view" (assets/shell/views.mjs)."""
 
 from __future__ import annotations
 

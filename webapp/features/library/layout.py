@@ -45,7 +45,7 @@ def page() -> Component:
             dcc.Store(id=names.DATASET_ACTION),  # {"action": "rename" | "trash" | "empty", "dataset"}
             dcc.Store(id=names.CLIPS_ACTION),  # {"action": "remove" | "clear"}
             dcc.Store(id=names.UPLOAD_INTO),  # {"dataset": name}: open the dialog for it
-            dcc.Store(id=names.UPLOAD, data={}),  # written by assets/upload.js
+            dcc.Store(id=names.UPLOAD, data={}),  # written by assets/library/upload.mjs
             dcc.Store(id=names.UPLOAD_SUGGESTED),  # a name for what is sent; "" where nothing is
             dcc.Store(id=names.UPLOADED),  # the token whose import was asked for
         ],

@@ -1,4 +1,4 @@
-"""The blend space of a motif: weights over its motions, played while one drags (assets/blend.js draws and plays)."""
+"""The blend space of a motif: weights over its motions, played as one drags (assets/motifs/blend.mjs plays)."""
 
 from __future__ import annotations
 
@@ -113,7 +113,7 @@ def register(app: Dash, workspace: Workspace) -> None:
 
 
 def blend_data(workspace: Workspace, key: str, dataset: Dataset, motif: Motif, called: str) -> dict[str, Any]:
-    """What assets/blend.js needs: the bodies of the motif, the motions of each, and how their times run together."""
+    """For assets/motifs/blend.mjs: the bodies of the motif, the motions of each, and how their times run together."""
     groups = [group for group in blendable(dataset, motif) if len(group) > 1]
     spaces = [mixtures.space_of(workspace, key, motif.id, group[0]) for group in groups]
     return {

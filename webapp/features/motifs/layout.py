@@ -342,7 +342,7 @@ def _panel_head(title: str, count: str, action: Component | None = None) -> Comp
 
 
 def motion_list(dataset: Dataset, graph: MotifGraph, selection: Mapping[str, Any]) -> dict[str, Any]:
-    """The motions of the selected motif or the transitions of the selected edge, for assets/motion_list.js."""
+    """The motions of the selected motif or the transitions of the selected edge, for assets/motifs/motion_list.mjs."""
     motif = find_motif(graph, selection["motif"]) if "motif" in selection else None
     edge = find_edge(graph, selection["edge"]) if "edge" in selection else None
     if motif is not None:

@@ -91,12 +91,12 @@ def comparing(view: Mapping[str, str] | None) -> bool:
 
 
 def mixing(view: Mapping[str, str] | None) -> bool:
-    """Whether the Motifs page mixes motions: a motif then plays as its mixture (assets/blend.js)."""
+    """Whether the Motifs page mixes motions: a motif then plays as its mixture (assets/motifs/blend.mjs)."""
     return (view or {}).get("side") == "blend"
 
 
 def walking(view: Mapping[str, str] | None) -> bool:
-    """Whether the Motifs page makes walks: clicks on motifs are then steps (assets/walk.js)."""
+    """Whether the Motifs page makes walks: clicks on motifs are then steps (assets/motifs/walk.mjs)."""
     return (view or {}).get("side") == "walk"
 
 

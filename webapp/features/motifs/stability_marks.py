@@ -175,7 +175,7 @@ def register(app: Dash, workspace: Workspace) -> None:
 
 
 def shown_values(found: Stability | None) -> dict[str, Any] | None:
-    """Motif id -> its figures, for assets/stability.js; and how many repeats there were."""
+    """Motif id -> its figures, for assets/motifs/stability.mjs; and how many repeats there were."""
     if found is None:
         return None
     overall, kinds, kept = found.overall, found.by_kind(), found.times_kept

@@ -18,7 +18,7 @@ ORDERS = (("name", "By name"), ("share", "Least in motifs first"), ("chosen", "C
 
 
 def layout() -> Component:
-    """Controls, legend and the place where assets/timeline.js draws the rows."""
+    """Controls, legend and the place where assets/motifs/timeline.mjs draws the rows."""
     return html.Div(
         className="timeline-view",
         children=[

@@ -114,7 +114,7 @@ def switch(key: str, label: str) -> Component:
 
 
 def panels(key: str) -> list[Component]:
-    """The skeletons of all parts of ``key``; all but the first hidden until chosen (assets/views.js)."""
+    """The skeletons of all parts of ``key``; all but the first hidden until chosen (assets/shell/views.mjs)."""
     return [
         html.Div(
             part.layout(),

@@ -1,4 +1,4 @@
-"""A walk through the motif graph: its path, how it is found, and how well it was made (assets/walk.js draws)."""
+"""A walk through the motif graph: its path, how it is found, and how well it was made (by assets/motifs/walk.mjs)."""
 
 from __future__ import annotations
 

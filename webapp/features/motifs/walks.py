@@ -65,7 +65,7 @@ def walk_data(
     view: Mapping[str, str],
     names: Mapping[int, str],
 ) -> dict[str, Any]:
-    """All that assets/walk.js shows: the ways of the graph, and the walk or why there is none.
+    """All that assets/motifs/walk.mjs shows: the ways of the graph, and the walk or why there is none.
 
     names: what people called motifs.
     """

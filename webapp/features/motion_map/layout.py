@@ -1,4 +1,4 @@
-"""What the Map page consists of; assets/map*.js fill the places whose content follows the pointer."""
+"""What the Map page consists of; assets/motion_map/*.mjs fill the places whose content follows the pointer."""
 
 from __future__ import annotations
 

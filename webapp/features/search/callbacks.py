@@ -135,7 +135,7 @@ def _search(app: Dash, workspace: Workspace) -> None:
 
 
 def found_data(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None) -> dict[str, Any]:
-    """The query and its hits as assets/search.js draws them. Raises MotionscapeError for a bad query."""
+    """The query and its hits as assets/search/search.mjs draws them. Raises MotionscapeError for a bad query."""
     asked = searching.read(view)
     if asked is None:
         searching.warm(workspace, dataset, view)

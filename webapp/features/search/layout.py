@@ -1,4 +1,4 @@
-"""What the Search page consists of: skeletons that assets/search_*.js fill, and the controls of the search."""
+"""What the Search page consists of: skeletons that assets/search/*.mjs fill, and the controls of the search."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ def _search() -> Component:
 
 
 def _query() -> Component:
-    """Where the motion that is looked for comes from; assets/search_query.js draws the sources."""
+    """Where the motion that is looked for comes from; assets/search/sources.mjs draws the sources."""
     return html.Div(
         className="search-from",
         children=[
@@ -130,7 +130,7 @@ def _fold() -> Component:
 
 
 def _wanted() -> Component:
-    """What counts: parts of the body (assets/search_body.js), kind of hits, path, filters (search_options.js)."""
+    """What counts: parts of the body (assets/search/body.mjs), kind of hits, path, filters (options.mjs)."""
     engines = [{"value": value, "label": label} for value, label in ENGINES.items()]
     return html.Div(
         id=names.SEARCH_WANTED,
@@ -155,7 +155,7 @@ def _stores() -> list[Component]:
         dcc.Store(id=names.SEARCH_PARTS, data=body()),
         dcc.Store(id=names.SEARCH_CLIPS),  # the clips and labels there are to choose from
         dcc.Store(id=names.SEARCH_MOTIFS),  # the motifs there are
-        dcc.Store(id=names.SEARCH_FOUND),  # the query and its hits; drawn by assets/search.js
+        dcc.Store(id=names.SEARCH_FOUND),  # the query and its hits; drawn by assets/search/search.mjs
         dcc.Store(id=names.SEARCH_DRAWN),
         dcc.Store(id=names.SEARCH_LISTED),
         dcc.Store(id=names.SEARCH_UPLOAD),  # {"token", "name"}: a recording has arrived

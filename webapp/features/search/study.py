@@ -39,7 +39,7 @@ HINT = (
 
 
 def layout() -> Component:
-    """The panel; assets/search_study.js draws its setup, pairs and duels."""
+    """The panel; assets/search/study.mjs draws its setup, pairs and duels."""
     modes = dmc.SegmentedControl(
         id=names.SEARCH_STUDY,
         data=[{"value": value, "label": label} for value, label in MODES.items()],

@@ -1,6 +1,6 @@
 """Charts of one clip: curves over time with bands below them, and its path seen from above.
 
-Plain Plotly documents. Everything over time shares one time axis, so that assets/clip_*.js can lay a cursor and the
+Plain Plotly documents. Everything over time shares one time axis, so that assets/clip/*.mjs can lay a cursor and the
 selected range over panels and bands alike; what these scripts must know stands in ``layout.meta``.
 """
 

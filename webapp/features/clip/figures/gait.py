@@ -1,4 +1,4 @@
-"""What the gait of a clip comes to, in words and numbers for assets/clip_gait.js to lay out."""
+"""What the gait of a clip comes to, in words and numbers for assets/clip/gait.mjs to lay out."""
 
 from __future__ import annotations
 

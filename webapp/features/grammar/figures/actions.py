@@ -1,4 +1,4 @@
-"""The actions of a data set, and every clip as a string of them: what assets/grammar_*.js draw."""
+"""The actions of a data set, and every clip as a string of them: what assets/grammar/*.mjs draw."""
 
 from __future__ import annotations
 

@@ -201,7 +201,7 @@ def stylesheet(name: str) -> list[dict[str, Any]]:
                 "z-index": 9,
             },
         },
-        # what is pointed at or chosen, in letters that assets/graph.js keeps readable from afar
+        # what is pointed at or chosen, in letters that assets/motifs/graph.mjs keeps readable from afar
         {
             "selector": "node.readable",
             "style": {"font-size": "data(letters)", "min-zoomed-font-size": 0, "z-index": 10},
@@ -212,7 +212,7 @@ def stylesheet(name: str) -> list[dict[str, Any]]:
 
 
 def walk_styles(c: Mapping[str, str]) -> list[dict[str, Any]]:
-    """What a walk marks (assets/walk_graph.js): its way, the motif that plays, dead ends, further links."""
+    """What a walk marks (assets/motifs/walk_graph.mjs): its way, the motif that plays, dead ends, further links."""
     return [
         {
             "selector": "edge.further",

@@ -29,7 +29,7 @@ COLOURINGS = {  # value -> name, what it shows
     "motif": ("Motif", "The motif that most of the time on a node belongs to."),
     "clip": ("Clip", "The clip that spends most time on a node."),
 }
-ACTIONS = (  # as the timeline colours labels (assets/timeline.js)
+ACTIONS = (  # as the timeline colours labels (assets/motifs/timeline.mjs)
     "#4e79a7", "#f28e2b", "#59a14f", "#e15759", "#b07aa1", "#9c755f", "#76b7b2", "#d4a720", "#ff9da7", "#79706e",
 )  # fmt: skip
 SCALES = {

@@ -1,0 +1,39 @@
+// Files that are being sent.
+
+export interface Upload {
+  file: File;
+  path: string;
+  sent: number;
+  state: "waiting" | "sending" | "ok" | "error";
+  message: string;
+  row: HTMLElement | null;
+  request?: XMLHttpRequest;
+}
+
+/** What was chosen or dropped together, and what becomes of it. */
+export interface Batch {
+  token: string | null;
+  items: Upload[];
+  sent: number;
+  bytes: number;
+  active: number;
+  queue: Upload[];
+  stopped: boolean;
+  name: string;
+  hidden: number;
+  ignored: number;
+}
+
+/** A file and its path, folders included. */
+export interface FoundFile {
+  file: File;
+  path: string;
+}
+
+/** What may be sent: bytes of a file, of all, number of files, and how their names end. */
+export interface Limits {
+  fileBytes: number;
+  totalBytes: number;
+  files: number;
+  suffixes: string[];
+}
