@@ -30,9 +30,9 @@
     mod
   ));
 
-  // node_modules/regenerator-runtime/runtime.js
+  // ../../names/assets/node_modules/regenerator-runtime/runtime.js
   var require_runtime = __commonJS({
-    "node_modules/regenerator-runtime/runtime.js"(exports, module) {
+    "../../names/assets/node_modules/regenerator-runtime/runtime.js"(exports, module) {
       var runtime = (function(exports2) {
         "use strict";
         var Op = Object.prototype;
@@ -700,6 +700,42 @@
   } });
   for (const kind of ["pointerover", "focusin"]) document.addEventListener(kind, fetchAhead, { passive: true });
 
+  // shared/ids.mjs
+  var SHELL = "shell";
+  var PAGE = "page";
+  var NAV = "nav-";
+  var DATASET_PICKER = "dataset-picker";
+  var NOTICES = "notices";
+  var URL2 = "url";
+  var DATASET = (
+    /** @type {StoreId<string>} */
+    "dataset"
+  );
+  var SELECTION = (
+    /** @type {StoreId<Selection>} */
+    "selection"
+  );
+  var VIEW = (
+    /** @type {StoreId<Record<string, string>>} */
+    "view"
+  );
+  var VIEW_CHANGE = (
+    /** @type {StoreId<Record<string, string | number | boolean | null>>} */
+    "view-change"
+  );
+  var DATASET_CHOICE = (
+    /** @type {StoreId<DatasetChoice>} */
+    "dataset-choice"
+  );
+  var STAGE_REQUEST = (
+    /** @type {StoreId<StageRequest>} */
+    "stage-request"
+  );
+  var THEME = (
+    /** @type {StoreId<"light" | "dark">} */
+    "theme"
+  );
+
   // shared/dash.mjs
   var clientside = globalThis.dash_clientside ||= /** @type {any} */
   {};
@@ -707,9 +743,9 @@
     clientside[namespace] = functions;
   }
   var setStore = (store, data2) => clientside.set_props(store, { data: data2 });
-  var changeView = (values) => setStore("view-change", values);
+  var changeView = (values) => setStore(VIEW_CHANGE, values);
   function notify(title, message2, color = "orange") {
-    clientside.set_props("notices", { sendNotifications: [{ action: "show", title, message: message2, color }] });
+    clientside.set_props(NOTICES, { sendNotifications: [{ action: "show", title, message: message2, color }] });
   }
   function openPage(pathname, stores = {}) {
     history.pushState({}, "", pathname);
@@ -751,7 +787,7 @@
   // shared/downloads.mjs
   var drawings = {};
   var dataset = () => {
-    const picker = find("dataset-picker");
+    const picker = find(DATASET_PICKER);
     return picker && picker.value || "motionscape";
   };
   var cell = (value) => {
@@ -820,6 +856,10 @@
       if (api) api.exportDataAsCsv({ fileName: name + ".csv", columnKeys: columns });
     }
   });
+
+  // stage/ids.mjs
+  var STAGE = "stage";
+  var STAGE_CANVAS = "stage-canvas";
 
   // shared/numbers.mjs
   var clamp = (value, low, high) => Math.min(Math.max(value, low), high);
@@ -1601,7 +1641,7 @@
       this.ownFps = header.fps * header.step;
       this.n = header.joints.length;
       this.visible = true;
-      this.warp = usableWarp(item.warp);
+      this.warp = usableWarp(item.warp ?? void 0);
       this.warpFps = 0;
       this.stretch = 0;
       this.offset = 0;
@@ -1992,7 +2032,7 @@
       const motions = await this.cache.load(this.api, request5, items);
       return {
         figures: items.flatMap((item, k) => motions[k] instanceof Error ? [] : [new Figure(
-          { ...item, dataset: item.dataset ?? request5.dataset },
+          { ...item, dataset: item.dataset ?? request5.dataset ?? void 0 },
           motions[k],
           k
         )]),
@@ -2948,7 +2988,7 @@
       this.scene = new Scene(
         /** @type {HTMLCanvasElement} */
         /** @type {Element} */
-        within(root, "#stage-canvas"),
+        within(root, `#${STAGE_CANVAS}`),
         readTheme(root)
       );
       this.warpStrip = new WarpStrip(within(root, ".ms-warp"));
@@ -3284,7 +3324,7 @@
   var requestCount = 0;
   var early = null;
   function mount() {
-    const root = find("stage");
+    const root = find(STAGE);
     if (root === mounted) return;
     mounted = root;
     stage?.close();
@@ -3439,7 +3479,7 @@
   });
   for (const kind of ["wheel", "pointerdown", "keydown"]) {
     document.addEventListener(kind, (event) => {
-      if (targetOf(event).id === "stage-canvas") handled = true;
+      if (targetOf(event).id === STAGE_CANVAS) handled = true;
     }, { passive: true, capture: true });
   }
   register("shell", {
@@ -3470,7 +3510,7 @@
         if (value === null || value === "") delete next2[key];
         else next2[key] = String(value);
       }
-      if (JSON.stringify(next2) !== JSON.stringify(view4 || {})) setStore("view", next2);
+      if (JSON.stringify(next2) !== JSON.stringify(view4 || {})) setStore(VIEW, next2);
       return clientside.no_update;
     },
     // What a link says of the Stage; it is taken up when the motion has arrived.
@@ -3486,23 +3526,23 @@
     choose(choice2, cleared) {
       if (!choice2) return clientside.no_update;
       if (choice2.dataset !== shown2.dataset) {
-        setStore("selection", {});
-        setStore("view-change", Object.fromEntries((cleared || []).map((key) => [key, ""])));
-        setStore("stage-request", { dataset: choice2.dataset, items: [] });
-        setStore("dataset", choice2.dataset);
+        setStore(SELECTION, {});
+        setStore(VIEW_CHANGE, Object.fromEntries((cleared || []).map((key) => [key, ""])));
+        setStore(STAGE_REQUEST, { dataset: choice2.dataset, items: [] });
+        setStore(DATASET, choice2.dataset);
       }
       return clientside.no_update;
     },
     /** @param {string | null} value @param {string | null} dataset */
     pick(value, dataset2) {
-      if (value && value !== dataset2) setStore("dataset-choice", { dataset: value, at: Date.now() });
+      if (value && value !== dataset2) setStore(DATASET_CHOICE, { dataset: value, at: Date.now() });
       return clientside.no_update;
     },
     // One link is the current page's.
     /** @param {string} pathname */
     current(pathname) {
       for (const link2 of allWithin(document, ".nav-link")) {
-        if (link2.id === "nav-" + pageOf(pathname)) link2.setAttribute("aria-current", "page");
+        if (link2.id === NAV + pageOf(pathname)) link2.setAttribute("aria-current", "page");
         else link2.removeAttribute("aria-current");
       }
       return clientside.no_update;
@@ -3547,9 +3587,9 @@
     let last2 = null;
     const tell3 = () => {
       const scheme = root.dataset.mantineColorScheme;
-      if (scheme !== "dark" && scheme !== "light" || scheme === last2 || !clientside.set_props || !find("shell")) return;
+      if (scheme !== "dark" && scheme !== "light" || scheme === last2 || !clientside.set_props || !find(SHELL)) return;
       last2 = scheme;
-      setStore("theme", scheme);
+      setStore(THEME, scheme);
     };
     new MutationObserver(tell3).observe(root, { attributes: true, attributeFilter: ["data-mantine-color-scheme"] });
     tell3();
@@ -3603,9 +3643,9 @@
     watchTheme();
     watchSplitter();
     const again = setInterval(() => {
-      if (!clientside.set_props || !find("shell")) return;
+      if (!clientside.set_props || !find(SHELL)) return;
       clearInterval(again);
-      setStore("theme", document.documentElement.dataset.mantineColorScheme || "light");
+      setStore(THEME, document.documentElement.dataset.mantineColorScheme || "light");
     }, 100);
   }
   whenParsed(start);
@@ -3622,9 +3662,9 @@
   function address(selection) {
     const pairs = new URLSearchParams(location.search);
     for (const key of OTHER) pairs.delete(key);
-    for (const [key, value] of Object.entries(selection)) pairs.set(key, value);
+    for (const [key, value] of Object.entries(selection)) pairs.set(key, String(value));
     const page2 = location.pathname.split("/").filter(Boolean).pop() || "library";
-    return `${need("stage").dataset.api || "/api"}/stage/${page2}?${pairs}`;
+    return `${need(STAGE).dataset.api || "/api"}/stage/${page2}?${pairs}`;
   }
   function ask2(selection) {
     const where = address(selection);
@@ -3637,7 +3677,7 @@
     return requests.get(where);
   }
   var exceptions = [];
-  var usable = (selection) => selection && Object.keys(selection).length > 0 && !selection.motifs && find("stage") && !exceptions.some((test) => test(selection));
+  var usable = (selection) => selection && Object.keys(selection).length > 0 && !selection.motifs && find(STAGE) && !exceptions.some((test) => test(selection));
   var ahead = {
     /**
      * Fetch what a selection plays: at once, or when the pointer has rested (`later`) until `leave`.
@@ -3681,20 +3721,20 @@
 
   // shell/selecting.mjs
   var put = (store, value, stamp) => {
-    if (store === "selection") ahead.play(value);
+    if (store === SELECTION) ahead.play(value);
     setStore(store, stamp ? { ...value, at: Date.now() } : value);
   };
   document.addEventListener("click", (event) => {
     const button4 = closest(event, "[data-store]");
     if (!button4 || button4.disabled) return;
     put(button4.dataset.store ?? "", JSON.parse(button4.dataset.value ?? "{}"), button4.dataset.stamp);
-    if (button4.dataset.page) clientside.set_props("url", { pathname: button4.dataset.page, search: "" });
+    if (button4.dataset.page) clientside.set_props(URL2, { pathname: button4.dataset.page, search: "" });
   });
   gridFunctions.chooseRow = (params) => {
     const at3 = params.event && params.event.type === "click" && params.event.target;
     if (at3 && at3.closest && at3.closest(".choice-cell")) return;
-    if (params.data && params.data.view) put("view-change", params.data.view, false);
-    if (params.data && params.data.selection) put("selection", params.data.selection, false);
+    if (params.data && params.data.view) put(VIEW_CHANGE, params.data.view, false);
+    if (params.data && params.data.selection) put(SELECTION, params.data.selection, false);
   };
   gridFunctions.leaveTable = () => false;
   gridFunctions.chooseRowByKey = (params) => {
@@ -3781,11 +3821,18 @@
     }
   });
 
+  // jobs/ids.mjs
+  var JOB_LIST = "job-list";
+  var JOB_ACTION = (
+    /** @type {StoreId<JobAction>} */
+    "job-action"
+  );
+
   // jobs/job_bar.mjs
   function button(action, job, className, ...children) {
     const made = element("button", "job-button " + className, ...children);
     made.type = "button";
-    made.dataset.store = "job-action";
+    made.dataset.store = JOB_ACTION;
     made.dataset.value = JSON.stringify({ action, job });
     made.dataset.stamp = "yes";
     return made;
@@ -3836,7 +3883,7 @@
   register("jobs", {
     /** @param {Job[] | null} jobs */
     show(jobs) {
-      const box2 = need("job-list");
+      const box2 = need(JOB_LIST);
       const wanted2 = (jobs || []).map((job) => (
         /** @type {[string, Job]} */
         [job.error ? `${job.id} failed` : String(job.id), job]
@@ -3866,7 +3913,7 @@
     reactElement("span", { className: "icon icon-" + ICONS2[props.value], style: { width: 14, height: 14 }, "aria-hidden": "true" })
   ) : null;
   function open(clip) {
-    setStore("selection", { clip });
+    setStore(SELECTION, { clip });
     openPage("/clip");
   }
   document.addEventListener("click", (event) => {
@@ -3966,13 +4013,28 @@
     return taken;
   }
 
+  // library/ids.mjs
+  var DROP_ZONE = "drop-zone";
+  var UPLOAD_BAR = "upload-bar";
+  var UPLOAD_PROGRESS = "upload-progress";
+  var UPLOAD_SUMMARY = "upload-summary";
+  var UPLOAD_LIST = "upload-list";
+  var UPLOAD = (
+    /** @type {StoreId<Upload>} */
+    "upload"
+  );
+  var UPLOAD_INTO = (
+    /** @type {StoreId<UploadInto>} */
+    "upload-into"
+  );
+
   // library/upload.mjs
   var HEADERS = { "X-Motionscape": "upload" };
   var AT_ONCE = 3;
   var SHOWN = 400;
   var batch = null;
   var limits = () => {
-    const data2 = need("drop-zone").dataset;
+    const data2 = need(DROP_ZONE).dataset;
     return {
       fileBytes: Number(data2.fileBytes),
       totalBytes: Number(data2.totalBytes),
@@ -4060,7 +4122,7 @@
     request5.send(item.file);
   }
   function draw(mine2, item) {
-    const list2 = find("upload-list");
+    const list2 = find(UPLOAD_LIST);
     if (!list2 || mine2 !== batch) return;
     if (!item.row) {
       if (list2.childElementCount >= SHOWN && item.state !== "error") {
@@ -4079,7 +4141,7 @@
     item.row.children[3].textContent = { waiting: "waiting", sending: percent3 + " %", ok: "received", error: item.message }[item.state];
   }
   function summary(mine2) {
-    const node = find("upload-summary");
+    const node = find(UPLOAD_SUMMARY);
     if (!node || mine2 !== batch) return;
     const sent2 = mine2.items.reduce((sum2, item) => sum2 + (item.state === "error" ? 0 : item.sent), 0);
     const bad = mine2.items.filter((item) => item.state === "error").length;
@@ -4089,14 +4151,14 @@
     if (bad) sentences.push(`${bad} left out`);
     if (mine2.ignored) sentences.push(`${mine2.ignored} other file${mine2.ignored > 1 ? "s" : ""} ignored`);
     node.textContent = sentences.join("; ");
-    const bar = find("upload-bar");
+    const bar = find(UPLOAD_BAR);
     if (bar) bar.style.width = (mine2.bytes ? Math.min(100, 100 * sent2 / mine2.bytes) : 0) + "%";
-    need("upload-progress").classList.toggle("hidden", !busy);
+    need(UPLOAD_PROGRESS).classList.toggle("hidden", !busy);
   }
   function tell(mine2) {
     summary(mine2);
     const done = mine2.active + mine2.queue.length === 0;
-    setStore("upload", { token: mine2.token, received: mine2.sent, done, name: mine2.name, total: mine2.items.length, ...kinds(mine2) });
+    setStore(UPLOAD, { token: mine2.token, received: mine2.sent, done, name: mine2.name, total: mine2.items.length, ...kinds(mine2) });
   }
   function reset(discard) {
     if (batch) {
@@ -4106,9 +4168,9 @@
       });
     }
     batch = null;
-    const list2 = find("upload-list");
+    const list2 = find(UPLOAD_LIST);
     if (list2) list2.replaceChildren();
-    const node = find("upload-summary");
+    const node = find(UPLOAD_SUMMARY);
     if (node) node.textContent = "";
   }
   var carriesFiles = (event) => event.dataTransfer && [...event.dataTransfer.types].includes("Files");
@@ -4130,11 +4192,11 @@
     document.documentElement.classList.remove("dragging-files");
     if (!carriesFiles(event)) return;
     event.preventDefault();
-    if (!find("drop-zone")) return;
+    if (!find(DROP_ZONE)) return;
     const card4 = closest(event, ".dataset-card");
     const files = event.dataTransfer ? await gather(event.dataTransfer) : [];
-    if (!find("upload-list") || !need("upload-list").offsetParent) {
-      setStore("upload-into", { dataset: card4 ? card4.dataset.dataset : "", at: Date.now() });
+    if (!find(UPLOAD_LIST) || !need(UPLOAD_LIST).offsetParent) {
+      setStore(UPLOAD_INTO, { dataset: card4?.dataset.dataset ?? "", at: Date.now() });
     }
     whenShown(() => add(files));
   });
@@ -4149,7 +4211,7 @@
     chooser.click();
   });
   function whenShown(then, tries = 60) {
-    if (find("upload-list")) then();
+    if (find(UPLOAD_LIST)) then();
     else if (tries) setTimeout(() => whenShown(then, tries - 1), 50);
   }
   register("upload", {
@@ -4164,6 +4226,22 @@
       return { token: null, received: 0, done: true, name: "", total: 0 };
     }
   });
+
+  // clip/ids.mjs
+  var CLIP_PREVIOUS = "clip-previous";
+  var CLIP_NEXT = "clip-next";
+  var CLIP_CHART = "clip-chart";
+  var CLIP_KIND = "clip-kind";
+  var CLIP_CHANNELS = "clip-channels";
+  var CLIP_JOINTS = "clip-joints";
+  var CLIP_LEGEND = "clip-legend";
+  var CLIP_BOX = "clip-box";
+  var CLIP_GRAPH = "clip-graph";
+  var CLIP_SEEK = (
+    /** @type {StoreId<Moment>} */
+    "clip-seek"
+  );
+  var CLIP_GAIT = "clip-gait";
 
   // clip/gait.mjs
   var MOST_EVENTS = 600;
@@ -4211,7 +4289,7 @@
   function events(data2) {
     const list2 = element("div", "gait-events");
     for (const [frame, seconds, side, name] of data2.events.slice(0, MOST_EVENTS)) {
-      const row8 = sends(element("button", "gait-event"), "clip-seek", { clip: data2.clip, frame });
+      const row8 = sends(element("button", "gait-event"), CLIP_SEEK, { clip: data2.clip, frame });
       row8.append(
         element("span", "number", seconds),
         element("span", "muted number", `frame ${frame}`),
@@ -4227,7 +4305,7 @@
   register("gait", {
     /** @param {Gait | null} data */
     draw(data2) {
-      const place5 = find("clip-gait");
+      const place5 = find(CLIP_GAIT);
       if (!place5) return clientside.no_update;
       if (!data2) place5.replaceChildren();
       else if (data2.why) place5.replaceChildren(element("div", "muted", data2.why));
@@ -4241,7 +4319,7 @@
 
   // clip/cursor.mjs
   var at = { shown: null, frame: null, hover: null, items: [], pending: null, values: null, from: "", range: null, dragged: null };
-  var part = (name) => allWithin(document, `#clip-box .clip-${name}`)[0];
+  var part = (name) => allWithin(document, `#${CLIP_BOX} .clip-${name}`)[0];
   var measured = null;
   var forget = () => {
     measured = null;
@@ -4254,11 +4332,11 @@
   function measure() {
     const graph = (
       /** @type {any} */
-      document.querySelector("#clip-graph .js-plotly-plot")
+      document.querySelector(`#${CLIP_GRAPH} .js-plotly-plot`)
     );
     const full = graph && graph._fullLayout;
     if (!full || !full.xaxis || !full.meta || !at.shown || full.meta.clip !== at.shown.clip) return null;
-    const box2 = need("clip-box").getBoundingClientRect();
+    const box2 = need(CLIP_BOX).getBoundingClientRect();
     const own2 = graph.getBoundingClientRect();
     const { xaxis, yaxis, meta } = full;
     const dx = own2.left - box2.left + xaxis._offset;
@@ -4268,7 +4346,7 @@
       meta,
       full,
       lines: graph.data.filter((trace) => trace.mode === "lines"),
-      chips: allWithin(document, "#clip-legend .clip-value"),
+      chips: allWithin(document, `#${CLIP_LEGEND} .clip-value`),
       left: dx,
       width: xaxis._length,
       top: dy + full._size.t,
@@ -4364,7 +4442,7 @@
     const there = at.items.some((item) => isShown(item) && wanted2 >= item.start && wanted2 < item.end);
     if (there && player.seek({ clip: shown7.clip, frame: wanted2 })) return;
     at.pending = { clip: shown7.clip, frame: wanted2 };
-    setStore("selection", { clip: shown7.clip });
+    setStore(SELECTION, { clip: shown7.clip });
   }
   function standing2() {
     const items = [];
@@ -4390,7 +4468,7 @@
     ["stage-frame", "stage-state"]
   ) {
     window.addEventListener(kind, (event) => {
-      if (find("clip-box")) follow(event.detail.items);
+      if (find(CLIP_BOX)) follow(event.detail.items);
     });
   }
   register("clip", {
@@ -4400,7 +4478,7 @@
       at.shown = shown7;
       const graph = (
         /** @type {any} */
-        document.querySelector("#clip-graph .js-plotly-plot")
+        document.querySelector(`#${CLIP_GRAPH} .js-plotly-plot`)
       );
       if (graph && graph.on && !graph.dataset.clipWatched) {
         graph.dataset.clipWatched = "yes";
@@ -4409,7 +4487,7 @@
           placeMarks();
         };
         graph.on("plotly_afterplot", again);
-        new ResizeObserver(again).observe(need("clip-box"));
+        new ResizeObserver(again).observe(need(CLIP_BOX));
       }
       forget();
       if (figure2 && figure2.layout && figure2.layout.meta && figure2.layout.meta.thinned) fetchValues(view4);
@@ -4436,11 +4514,11 @@
      */
     pick(value, _back, _next, names2, shown7) {
       const trigger = (clientside.callback_context.triggered[0] || {}).prop_id || "";
-      const step3 = trigger.startsWith("clip-previous") ? -1 : trigger.startsWith("clip-next") ? 1 : 0;
+      const step3 = trigger.startsWith(CLIP_PREVIOUS) ? -1 : trigger.startsWith(CLIP_NEXT) ? 1 : 0;
       const clip = step3 ? names2[names2.indexOf(shown7 ? shown7.clip : value) + step3] : value;
       if (clip && (!shown7 || clip !== shown7.clip)) {
-        setStore("view-change", { span: "" });
-        setStore("selection", { clip });
+        setStore(VIEW_CHANGE, { span: "" });
+        setStore(SELECTION, { clip });
       }
       return clientside.no_update;
     },
@@ -4458,15 +4536,15 @@
       const same4 = (a, b) => JSON.stringify(a || []) === JSON.stringify(b || []);
       const trigger = (clientside.callback_context.triggered[0] || {}).prop_id || "";
       const change = {};
-      if (trigger.startsWith("clip-chart")) Object.assign(change, { chart: chart2 === "angles" ? "" : chart2, joints: "" });
-      if (trigger.startsWith("clip-kind")) change.angles = kind === "body" ? "" : kind;
-      if (trigger.startsWith("clip-joints")) change[kind === "file" && chart2 === "angles" ? "rig" : "joints"] = (joints || []).join(",");
-      if (trigger.startsWith("clip-channels")) change.channels = (channels || []).join(",");
-      if (trigger.startsWith("clip-joints") && same4(joints, choice2 && choice2.joints)) return clientside.no_update;
-      if (trigger.startsWith("clip-channels") && same4(channels, choice2 && choice2.channels)) return clientside.no_update;
-      if (trigger.startsWith("clip-chart") && (now6.chart || "angles") === chart2) return clientside.no_update;
-      if (trigger.startsWith("clip-kind") && (now6.angles || "body") === kind) return clientside.no_update;
-      setStore("view-change", change);
+      if (trigger.startsWith(CLIP_CHART)) Object.assign(change, { chart: chart2 === "angles" ? "" : chart2, joints: "" });
+      if (trigger.startsWith(CLIP_KIND)) change.angles = kind === "body" ? "" : kind;
+      if (trigger.startsWith(CLIP_JOINTS)) change[kind === "file" && chart2 === "angles" ? "rig" : "joints"] = (joints || []).join(",");
+      if (trigger.startsWith(CLIP_CHANNELS)) change.channels = (channels || []).join(",");
+      if (trigger.startsWith(CLIP_JOINTS) && same4(joints, choice2 && choice2.joints)) return clientside.no_update;
+      if (trigger.startsWith(CLIP_CHANNELS) && same4(channels, choice2 && choice2.channels)) return clientside.no_update;
+      if (trigger.startsWith(CLIP_CHART) && (now6.chart || "angles") === chart2) return clientside.no_update;
+      if (trigger.startsWith(CLIP_KIND) && (now6.angles || "body") === kind) return clientside.no_update;
+      setStore(VIEW_CHANGE, change);
       return clientside.no_update;
     },
     /** @param {{ clip: string, frame: number } | null} to */
@@ -4491,13 +4569,13 @@
 
   // clip/range.mjs
   var CLOSE = 4;
-  var box = (target2) => closest({ target: target2 }, "#clip-box");
+  var box = (target2) => closest({ target: target2 }, `#${CLIP_BOX}`);
   var press = null;
   var frameAt = (plot, pixel) => clamp(Math.round(plot.time(pixel) * plot.meta.fps), 0, plot.meta.frames - 1);
   var inside = (plot, x, y) => x >= plot.left - 6 && x <= plot.left + plot.width + 6 && y >= plot.top && y <= plot.top + plot.height;
   function locate(event) {
     const plot = chartPlot();
-    const area = find("clip-box");
+    const area = find(CLIP_BOX);
     if (!plot || !area) return null;
     const { left, top } = area.getBoundingClientRect();
     return { plot, x: event.clientX - left, y: event.clientY - top };
@@ -4561,7 +4639,7 @@
   });
   function select(range) {
     const [start3, end] = range;
-    if (at.shown && end - start3 >= 2) setStore("selection", { clip: at.shown.clip, start: start3, end });
+    if (at.shown && end - start3 >= 2) setStore(SELECTION, { clip: at.shown.clip, start: start3, end });
     else placeMarks();
   }
   function blockAt({ plot, x, y }) {
@@ -4658,7 +4736,7 @@
     End: () => at.shown && seekFrame(at.shown.frames - 1),
     "[": () => setEnd("start"),
     "]": () => setEnd("end"),
-    Escape: () => at.shown && setStore("selection", { clip: at.shown.clip }),
+    Escape: () => at.shown && setStore(SELECTION, { clip: at.shown.clip }),
     "+": () => zoom("in"),
     "=": () => zoom("in"),
     "-": () => zoom("out"),
@@ -4666,7 +4744,7 @@
     " ": () => player[player.playing ? "pause" : "play"]()
   };
   document.addEventListener("keydown", (event) => {
-    if (targetOf(event).id !== "clip-box" || event.ctrlKey || event.metaKey || event.altKey || !KEYS3[event.key]) return;
+    if (targetOf(event).id !== CLIP_BOX || event.ctrlKey || event.metaKey || event.altKey || !KEYS3[event.key]) return;
     event.preventDefault();
     KEYS3[event.key](event.shiftKey);
   });
@@ -4678,6 +4756,42 @@
   }
   var plural = (n, one, more2 = `${one}s`) => `${n} ${n === 1 ? one : more2}`;
   var percent = (share2) => `${Math.round(100 * share2)} %`;
+
+  // motifs/ids.mjs
+  var MOTIF_GRAPH = "motif-graph";
+  var EDGE_FILTER_LABEL = "edge-filter-label";
+  var MOTIF_TABLE = "motif-table";
+  var MOTION_LIST = "motion-list";
+  var TIMELINE_LEGEND = "timeline-legend";
+  var TIMELINE_ROWS = "timeline-rows";
+  var COMPARE_FLOW = "compare-flow";
+  var BLEND_HINT = "blend-hint";
+  var BLEND_PANEL = "blend-panel";
+  var BLEND_TITLE = "blend-title";
+  var BLEND_COUNT = "blend-count";
+  var BLEND_CONTROLS = "blend-controls";
+  var BLEND_BVH = "blend-bvh";
+  var BLEND_NOTE = "blend-note";
+  var WALK_LENGTH = "walk-length";
+  var WALK_HINT = "walk-hint";
+  var WALK_PATH = "walk-path";
+  var WALK_ERROR = "walk-error";
+  var WALK_METERS = "walk-meters";
+  var WALK_BVH = "walk-bvh";
+  var WALK_JSON = "walk-json";
+  var WALK_NOTES = "walk-notes";
+  var WALK_ADD = "walk-add";
+  var WALK_FROM = "walk-from";
+  var WALK_TO = "walk-to";
+  var WALK_SECONDS = "walk-seconds";
+  var WALK_SEED = "walk-seed";
+  var WALK_EXTRA = "walk-extra";
+  var WALK_BRIDGE = "walk-bridge";
+  var WALK_STOP = "walk-stop";
+  var WALK_FEET = "walk-feet";
+  var WALK_WAYS = "walk-ways";
+  var STABILITY_LEGEND = "stability-legend";
+  var STABILITY_WORDS = "stability-words";
 
   // motifs/triangle.mjs
   var CORNERS = [[150, 26], [28, 214], [272, 214]];
@@ -4813,7 +4927,7 @@
     updateControls(state3, shares2);
   }
   function updateControls(state3, shares2) {
-    const box2 = find("blend-controls");
+    const box2 = find(BLEND_CONTROLS);
     if (!box2) return;
     allWithin(box2, ".blend-row").forEach((made, i) => {
       within(made, ".blend-share").textContent = percent(shares2[i]);
@@ -4922,7 +5036,7 @@
     const mixture = request();
     if (onStage()) player.replace(mixture);
     else player.show(mixture);
-    const link2 = find("blend-bvh");
+    const link2 = find(BLEND_BVH);
     if (link2) link2.setAttribute("href", `/api/bvh/${encodeURIComponent(mixtureName())}/blend`);
   }
   function write() {
@@ -4987,21 +5101,21 @@
   });
   function show2(quiet2) {
     const { data: data2 } = now;
-    need("blend-title").textContent = data2.title;
+    need(BLEND_TITLE).textContent = data2.title;
     const body2 = data2.bodies[now.body];
-    need("blend-count").textContent = `${now.chosen.length} of ${data2.total} motions`;
+    need(BLEND_COUNT).textContent = `${now.chosen.length} of ${data2.total} motions`;
     const others = data2.total - body2.motions.length;
-    need("blend-note").textContent = others ? `${others} of its ${data2.total} motions are of other bodies; only motions of one body can be mixed.` : "";
-    drawControls(need("blend-controls"), now, shares(), controlActions);
+    need(BLEND_NOTE).textContent = others ? `${others} of its ${data2.total} motions are of other bodies; only motions of one body can be mixed.` : "";
+    drawControls(need(BLEND_CONTROLS), now, shares(), controlActions);
     if (!quiet2) play2();
   }
   function message(text) {
-    need("blend-hint").textContent = text;
-    need("blend-hint").classList.toggle("hidden", !text);
-    need("blend-panel").classList.toggle("hidden", Boolean(text));
+    need(BLEND_HINT).textContent = text;
+    need(BLEND_HINT).classList.toggle("hidden", !text);
+    need(BLEND_PANEL).classList.toggle("hidden", Boolean(text));
   }
   function leave(selection) {
-    if (now && onStage() && selection) setStore("selection", { ...selection });
+    if (now && onStage() && selection) setStore(SELECTION, { ...selection });
     now = /** @type {any} */
     null;
   }
@@ -5030,7 +5144,7 @@
     } else {
       message("");
       if (!now || `${now.data.key} ${now.data.motif}` !== name) begin(data2, view4, selection, linked);
-      else if (!need("blend-controls").childElementCount) show2(true);
+      else if (!need(BLEND_CONTROLS).childElementCount) show2(true);
       else if ((view4.weights || "") !== now.written && read(view4.weights)) show2();
     }
     seen = name;
@@ -5047,7 +5161,7 @@
         leave(selection);
         return clientside.no_update;
       }
-      if (!data2 || !find("blend-panel")) return clientside.no_update;
+      if (!data2 || !find(BLEND_PANEL)) return clientside.no_update;
       take(data2, view4, selection);
       return clientside.no_update;
     }
@@ -5060,10 +5174,10 @@
   var shown3 = null;
   var drawing2 = (name, attributes, title) => svgElement(name, attributes, ...title ? [svgElement("title", {}, title)] : []);
   function choose(a, b) {
-    if (a !== null && a !== void 0) return setStore("selection", { motif: a });
+    if (a !== null && a !== void 0) return setStore(SELECTION, { motif: a });
     if (b === null || b === void 0) return;
     changeView({ gained: String(b) });
-    setStore("selection", {});
+    setStore(SELECTION, {});
   }
   function here(bar) {
     if (bar.side === "a") return bar.motif;
@@ -5103,7 +5217,7 @@
     svg.appendChild(one);
   }
   function draw2() {
-    const box2 = find("compare-flow");
+    const box2 = find(COMPARE_FLOW);
     if (!box2 || !shown3 || !shown3.data || !box2.clientWidth) return;
     const width = box2.clientWidth, { height, bars, ribbons } = shown3.data;
     const svg = drawing2("svg", { width, height, viewBox: `0 0 ${width} ${height}`, role: "group", "aria-label": "Motion that motifs of both results share" });
@@ -5116,7 +5230,7 @@
     mark();
   }
   function mark() {
-    const box2 = find("compare-flow");
+    const box2 = find(COMPARE_FLOW);
     if (!box2 || !shown3) return;
     const a = String(shown3.selection?.motif ?? ""), b = a ? "" : String(shown3.gained ?? "");
     const touches = (node) => a && node.dataset.a === a || b && node.dataset.b === b || node.dataset.side === "a" && a && node.dataset.motif === a || node.dataset.side === "b" && b && node.dataset.motif === b;
@@ -5137,7 +5251,7 @@
     /** @param {Flow | null} data @param {Selection | null} selection @param {View | null} view */
     draw(data2, selection, view4) {
       shown3 = data2 && { data: data2, selection, gained: (view4 || {}).gained };
-      const box2 = find("compare-flow");
+      const box2 = find(COMPARE_FLOW);
       if (!data2 || !box2) return clientside.no_update;
       watch(box2);
       draw2();
@@ -5145,7 +5259,7 @@
     },
     /** @param {any} request */
     play(request5) {
-      if (request5) setStore("stage-request", request5);
+      if (request5) setStore(STAGE_REQUEST, request5);
       return clientside.no_update;
     },
     /** @param {Selection | null} selection @param {View | null} view */
@@ -5168,7 +5282,7 @@
   var walking = { on: false };
 
   // motifs/graph.mjs
-  var ID = "motif-graph";
+  var ID = MOTIF_GRAPH;
   var STEPS = { ArrowLeft: [60, 0], ArrowRight: [-60, 0], ArrowUp: [0, 60], ArrowDown: [0, -60] };
   async function graphReady(tries = 100) {
     for (let i = 0; i < tries; i++) {
@@ -5304,8 +5418,8 @@
       const mine2 = ++taps;
       await ahead.settled();
       if (mine2 !== taps) return clientside.no_update;
-      if (which.includes("tapNodeData") && node) setStore("selection", { motif: node.motif });
-      else if (which.includes("tapEdgeData") && edge) setStore("selection", { edge: edge.edge });
+      if (which.includes("tapNodeData") && node) setStore(SELECTION, { motif: node.motif });
+      else if (which.includes("tapEdgeData") && edge) setStore(SELECTION, { edge: edge.edge });
       return clientside.no_update;
     },
     /** @param {Selection | null} selection @param {number | null} threshold */
@@ -5314,7 +5428,7 @@
       if (!cy) return clientside.no_update;
       watch2(cy);
       rasterise(cy);
-      const label = find("edge-filter-label");
+      const label = find(EDGE_FILTER_LABEL);
       if (label) label.textContent = `Successions seen at least ${threshold || 1}×`;
       cy.batch(() => {
         cy.elements().removeClass("chosen near faded rare");
@@ -5351,7 +5465,7 @@
     const button4 = element("button", "motion-row" + (chosen3 ? " chosen" : ""));
     button4.type = "button";
     button4.title = `Play ${clip}, ${when}, alone`;
-    button4.dataset.store = "selection";
+    button4.dataset.store = SELECTION;
     button4.dataset.value = JSON.stringify(selection);
     button4.setAttribute("aria-pressed", String(chosen3));
     const picture = element("img", "motion-strip");
@@ -5362,7 +5476,7 @@
   register("motions", {
     /** @param {{ name?: string, rows?: MotionRow[], more?: number } | null} motions */
     list(motions) {
-      const box2 = find("motion-list");
+      const box2 = find(MOTION_LIST);
       if (!box2) return clientside.no_update;
       const { name = "", rows: rows2 = [], more: more2 = 0 } = motions || {};
       const same4 = box2.dataset.name === name;
@@ -5400,7 +5514,7 @@
     /** @param {string | null} text @param {Record<string, any>[] | null} rows */
     async search(text, rows2) {
       const words2 = (text || "").toLowerCase().split(/\s+/).filter(Boolean);
-      const api = await gridApi("motif-table");
+      const api = await gridApi(MOTIF_TABLE);
       if (api) api.setGridOption("quickFilterText", text || "");
       const cy = await graphReady(3);
       if (!cy) return clientside.no_update;
@@ -5444,9 +5558,9 @@
     /** @param {Stability | null} data @param {unknown} _elements @param {Selection | null} selection */
     async draw(data2, _elements, selection) {
       shown4 = data2 || null;
-      const legend3 = find("stability-legend");
+      const legend3 = find(STABILITY_LEGEND);
       if (legend3) legend3.classList.toggle("hidden", !shown4);
-      const place5 = find("stability-words");
+      const place5 = find(STABILITY_WORDS);
       if (place5 && shown4) place5.textContent = words((selection || {}).motif);
       const cy = await graphReady();
       if (!cy) return clientside.no_update;
@@ -5460,7 +5574,7 @@
     /** @param {Stability | null} data */
     async list(data2) {
       shown4 = data2 || null;
-      const api = await gridApi("motif-table");
+      const api = await gridApi(MOTIF_TABLE);
       if (!api) return clientside.no_update;
       api.setColumnsVisible(["stability"], Boolean(shown4));
       api.refreshCells({ columns: ["stability"], force: true });
@@ -5488,7 +5602,7 @@
     block2.tabIndex = -1;
     block2.title = `${name}, motion ${number2 + 1} of ${motions}, ${clock(start3)} to ${clock(end)}`;
     block2.setAttribute("aria-label", block2.title);
-    block2.dataset.store = "selection";
+    block2.dataset.store = SELECTION;
     block2.dataset.value = JSON.stringify({ motif, motion: number2 });
     block2.dataset.motif = String(motif);
     block2.style.setProperty("--tone", tone);
@@ -5502,7 +5616,7 @@
     head3.type = "button";
     head3.title = `Play ${clip.clip}`;
     head3.setAttribute("aria-label", `${head3.title}, ${Math.round(100 * clip.share)} % in motifs`);
-    head3.dataset.store = "selection";
+    head3.dataset.store = SELECTION;
     head3.dataset.value = JSON.stringify({ clip: clip.clip });
     head3.append(element("span", "ellipsis", clip.brief), element("span", "muted number", `${Math.round(100 * clip.share)} %`));
     const track = element("div", "timeline-track");
@@ -5577,7 +5691,7 @@
   document.addEventListener("keydown", move2);
   var shown5 = [];
   function cursor() {
-    const box2 = find("timeline-rows");
+    const box2 = find(TIMELINE_ROWS);
     if (!box2 || !box2.offsetParent) return;
     const now6 = /* @__PURE__ */ new Map();
     for (let i = 0; i < 24; i++) {
@@ -5607,7 +5721,7 @@
   var chosen2 = null;
   drawings.timeline = () => drawing3(chosen2);
   function draw3(data2, order, scale3, selection) {
-    const box2 = find("timeline-rows");
+    const box2 = find(TIMELINE_ROWS);
     if (!box2 || !data2) return clientside.no_update;
     const wanted2 = { data: data2, order, scale: scale3, motif: order === "chosen" ? (selection || {}).motif : null };
     const same4 = drawn2 && box2.firstChild && data2 === drawn2.data && order === drawn2.order && scale3 === drawn2.scale && wanted2.motif === drawn2.motif;
@@ -5617,7 +5731,7 @@
       const rows2 = ordered(data2.rows, order, (selection || {}).motif);
       box2.classList.toggle("labelled", data2.actions.length > 0);
       box2.replaceChildren(...rows2.map((clip) => row4(clip, data2, longest2, scale3 === "fill")));
-      legend2(need("timeline-legend"), data2);
+      legend2(need(TIMELINE_LEGEND), data2);
     }
     mark2(box2, selection);
     return clientside.no_update;
@@ -5627,7 +5741,7 @@
     /** @param {Selection | null} selection @param {string} order */
     mark(selection, order) {
       if (drawn2 && order === "chosen") draw3(drawn2.data, order, drawn2.scale, selection);
-      const box2 = find("timeline-rows");
+      const box2 = find(TIMELINE_ROWS);
       if (box2) mark2(box2, selection);
       return clientside.no_update;
     }
@@ -5817,8 +5931,8 @@
   var same2 = (a, b) => KEYS4.every((key) => (a?.[key] || "") === (b?.[key] || ""));
   var onStage2 = () => Boolean(player.frameOf(0)?.dataset?.startsWith(OURS2));
   var motifs = () => now2.path || [];
-  function write2(ids, more2 = {}) {
-    const text = ids.join("-");
+  function write2(path2, more2 = {}) {
+    const text = path2.join("-");
     if (text.length > LONGEST2) return problem({ error: "This path is too long for a link; about a hundred motifs fit." });
     changeView({ walk: text, ...more2 });
   }
@@ -5848,7 +5962,7 @@
     player.replace(request2(data2));
   };
   function problem({ error, gap, detour }) {
-    const box2 = need("walk-error");
+    const box2 = need(WALK_ERROR);
     box2.replaceChildren();
     box2.classList.toggle("hidden", !error);
     if (!error) return;
@@ -5868,7 +5982,7 @@
   var without2 = ([a, b]) => motifs().filter((motif, i, all) => !(i && all[i - 1] === a && motif === b));
   var cm = (metres) => `${(100 * metres).toFixed(1)} cm/s`;
   function meters(data2) {
-    const box2 = need("walk-meters");
+    const box2 = need(WALK_METERS);
     box2.classList.toggle("hidden", !data2.name);
     if (!data2.name) return;
     const [source, plain3, kept] = data2.skate;
@@ -5907,35 +6021,35 @@
   }
   function show3() {
     const busy = !same2(now2.asked, keysOf(view));
-    need("walk-path").classList.toggle("busy", busy);
+    need(WALK_PATH).classList.toggle("busy", busy);
     if (busy) {
-      need("walk-hint").textContent = view.walk ? "Making the walk …" : "";
+      need(WALK_HINT).textContent = view.walk ? "Making the walk …" : "";
       return;
     }
     const walks = Boolean(now2.name);
-    need("walk-path").dataset.shown = now2.asked.walk || "";
-    need("walk-length").textContent = walks ? `${now2.path.length} motif${now2.path.length > 1 ? "s" : ""}, ${now2.seconds.toFixed(1)} s` : "";
-    need("walk-hint").textContent = walks || now2.error ? "" : "Click motifs in the graph one after the other, or let chance choose.";
-    need("walk-notes").replaceChildren(...(now2.warnings || []).map((text) => Object.assign(document.createElement("p"), { textContent: text })));
-    need("walk-ways").textContent = waysText(now2);
-    drawPath(need("walk-path"), now2, { write: write2, jump: seekTo });
+    need(WALK_PATH).dataset.shown = now2.asked.walk || "";
+    need(WALK_LENGTH).textContent = walks ? `${now2.path.length} motif${now2.path.length > 1 ? "s" : ""}, ${now2.seconds.toFixed(1)} s` : "";
+    need(WALK_HINT).textContent = walks || now2.error ? "" : "Click motifs in the graph one after the other, or let chance choose.";
+    need(WALK_NOTES).replaceChildren(...(now2.warnings || []).map((text) => Object.assign(document.createElement("p"), { textContent: text })));
+    need(WALK_WAYS).textContent = waysText(now2);
+    drawPath(need(WALK_PATH), now2, { write: write2, jump: seekTo });
     problem(now2);
     meters(now2);
     for (const button4 of allWithin(document, "[data-walk='play']")) button4.disabled = !walks;
     for (const button4 of allWithin(document, "[data-walk='clear']")) button4.disabled = !view.walk;
-    setLink("walk-bvh", walks && `/api/bvh/${encodeURIComponent(now2.name ?? "")}/walk`);
+    setLink(WALK_BVH, walks && `/api/bvh/${encodeURIComponent(now2.name ?? "")}/walk`);
     const recipes = Object.values(walks && now2.recipes || {});
     allWithin(document, ".walk-recipe").forEach((button4, i) => {
       button4.disabled = !recipes[i];
       button4.title = `Copy the walk as ${i ? "a Python script" : "commands"}`;
       button4.dataset.copy = recipes[i] || "";
     });
-    setLink("walk-json", walks && `/api/walk/${now2.name?.slice(OURS2.length)}.json`);
+    setLink(WALK_JSON, walks && `/api/walk/${now2.name?.slice(OURS2.length)}.json`);
     lists();
     markWalk(now2, walking.on, steps);
   }
   function lists() {
-    for (const [id, first] of [["walk-add", "a motif …"], ["walk-from", "motif"], ["walk-to", "motif"]]) {
+    for (const [id, first] of [[WALK_ADD, "a motif …"], [WALK_FROM, "motif"], [WALK_TO, "motif"]]) {
       const list2 = need(id);
       const stamp = `${now2.key} ${JSON.stringify(now2.motifs)}`;
       if (list2.dataset.stamp === stamp) continue;
@@ -5957,7 +6071,7 @@
     const visit = ours ? now2.visits.findIndex(([a, b]) => item.frame >= a && item.frame < b) : -1;
     if (visit === lit) return;
     lit = visit;
-    lightVisit(find("walk-path"), visit);
+    lightVisit(find(WALK_PATH), visit);
     lightMotif(visit < 0 ? null : now2.path[visit]);
   });
   var actions2 = {
@@ -5967,15 +6081,15 @@
     used: () => between("used"),
     random() {
       const whole3 = (id, low, high) => Math.min(Math.max(Math.round(Number(need(id).value) || low), low), high);
-      const seconds = whole3("walk-seconds", 1, Number(need("walk-seconds").max));
-      let seed = whole3("walk-seed", 0, 999999999);
+      const seconds = whole3(WALK_SECONDS, 1, Number(need(WALK_SECONDS).max));
+      let seed = whole3(WALK_SEED, 0, 999999999);
       if (view.walk === `random:${seconds}:${seed}`) seed += 1;
       changeView({ walk: `random:${seconds}:${seed}` });
     }
   };
   function between(by) {
-    const [from, to] = ["walk-from", "walk-to"].map((id) => need(id).value);
-    const missing = ["walk-from", "walk-to"].find((id) => !need(id).value);
+    const [from, to] = [WALK_FROM, WALK_TO].map((id) => need(id).value);
+    const missing = [WALK_FROM, WALK_TO].find((id) => !need(id).value);
     if (missing) return need(missing).focus();
     changeView({ walk: `${by}:${from}:${to}` });
   }
@@ -5984,7 +6098,7 @@
     if (button4 && !button4.disabled && walking.on) actions2[button4.dataset.walk ?? ""]();
   });
   document.addEventListener("change", (event) => {
-    if (targetOf(event).id !== "walk-add" || !targetOf(event).value) return;
+    if (targetOf(event).id !== WALK_ADD || !targetOf(event).value) return;
     add2(Number(targetOf(event).value));
     targetOf(event).value = "";
   });
@@ -5993,7 +6107,7 @@
     walking.on = false;
     lit = -1;
     markWalk({}, false, steps);
-    if (onStage2() && selection && Object.keys(selection).length) setStore("selection", { ...selection });
+    if (onStage2() && selection && Object.keys(selection).length) setStore(SELECTION, { ...selection });
   }
   var steps = {
     add: add2,
@@ -6012,7 +6126,7 @@
     }
   };
   ahead.unless((selection) => walking.on && (selection.edge !== void 0 || selection.motif !== void 0 && selection.motion === void 0));
-  var OPTIONS = { extra: "walk-extra", gaps: "walk-bridge", ends: "walk-stop", feet: "walk-feet" };
+  var OPTIONS = { extra: WALK_EXTRA, gaps: WALK_BRIDGE, ends: WALK_STOP, feet: WALK_FEET };
   var checkedFor = {
     /** @param {string | undefined} v */
     extra: (v) => v === "1",
@@ -6034,14 +6148,14 @@
     draw(data2, shown7, _id, _elements, selection) {
       view = shown7 || {};
       if (view.side !== "walk") return leave2(selection), clientside.no_update;
-      if (!find("walk-path")) return clientside.no_update;
+      if (!find(WALK_PATH)) return clientside.no_update;
       const entered = !walking.on;
       walking.on = true;
       for (const [key, id] of Object.entries(OPTIONS)) clientside.set_props(id, { checked: checkedFor[key](view[key]) });
       const [, seconds, seed] = /^random:([\d.]+):(\d+)/.exec(view.walk || "") || [];
       if (seed) {
-        clientside.set_props("walk-seconds", { value: Number(seconds) });
-        clientside.set_props("walk-seed", { value: Number(seed) });
+        clientside.set_props(WALK_SECONDS, { value: Number(seconds) });
+        clientside.set_props(WALK_SEED, { value: Number(seed) });
       }
       if (!data2) return clientside.no_update;
       const before2 = now2;
@@ -6050,7 +6164,7 @@
       if (!now2.name || !same2(now2.asked, keysOf(view))) return clientside.no_update;
       const chosen3 = selection && Object.keys(selection).length > 0;
       if (entered && chosen3 && !before2.key) return clientside.no_update;
-      if (entered && chosen3) setStore("selection", {});
+      if (entered && chosen3) setStore(SELECTION, {});
       if (now2.name !== played || entered && !onStage2()) {
         const feet = before2.name && before2.frames === now2.frames && String(before2.path) === String(now2.path) && onStage2();
         if (feet) swap(now2);
@@ -6168,6 +6282,40 @@
     else save(await pngOf(made), `${name}.png`);
   });
 
+  // search/ids.mjs
+  var SEARCH_ERROR = "search-error";
+  var SEARCH_HITS_HEAD = "search-hits-head";
+  var SEARCH_HITS = "search-hits";
+  var SEARCH_SOURCES = "search-sources";
+  var SEARCH_CLIP_NAMES = "search-clip-names";
+  var SEARCH_MOTIF = "search-motif";
+  var SEARCH_WARNING = "search-warning";
+  var SEARCH_COUNTS = "search-counts";
+  var SEARCH_COUNTS_SAYS = "search-counts-says";
+  var SEARCH_WANTED = "search-wanted";
+  var SEARCH_BODY = "search-body";
+  var SEARCH_OPTIONS = "search-options";
+  var SEARCH_UPLOAD = (
+    /** @type {StoreId<Upload>} */
+    "search-upload"
+  );
+  var SEARCH_UPLOAD_STATUS = "search-upload-status";
+  var STUDY_SETUP = "study-setup";
+  var STUDY_RATE = "study-rate";
+  var STUDY_VOTE = "study-vote";
+  var STUDY_ANSWER = (
+    /** @type {StoreId<Answers>} */
+    "study-answer"
+  );
+  var STUDY_WISH = (
+    /** @type {StoreId<Wish>} */
+    "study-wish"
+  );
+  var STUDY_PERSON = (
+    /** @type {StoreId<Person>} */
+    "study-person"
+  );
+
   // search/study.mjs
   var SCALE = ["completely different", "", "", "", "", "", "", "", "", "identical"];
   var CHOICES = { left: ["A", "#3a9b7a", "A"], same: ["No difference", "", "S"], right: ["B", "#d2762b", "B"] };
@@ -6182,7 +6330,7 @@
   var mode = () => view2.study === "vote" ? "vote" : view2.study === "results" ? "results" : "rate";
   var awaited = () => data.asked[2] !== (person.name || person.id);
   var rows = () => awaited() ? [] : (mode() === "vote" ? data.duels : data.pairs) || [];
-  var visible = () => Boolean(find("study-setup")?.offsetParent) && data && !data.error;
+  var visible = () => Boolean(find(STUDY_SETUP)?.offsetParent) && data && !data.error;
   var button2 = (words2, name, className = "search-button") => {
     const made = element("button", className, ...[words2].flat());
     made.type = "button";
@@ -6213,7 +6361,7 @@
     const add3 = button2([icon("plus", 13), "The query of the search"], "add");
     add3.disabled = !whole();
     add3.title = whole() ? "" : "Choose a query of this dataset, for the whole body, under Search first";
-    need("study-setup").replaceChildren(
+    need(STUDY_SETUP).replaceChildren(
       element("div", "study-line", element("span", "search-label", "Queries"), ...queries, add3, button2([icon("dice", 15), "Draw three"], "draw")),
       element("div", "study-line", element("span", "search-label", "Engines"), ...engines),
       element("div", "study-line", label, name)
@@ -6229,7 +6377,7 @@
   function draw4() {
     const which = mode();
     if (which === "results") return;
-    const box2 = need(which === "vote" ? "study-vote" : "study-rate");
+    const box2 = need(which === "vote" ? STUDY_VOTE : STUDY_RATE);
     const all = rows();
     if (awaited()) return box2.replaceChildren(nothing(`Fetching the pairs for ${person.name || "you"} …`));
     if (!data.queries.length) return box2.replaceChildren(nothing("Choose queries above: the one of the search, or three drawn by chance."));
@@ -6284,8 +6432,8 @@
     const wanted2 = JSON.stringify([row8.query, row8.hit, row8.left, row8.right]);
     if (wanted2 === shown6 && player.status !== "empty") return;
     shown6 = wanted2;
-    setStore("selection", {});
-    setStore("stage-request", { ...row8.request, at: wanted2 });
+    setStore(SELECTION, {});
+    setStore(STAGE_REQUEST, { ...row8.request, at: wanted2 });
     const next2 = rows()[at2[mode()] + 1];
     if (next2) setTimeout(() => player.prefetch(next2.request), 600);
   }
@@ -6295,15 +6443,15 @@
     if (!row8) return;
     row8.value = value;
     given.set(nameOf2(row8), value);
-    const message2 = which === "vote" ? { kind: "vote", query: row8.query, left: row8.left, right: row8.right, choice: value } : { kind: "rating", query: row8.query, hit: row8.hit, value };
+    const message2 = which === "vote" ? { kind: "vote", query: row8.query, left: row8.left, right: row8.right, choice: String(value) } : { kind: "rating", query: row8.query, hit: row8.hit, value: Number(value) };
     pending.push({ ...message2, person: person.name || person.id, id: `${Date.now()} ${Math.random()}` });
     send();
     step2(1);
   }
   function send() {
-    if (!pending.length || !find("study-rate") || sent && Date.now() - sent < PATIENCE2) return;
+    if (!pending.length || !find(STUDY_RATE) || sent && Date.now() - sent < PATIENCE2) return;
     sent = Date.now();
-    setStore("study-answer", { answers: [...pending], at: sent });
+    setStore(STUDY_ANSWER, { answers: [...pending], at: sent });
     setTimeout(send, PATIENCE2);
   }
   function step2(by) {
@@ -6325,7 +6473,7 @@
     person = stored || {};
     if (!person.id) {
       person = { ...person, id: `someone-${Math.random().toString(36).slice(2, 8)}` };
-      setStore("study-person", person);
+      setStore(STUDY_PERSON, person);
     }
   }
   register("study", {
@@ -6343,7 +6491,7 @@
     /** @param {Study | null} found @param {View | null} seen @param {Person | null} stored */
     draw(found, seen3, stored) {
       view2 = seen3 || {};
-      if (!found || view2.look !== "agree" || !find("study-setup")) {
+      if (!found || view2.look !== "agree" || !find(STUDY_SETUP)) {
         shown6 = "";
         return clientside.no_update;
       }
@@ -6353,8 +6501,8 @@
       const before2 = data && data.asked[2] === found.asked[2] ? data : null;
       data = found;
       if (data.error) {
-        need("study-setup").replaceChildren(nothing(data.error));
-        for (const id of ["study-rate", "study-vote"]) need(id).replaceChildren();
+        need(STUDY_SETUP).replaceChildren(nothing(data.error));
+        for (const id of [STUDY_RATE, STUDY_VOTE]) need(id).replaceChildren();
         return clientside.no_update;
       }
       if (fresh) for (const row8 of [...data.pairs, ...data.duels]) row8.value = given.get(nameOf2(row8)) ?? row8.value;
@@ -6372,15 +6520,15 @@
     add: () => asks([...data.queries.map((query) => query.name), whole()]),
     /** @param {HTMLElement} on */
     remove: (on2) => asks(data.queries.map((query) => query.name).filter((name) => name !== on2.dataset.name)),
-    draw: () => setStore("study-wish", { draw: 1 + Math.floor(Math.random() * 1e6) }),
+    draw: () => setStore(STUDY_WISH, { draw: 1 + Math.floor(Math.random() * 1e6) }),
     /** @param {HTMLElement} on */
-    build: (on2) => setStore("study-wish", { build: on2.dataset.method, at: Date.now() }),
+    build: (on2) => setStore(STUDY_WISH, { build: on2.dataset.method, at: Date.now() }),
     clear() {
       if (!window.confirm("Remove all ratings and votes about this dataset, of all people?")) return;
       given.clear();
       pending.length = 0;
       for (const row8 of [...data.pairs, ...data.duels]) row8.value = null;
-      setStore("study-wish", { clear: true, at: Date.now() });
+      setStore(STUDY_WISH, { clear: true, at: Date.now() });
     },
     /** @param {HTMLElement} on */
     move: (on2) => step2(Number(on2.dataset.by)),
@@ -6395,7 +6543,7 @@
   document.addEventListener("change", (event) => {
     if (targetOf(event).id !== "study-name") return;
     who({ ...person, name: targetOf(event).value.trim() });
-    setStore("study-person", person);
+    setStore(STUDY_PERSON, person);
     draw4();
   });
   document.addEventListener("keydown", (event) => {
@@ -6413,13 +6561,16 @@
     event.stopPropagation();
   }, true);
 
+  // sweeps/ids.mjs
+  var SWEEP_TABLE = "sweep-table";
+
   // sweeps/sweeps.mjs
   function open2(address2) {
     const { pathname, searchParams } = new URL(address2, location.origin);
     searchParams.delete("dataset");
-    setStore("selection", {});
+    setStore(SELECTION, {});
     openPage(pathname, { parameters: Object.fromEntries(searchParams) });
-    need("page").scrollTo(0, 0);
+    need(PAGE).scrollTo(0, 0);
   }
   var plain2 = (event) => !(event.button || event.metaKey || event.ctrlKey || event.shiftKey || event.altKey);
   cellRenderers.PointLink = (props) => props.data ? reactElement("a", { className: "text-link point-link", href: props.data.href, tabIndex: -1 }, props.value) : null;
@@ -6434,7 +6585,7 @@
     );
   }, true);
   document.addEventListener("keydown", (event) => {
-    const row8 = event.key === "Enter" && closest(event, "#sweep-table .ag-row");
+    const row8 = event.key === "Enter" && closest(event, `#${SWEEP_TABLE} .ag-row`);
     const link2 = row8 && row8.querySelector("a.point-link");
     if (!link2) return;
     event.preventDefault();
@@ -6453,6 +6604,36 @@
     }
   });
 
+  // grammar/ids.mjs
+  var GRAMMAR_STRING = "grammar-string";
+  var GRAMMAR_RULES = "grammar-rules";
+  var ACTION_CARDS = "action-cards";
+  var ACTION_HINT = "action-hint";
+  var ACTION_DETAIL = "action-detail";
+  var ACTION_TITLE = "action-title";
+  var ACTION_COUNT = "action-count";
+  var ACTION_ALL = "action-all";
+  var OCCURRENCES = "occurrences";
+  var ROUTINE_LIST = "routine-list";
+  var ROUTINE_TITLE = "routine-title";
+  var ROUTINE_COUNT = "routine-count";
+  var ROUTINE_PLAY = "routine-play";
+  var ROUTINE_SVG = "routine-svg";
+  var ROUTINE_TREE = "routine-tree";
+  var COMPOSE_ERROR = "compose-error";
+  var COMPOSE_SAID = "compose-said";
+  var COMPOSE_STRING = "compose-string";
+  var COMPOSE_CHOSEN = "compose-chosen";
+  var COMPOSE_OTHERS = "compose-others";
+  var COMPOSE_TREE = "compose-tree";
+  var COMPOSE_METERS = "compose-meters";
+  var COMPOSE_WARNINGS = "compose-warnings";
+  var COMPOSE_MOST = "compose-most";
+  var COMPOSE_BVH = "compose-bvh";
+  var COMPOSE_JSON = "compose-json";
+  var COMPOSE_SVG = "compose-svg";
+  var COMPOSE_SAVE = "compose-save";
+
   // grammar/state.mjs
   var state2 = { data: (
     /** @type {GrammarData} */
@@ -6460,7 +6641,7 @@
   ) };
   var actionOf = (id) => (state2.data.actions || [])[id] || { id, name: `Action ${id}`, short: String(id), colour: "#8793a3", count: 0, seconds: 0, named: 0 };
   var playsSelection = (button4, selection) => {
-    button4.dataset.store = "selection";
+    button4.dataset.store = SELECTION;
     button4.dataset.value = JSON.stringify(selection);
     return button4;
   };
@@ -6536,30 +6717,30 @@
     [clip, piece[0], piece[1], piece[3]]
   ))).sort((a, b) => a[3] - b[3]);
   var drawActions = (data2, order) => {
-    const box2 = find("action-cards");
+    const box2 = find(ACTION_CARDS);
     if (!box2 || !isFresh(box2, [data2.key, data2.names, order])) return;
     const sorted = [...data2.actions];
     if (order === "count") sorted.sort((a, b) => b.count - a.count);
     if (order === "seconds") sorted.sort((a, b) => b.seconds - a.seconds);
-    if (order === "name") sorted.sort((a, b) => b.named - a.named || a.name.localeCompare(b.name, void 0, { numeric: true }));
+    if (order === "name") sorted.sort((a, b) => Number(b.named) - Number(a.named) || a.name.localeCompare(b.name, void 0, { numeric: true }));
     redraw(box2, sorted.map(card));
   };
   var drawOccurrences = (data2, selection) => {
-    const box2 = find("occurrences");
+    const box2 = find(OCCURRENCES);
     if (!box2) return;
     const id = selection?.action === void 0 ? null : Number(selection.action);
     const known3 = id === null ? void 0 : data2.actions?.[id];
     for (const one of allWithin(document, ".action-card")) one.classList.toggle("chosen", known3 !== void 0 && Number(one.dataset.action) === id);
-    need("action-hint").classList.toggle("hidden", Boolean(known3));
-    need("action-detail").classList.toggle("hidden", !known3);
+    need(ACTION_HINT).classList.toggle("hidden", Boolean(known3));
+    need(ACTION_DETAIL).classList.toggle("hidden", !known3);
     if (!known3 || id === null || !isFresh(box2, [data2.key, data2.names, id, selection?.segment])) return;
     const all = occurrences(data2, id);
-    need("action-title").textContent = `Action ${id}`;
-    need("action-count").textContent = `${plural(all.length, "time")} in ${plural(known3.clips ?? 0, "recording")}`;
+    need(ACTION_TITLE).textContent = `Action ${id}`;
+    need(ACTION_COUNT).textContent = `${plural(all.length, "time")} in ${plural(known3.clips ?? 0, "recording")}`;
     const shown7 = all.slice(0, ROWS).map((one) => occurrence(one, id, String(one[3]) === String(selection?.segment)));
     redraw(box2, shown7);
     if (all.length > ROWS) box2.append(element("div", "muted selection-more", `and ${all.length - ROWS} more, all of them in the recordings above`));
-    playsSelection(need("action-all"), { action: id });
+    playsSelection(need(ACTION_ALL), { action: id });
   };
 
   // grammar/history.mjs
@@ -6667,7 +6848,7 @@
   var keysOf2 = (shown7) => Object.fromEntries(KEYS5.filter((key) => shown7?.[key]).map((key) => [key, shown7?.[key]]));
   var same3 = (a, b) => KEYS5.every((key) => (a?.[key] || "") === (b?.[key] || ""));
   var ready = () => Boolean(now3.name) && same3(now3.asked, keysOf2(view3));
-  var here2 = () => on && Boolean(find("compose-tree")?.offsetParent);
+  var here2 = () => on && Boolean(find(COMPOSE_TREE)?.offsetParent);
   var onStage3 = () => String(player.frameOf(0)?.dataset || "").startsWith("~derive~");
   var goTo = (sentence, more2 = {}) => changeView({ sentence, pick: "", up: "", alt: "", ...more2 });
   function remember2(sentence) {
@@ -6703,7 +6884,7 @@
     player.play();
   }
   function string(data2) {
-    const list2 = need("compose-string");
+    const list2 = need(COMPOSE_STRING);
     if (!isFresh(list2, [data2.name, data2.actions, state2.data.names, now3.asked, now3.chosen])) return;
     const chips = data2.actions.map((id, at3) => {
       const line2 = element("li", "compose-step");
@@ -6719,7 +6900,7 @@
     redraw(list2, chips);
   }
   function meters2(data2) {
-    const box2 = need("compose-meters");
+    const box2 = need(COMPOSE_METERS);
     box2.classList.toggle("hidden", !data2.skate);
     if (!data2.skate) return;
     const [source, plain3, kept] = data2.skate;
@@ -6747,13 +6928,13 @@
   }
   function show4() {
     const busy = Boolean(view3.sentence) && !same3(now3.asked, keysOf2(view3));
-    need("compose-string").classList.toggle("busy", busy);
+    need(COMPOSE_STRING).classList.toggle("busy", busy);
     const error = !busy && now3.error;
-    need("compose-error").classList.toggle("hidden", !error);
-    need("compose-error").textContent = error || "";
+    need(COMPOSE_ERROR).classList.toggle("hidden", !error);
+    need(COMPOSE_ERROR).textContent = error || "";
     const there = ready();
-    need("compose-string").dataset.shown = busy ? "" : KEYS5.map((key) => now3.asked?.[key] || "").join(" ");
-    need("compose-said").textContent = busy ? "Making the routine …" : there ? `${plural(now3.actions.length, "action")}, ${now3.seconds.toFixed(1)} s. ${now3.novel ? "Nobody performed it like this." : "It occurs like this in the recordings."}` : error ? "" : "Press New routine: chance makes one that keeps to the rules.";
+    need(COMPOSE_STRING).dataset.shown = busy ? "" : KEYS5.map((key) => now3.asked?.[key] || "").join(" ");
+    need(COMPOSE_SAID).textContent = busy ? "Making the routine …" : there ? `${plural(now3.actions.length, "action")}, ${now3.seconds.toFixed(1)} s. ${now3.novel ? "Nobody performed it like this." : "It occurs like this in the recordings."}` : error ? "" : "Press New routine: chance makes one that keeps to the rules.";
     for (const name of ["play", "larger", "smaller", "others", "undo", "redo"]) {
       const usable2 = {
         play: there,
@@ -6766,22 +6947,22 @@
       within(document, `[data-compose="${name}"]`).disabled = !usable2;
     }
     if (busy && !now3.actions) return;
-    need("compose-chosen").textContent = there ? chosenWords() : "";
+    need(COMPOSE_CHOSEN).textContent = there ? chosenWords() : "";
     if (!there) {
-      if (error) for (const id of ["compose-string", "compose-tree"]) {
+      if (error) for (const id of [COMPOSE_STRING, COMPOSE_TREE]) {
         need(id).replaceChildren();
         isFresh(need(id), "");
       }
     } else {
       string(now3);
-      showTree(need("compose-tree"), now3.svg, choose2);
+      showTree(need(COMPOSE_TREE), now3.svg, choose2);
       meters2(now3);
     }
-    need("compose-warnings").replaceChildren(...(there && now3.warnings || []).map((text) => element("p", "", text)));
-    setLink("compose-bvh", there && `/api/bvh/${encodeURIComponent(now3.name ?? "")}/${encodeURIComponent(now3.clip)}`);
-    setLink("compose-json", there && `/api/derivation/${now3.name?.split("~")[2]}.json`);
-    setLink("compose-svg", there && `/api/grammar-tree.svg?${downloadQuery(view3, { sentence: now3.code })}`);
-    need("compose-save").disabled = !there;
+    need(COMPOSE_WARNINGS).replaceChildren(...(there && now3.warnings || []).map((text) => element("p", "", text)));
+    setLink(COMPOSE_BVH, there && `/api/bvh/${encodeURIComponent(now3.name ?? "")}/${encodeURIComponent(now3.clip)}`);
+    setLink(COMPOSE_JSON, there && `/api/derivation/${now3.name?.split("~")[2]}.json`);
+    setLink(COMPOSE_SVG, there && `/api/grammar-tree.svg?${downloadQuery(view3, { sentence: now3.code })}`);
+    need(COMPOSE_SAVE).disabled = !there;
     for (const button4 of allWithin(document, ".compose-recipe")) {
       const text = there && now3.recipes?.[button4.dataset.recipe ?? ""];
       button4.disabled = !text;
@@ -6804,7 +6985,7 @@
   var whole2 = (text, low, high) => Math.min(Math.max(Math.round(Number(text) || low), low), high);
   var actions3 = {
     new() {
-      const most = whole2(need("compose-most").value, 1, Number(need("compose-most").max));
+      const most = whole2(need(COMPOSE_MOST).value, 1, Number(need(COMPOSE_MOST).max));
       const seed = Number((/^random:(\d+)/.exec(view3.sentence || "") || [0, past.list.length])[1]) + 1;
       goTo(`random:${seed}:${most}`);
     },
@@ -6833,25 +7014,25 @@
     const at3 = ours ? now3.spans.findIndex(([a, b]) => item.frame >= a && item.frame < b) : -1;
     if (at3 === lit2) return;
     lit2 = at3;
-    lightTree(find("compose-tree"), at3);
-    allWithin(document, "#compose-string .compose-step").forEach((step3, number2) => step3.classList.toggle("lit", number2 === at3));
+    lightTree(find(COMPOSE_TREE), at3);
+    allWithin(document, `#${COMPOSE_STRING} .compose-step`).forEach((step3, number2) => step3.classList.toggle("lit", number2 === at3));
   });
   var composition = () => ({ on, now: now3, view: view3, ready: ready(), play: () => play5(now3) });
   var drawCompose = (data2, shown7, selection) => {
     view3 = shown7 || {};
     const entered = view3.show === "compose" && !on;
-    on = view3.show === "compose" && Boolean(find("compose-tree"));
+    on = view3.show === "compose" && Boolean(find(COMPOSE_TREE));
     if (!on || !state2.data.key) return;
     if (!view3.sentence) return actions3.new();
     const [, , most] = /^random:(\d+):(\d+)/.exec(view3.sentence) || [];
-    if (most && document.activeElement?.id !== "compose-most") clientside.set_props("compose-most", { value: Number(most) });
+    if (most && document.activeElement?.id !== COMPOSE_MOST) clientside.set_props(COMPOSE_MOST, { value: Number(most) });
     remember2(view3.sentence);
     if (data2) now3 = data2;
     if (data2 && data2.key !== state2.data.key && !data2.error) now3 = /** @type {any} */
     {};
     show4();
     if (!ready()) return;
-    if (entered && selection && Object.keys(selection).length) setStore("selection", {});
+    if (entered && selection && Object.keys(selection).length) setStore(SELECTION, {});
     if (!view3.alt && (now3.name !== played2 || entered && !onStage3())) play5(now3);
   };
 
@@ -6896,7 +7077,7 @@
     return box2;
   }
   var drawOthers = (data2, view4) => {
-    const box2 = find("compose-others");
+    const box2 = find(COMPOSE_OTHERS);
     if (!box2) return;
     const wanted2 = view4.show === "compose" && view4.alt;
     box2.classList.toggle("hidden", !wanted2);
@@ -6966,10 +7147,10 @@
   function play6(routine, first = 0, end = routine.leaves.length) {
     const selection = selectionOf2(routine, first, end);
     ahead.play(selection);
-    setStore("selection", selection);
+    setStore(SELECTION, selection);
   }
   var drawRoutines = (shown7, data2, view4) => {
-    const list2 = find("routine-list");
+    const list2 = find(ROUTINE_LIST);
     if (!list2 || !data2?.routines) return;
     if (isFresh(list2, [data2.key, data2.names])) {
       const brief = new Map(data2.rows.map((clip) => [clip.clip, clip.brief]));
@@ -6983,13 +7164,13 @@
       button4.classList.toggle("chosen", here3);
       button4.setAttribute("aria-pressed", String(here3));
     }
-    need("routine-title").textContent = `Routine ${shown7.number + 1}`;
-    need("routine-count").textContent = `${routine.clip}, ${plural(routine.actions.length, "action")}`;
-    showTree(need("routine-tree"), shown7.svg, ({ first, end }) => play6(routine, first, end));
-    setLink("routine-svg", `/api/grammar-tree.svg?${downloadQuery(view4, { routine: shown7.number })}`);
+    need(ROUTINE_TITLE).textContent = `Routine ${shown7.number + 1}`;
+    need(ROUTINE_COUNT).textContent = `${routine.clip}, ${plural(routine.actions.length, "action")}`;
+    showTree(need(ROUTINE_TREE), shown7.svg, ({ first, end }) => play6(routine, first, end));
+    setLink(ROUTINE_SVG, `/api/grammar-tree.svg?${downloadQuery(view4, { routine: shown7.number })}`);
   };
   document.addEventListener("click", (event) => {
-    if (closest(event, "#routine-play") && now4.routine) play6(now4.routine);
+    if (closest(event, `#${ROUTINE_PLAY}`) && now4.routine) play6(now4.routine);
     const button4 = closest(event, ".routine-row");
     if (!button4) return;
     const number2 = Number(button4.dataset.routine);
@@ -6997,7 +7178,7 @@
     play6(state2.data.routines[number2]);
   });
   window.addEventListener("stage-frame", (event) => {
-    const box2 = find("routine-tree");
+    const box2 = find(ROUTINE_TREE);
     if (!box2?.offsetParent || !now4.routine) return;
     const item = event.detail.items[0];
     const here3 = item && item.clip === now4.routine.clip && item.dataset === state2.data.dataset;
@@ -7058,7 +7239,7 @@
     return box2;
   }
   var drawRules = (data2) => {
-    const box2 = find("grammar-rules");
+    const box2 = find(GRAMMAR_RULES);
     if (!box2 || !isFresh(box2, [data2.key, data2.names])) return;
     open3.clear();
     box2.replaceChildren(...data2.rules.map((phrase, number2) => card3(phrase, number2 === 0)));
@@ -7128,14 +7309,14 @@
     return line2;
   }
   var drawString = (data2) => {
-    const box2 = find("grammar-string");
+    const box2 = find(GRAMMAR_STRING);
     if (!box2 || !isFresh(box2, [data2.key, data2.names])) return;
     const longest2 = Math.max(...data2.rows.map((clip) => clip.seconds), 1e-3);
     box2.replaceChildren(...data2.rows.map((clip) => row6(clip, longest2)));
   };
   var markChosen = (selection) => {
     const chosen3 = selection?.action === void 0 ? null : String(selection.action);
-    const box2 = find("grammar-string");
+    const box2 = find(GRAMMAR_STRING);
     if (!box2) return;
     box2.classList.toggle("one-action", chosen3 !== null);
     for (const made of allWithin(box2, ".string-block")) {
@@ -7148,7 +7329,7 @@
   document.addEventListener("keydown", (event) => {
     const at3 = closest(event, ".string-block");
     if (!at3) return;
-    const lines = allWithin(around(at3, "#grammar-string"), ".string-blocks");
+    const lines = allWithin(around(at3, `#${GRAMMAR_STRING}`), ".string-blocks");
     const siblings = (
       /** @type {any} */
       at3.parentNode
@@ -7171,7 +7352,7 @@
   var LARGEST = 32;
   document.addEventListener("click", (event) => {
     const button4 = closest(event, ".string-zoom");
-    const box2 = button4 && find("grammar-string");
+    const box2 = button4 && find(GRAMMAR_STRING);
     if (!box2) return;
     const before2 = Number(box2.dataset.zoom || 1);
     const zoom4 = Math.min(Math.max(before2 * (button4.dataset.zoom === "in" ? 2 : 0.5), 1), LARGEST);
@@ -7187,7 +7368,7 @@
   }
   var lit3 = [];
   function cursor2() {
-    const box2 = find("grammar-string");
+    const box2 = find(GRAMMAR_STRING);
     if (!box2 || !box2.offsetParent) return;
     for (const line2 of lit3) line2.style.display = "";
     lit3 = [];
@@ -7215,7 +7396,7 @@
      * @param {unknown} _place
      */
     draw(data2, selection, order, _place) {
-      if (!data2 || !find("grammar-string")) return clientside.no_update;
+      if (!data2 || !find(GRAMMAR_STRING)) return clientside.no_update;
       state2.data = data2;
       drawString(data2);
       drawActions(data2, order);
@@ -7489,6 +7670,18 @@
     );
   };
 
+  // motion_map/ids.mjs
+  var MAP_PLOT = "map-plot";
+  var MAP_PREVIEW = "map-preview";
+  var MAP_KEYS = "map-keys";
+  var MAP_REACH = "map-reach";
+  var MAP_REACH_LABEL = "map-reach-label";
+  var MAP_REACH_BOX = "map-reach-box";
+  var MAP_REACH_VALUE = "map-reach-value";
+  var MAP_COUNT = "map-count";
+  var MAP_PLAY_ALL = "map-play-all";
+  var MAP_HITS = "map-hits";
+
   // motion_map/figure.mjs
   var HEAD2 = 0.105;
   var PENS = { left: 0.06, right: 0.06, centre: 0.075 };
@@ -7657,7 +7850,7 @@
     }
     foot.append(nearest2, status2, actions4);
     box2.append(title, hint, views, foot);
-    need("shell").append(box2);
+    need(SHELL).append(box2);
     listen(box2);
     return box2;
   }
@@ -7775,7 +7968,7 @@
   };
   var short2 = (seconds) => (seconds >= 10 ? seconds.toFixed(0) : seconds.toFixed(1)) + " s";
   function drawPreview(map, node, facts) {
-    const box2 = find("map-preview");
+    const box2 = find(MAP_PREVIEW);
     if (!box2) return;
     if (node < 0) {
       box2.replaceChildren(element("p", "muted map-hint", "Point at the map to see a posture. Click postures in the order in which they should come."));
@@ -7801,7 +7994,7 @@
     return `Node ${x}, ${y} · region ${map.regions[node]} · ${time}${named3 ? ` · ${named3}` : ""}`;
   }
   function drawStrip(map, keys, change) {
-    const box2 = find("map-keys");
+    const box2 = find(MAP_KEYS);
     if (!box2) return;
     const focused = childrenOf(box2).indexOf(
       /** @type {any} */
@@ -7854,12 +8047,12 @@
   }
   var hitsInWords = (n, keys) => !keys.length ? "" : n === 1 ? "1 hit" : `${n} hits`;
   function drawCount(n, keys, files) {
-    const box2 = find("map-count");
+    const box2 = find(MAP_COUNT);
     if (box2) box2.textContent = hitsInWords(n, keys) + (n ? ` in ${files} clip${files === 1 ? "" : "s"}` : "");
   }
   var later2 = 0;
   function drawHits(map, hits, keys, { dataset: dataset2, version, chosen: chosen3 }) {
-    const box2 = find("map-hits");
+    const box2 = find(MAP_HITS);
     if (!box2) return;
     clearTimeout(later2);
     if (!hits.length) {
@@ -7872,7 +8065,7 @@
       const { fps } = map.clips[hit.clip];
       const made = element("button", "motion-row map-hit");
       made.type = "button";
-      made.dataset.store = "selection";
+      made.dataset.store = SELECTION;
       made.dataset.value = JSON.stringify(segment);
       const on2 = chosen3 !== null && chosen3.clip === segment.clip && chosen3.start === segment.start && chosen3.end === segment.end;
       made.classList.toggle("chosen", on2);
@@ -8170,7 +8363,7 @@
   var USUAL = { colour: "height", click: "keys", pace: "any", way: "any" };
   var live = 0;
   var put2 = (change) => changeView({ ...change, at: Date.now() });
-  var page = () => find("map-plot");
+  var page = () => find(MAP_PLOT);
   function drawKeys() {
     const { map, keys, reach } = state;
     state.overlay.drawKeys(keys.map((node) => {
@@ -8183,7 +8376,7 @@
     const { map, keys, reach, pace, path: path2 } = state;
     if (!path2) state.hits = map.search(keys, reach, pace);
     drawCount(state.hits.length, path2 ? [path2] : keys, new Set(state.hits.map((hit) => hit.clip)).size);
-    const all = find("map-play-all");
+    const all = find(MAP_PLAY_ALL);
     if (all) all.disabled = state.hits.length === 0;
     return state.hits;
   }
@@ -8230,7 +8423,7 @@
     }
     state.keys = keys.slice(0, 20);
     drawStrip(state.map, state.keys, setKeys);
-    if (focus2 !== void 0) childrenOf(need("map-keys"))[focus2]?.focus();
+    if (focus2 !== void 0) childrenOf(need(MAP_KEYS))[focus2]?.focus();
     refresh();
     put2({ keys: writeKeys(state.keys, state.map), drawn: "" });
   }
@@ -8241,7 +8434,7 @@
     if (done) put2({ within: reach ? reach.toFixed(2) : "" });
   }
   function showReach() {
-    const slider2 = find("map-reach"), label = find("map-reach-value");
+    const slider2 = find(MAP_REACH), label = find(MAP_REACH_VALUE);
     if (!slider2 || !label || !state.map) return;
     slider2.max = String(state.map.reach);
     slider2.value = String(state.reach);
@@ -8268,9 +8461,9 @@
       path: drawn3
     });
     state.follower = new Follower(state.overlay);
-    const slider2 = Object.assign(document.createElement("input"), { type: "range", id: "map-reach", className: "map-slider", min: 0, step: 0.01, value: 0 });
-    slider2.setAttribute("aria-labelledby", "map-reach-label");
-    need("map-reach-box").replaceChildren(slider2);
+    const slider2 = Object.assign(document.createElement("input"), { type: "range", id: MAP_REACH, className: "map-slider", min: 0, step: 0.01, value: 0 });
+    slider2.setAttribute("aria-labelledby", MAP_REACH_LABEL);
+    need(MAP_REACH_BOX).replaceChildren(slider2);
     slider2.addEventListener("input", () => state.map && setReach(Number(slider2.value), false));
     slider2.addEventListener("change", () => state.map && setReach(Number(slider2.value), true));
     new ResizeObserver(() => requestAnimationFrame(fit)).observe(box2);
@@ -8286,7 +8479,7 @@
     if (!map || !mount2()) return;
     const keys = readKeys(view4.keys, map), reach = Math.min(readNumber(view4.within, 0), map.reach), pace = paceOf(view4);
     state.mode = ["regions", "draw"].includes(view4.click) ? view4.click : "keys";
-    need("map-plot").dataset.mode = state.mode;
+    need(MAP_PLOT).dataset.mode = state.mode;
     const region = readNumber(view4.region, -1);
     state.overlay.squares("region", region < 0 ? [] : [...map.regions.keys()].filter((node) => map.regions[node] === region));
     const path2 = view4.drawn || "";
@@ -8330,7 +8523,7 @@
     const { dataset: dataset2, version } = state.known;
     const title = `${items.length} of ${state.hits.length} hits`;
     const request5 = { dataset: dataset2, version, items, title, layout: "overlay", sync: "start" };
-    setStore("stage-request", request5);
+    setStore(STAGE_REQUEST, request5);
     player.show(request5);
   }
   document.addEventListener("click", (event) => {
@@ -8574,7 +8767,7 @@
   function put3(leaf, value) {
     raw[leaf] = Math.min(Math.max(value, 0), MOST3);
     paint();
-    need("search-body").classList.toggle("search-none", total2() === 0);
+    need(SEARCH_BODY).classList.toggle("search-none", total2() === 0);
     send2();
   }
   function shape(leaf) {
@@ -8655,7 +8848,7 @@
     box2.replaceChildren(left, right);
   }
   function paint() {
-    const box2 = need("search-body");
+    const box2 = need(SEARCH_BODY);
     const pieces = now5.found && now5.found.pieces || [];
     const owner = (leaf) => pieces.findIndex((piece) => piece.leaves.includes(leaf));
     const several = pieces.length > 1;
@@ -8700,7 +8893,7 @@
     within(box2, ".search-body-hint").textContent = total2() === 0 ? "All parts are off: switch on at least one." : assigning() ? `Click parts to take them from ${"ABCDEF"[now5.active]}. Shift + click: the whole limb.` : "Click a part to switch it on or off, Shift + click for this one alone; arrow keys change its weight.";
   }
   var drawBody = () => {
-    const box2 = find("search-body");
+    const box2 = find(SEARCH_BODY);
     if (!box2) return;
     if (!box2.firstChild) {
       build(box2);
@@ -8749,7 +8942,7 @@
     const part2 = closest(event, ".search-part");
     if (part2) press3(part2.dataset.part ?? "", event.shiftKey);
     const chosen3 = closest(event, "[data-mode]");
-    if (chosen3 && chosen3.closest("#search-body")) {
+    if (chosen3 && chosen3.closest(`#${SEARCH_BODY}`)) {
       mode2 = chosen3.dataset.mode ?? "weights";
       paint();
     }
@@ -8937,9 +9130,9 @@
   }
   var drawn5 = "";
   var drawHits2 = () => {
-    const box2 = find("search-hits");
+    const box2 = find(SEARCH_HITS);
     if (!box2) return;
-    const title = need("search-hits-head"), error = need("search-error");
+    const title = need(SEARCH_HITS_HEAD), error = need(SEARCH_ERROR);
     const found = now5.found || {};
     error.textContent = found.error || "";
     error.classList.toggle("hidden", !found.error);
@@ -9013,17 +9206,17 @@
     const paired = (stage2.layout === "side" || stage2.layout === "overlay") && !first && last > 1;
     const layout = request5.items.length > 1 && paired ? stage2.layout : request5.layout;
     last = request5.items.length;
-    if (Object.keys(now5.selection).length) setStore("selection", {});
-    setStore("stage-request", { ...request5, layout });
+    if (Object.keys(now5.selection).length) setStore(SELECTION, {});
+    setStore(STAGE_REQUEST, { ...request5, layout });
   }
   var last = 0;
   var seekPiece = (index, frame) => {
     const piece = now5.found.pieces[index];
     const inside2 = player.seek({ clip: piece.clip, frame, dataset: piece.source });
-    if (!inside2) setStore("stage-request", { ...now5.found.request, at: void 0 });
+    if (!inside2) setStore(STAGE_REQUEST, { ...now5.found.request, at: void 0 });
   };
   window.addEventListener("stage-frame", (event) => {
-    if (!find("search-hits") || !now5.found || !now5.found.pieces) return;
+    if (!find(SEARCH_HITS) || !now5.found || !now5.found.pieces) return;
     const { items, time, duration } = event.detail;
     const share2 = duration ? time / duration : 0;
     allWithin(document, ".search-hit .search-why-cursor").forEach((line2) => {
@@ -9045,7 +9238,7 @@
   document.addEventListener("click", (event) => {
     const open4 = closest(event, ".search-open");
     if (open4) {
-      const { hit: hit2 } = around(open4, ".search-hit").dataset;
+      const { hit: hit2 = "" } = around(open4, ".search-hit").dataset;
       changeView({ hit: hit2 === now5.view.hit ? "" : hit2 });
     }
     const why = closest(event, ".search-why");
@@ -9114,7 +9307,7 @@
     );
   }
   var drawOptions = () => {
-    const box2 = find("search-options");
+    const box2 = find(SEARCH_OPTIONS);
     if (!box2) return;
     if (!box2.firstChild) build2(box2);
     const { view: view4, found, clips } = now5;
@@ -9144,7 +9337,7 @@
   };
   var folded = null;
   function fold() {
-    const [button4, box2] = [need("search-counts"), need("search-wanted")];
+    const [button4, box2] = [need(SEARCH_COUNTS), need(SEARCH_WANTED)];
     const little = button4.clientWidth < 780;
     const closed = folded ?? (little && Boolean(now5.view.query));
     button4.setAttribute("aria-expanded", String(!closed));
@@ -9163,10 +9356,10 @@
       view4.named && `“${view4.named}”`,
       view4.lasting && `${view4.lasting} s`
     ];
-    need("search-counts-says").textContent = summary2.filter(Boolean).join(" · ");
+    need(SEARCH_COUNTS_SAYS).textContent = summary2.filter(Boolean).join(" · ");
   }
   document.addEventListener("click", (event) => {
-    const button4 = closest(event, "#search-counts");
+    const button4 = closest(event, `#${SEARCH_COUNTS}`);
     if (!button4) return;
     folded = button4.getAttribute("aria-expanded") === "true";
     fold();
@@ -9189,7 +9382,7 @@
     else if (id === "search-named") changeSearch({ named: value.trim(), top: "" });
     else changeSearch({ lasting: lasting(), top: "" });
   }
-  var mine = (target2) => target2.closest && target2.closest("#search-options");
+  var mine = (target2) => target2.closest && target2.closest(`#${SEARCH_OPTIONS}`);
   document.addEventListener("change", (event) => {
     if (mine(targetOf(event)) && targetOf(event).tagName === "SELECT") take2(targetOf(event).id);
   });
@@ -9206,7 +9399,7 @@
 
   // search/upload.mjs
   var HEADERS2 = { "X-Motionscape": "upload" };
-  var status = () => find("search-upload-status");
+  var status = () => find(SEARCH_UPLOAD_STATUS);
   var sending = null;
   var turn4 = 0;
   var suffixes = () => (within(document, ".search-choose").dataset.suffixes ?? "").split(",").filter((one) => one !== ".csv");
@@ -9244,7 +9437,7 @@
     if (!files.length) return;
     const mine2 = ++turn4;
     if (sending) sending.abort();
-    setStore("search-upload", null);
+    setStore(SEARCH_UPLOAD, null);
     const wrong = files.find((file) => !suffixes().some((suffix) => file.name.toLowerCase().endsWith(suffix)));
     if (wrong) return say(`${wrong.name} is not a kind of file we read: choose BVH, or AMC together with its ASF.`, "error-text");
     let token = null;
@@ -9263,7 +9456,7 @@
       sending = null;
       quiet();
       const main = files.find((file) => !/\.asf(\.gz)?$/i.test(file.name)) || files[0];
-      setStore("search-upload", { token, name: main.name });
+      setStore(SEARCH_UPLOAD, { token, name: main.name });
     } catch (error) {
       if (token) fetch(`/api/uploads/${token}`, { method: "DELETE", headers: HEADERS2 }).catch(() => {
       });
@@ -9354,7 +9547,7 @@
     badge.dataset.piece = "active";
     badge.title = `Parts one clicks in the figure come from ${"ABCDEF"[index]}`;
     const name = element("input", "search-clip");
-    name.setAttribute("list", "search-clip-names");
+    name.setAttribute("list", SEARCH_CLIP_NAMES);
     name.setAttribute("aria-label", "Clip that is looked for");
     name.placeholder = "Choose a clip";
     name.value = piece.dataset ? piece.clip : piece.clip;
@@ -9408,7 +9601,7 @@
   }
   function empty() {
     const name = element("input", "search-clip");
-    name.setAttribute("list", "search-clip-names");
+    name.setAttribute("list", SEARCH_CLIP_NAMES);
     name.setAttribute("aria-label", "Clip that is looked for");
     name.placeholder = now5.clips ? "Choose a clip" : "No dataset yet";
     const hint = element("span", "muted search-hint", "What motion do you look for? Choose a clip, then drag over the part that matters.");
@@ -9419,7 +9612,7 @@
   var drawn6 = "";
   var dragged = null;
   var drawSources = () => {
-    const box2 = need("search-sources");
+    const box2 = need(SEARCH_SOURCES);
     const pieces = now5.found && now5.found.pieces || [];
     const mark3 = JSON.stringify([now5.clips && [now5.clips.dataset, now5.clips.version, now5.clips.clips.length], pieces.map((p) => [p.dataset, p.clip, p.version, p.gives, p.labels.length, shownOf(p)])]);
     if (mark3 !== drawn6 || !box2.firstChild) {
@@ -9440,14 +9633,14 @@
     if (back) back.classList.toggle("hidden", !canGoBack());
     const combineButton = allWithin(document, "[data-search='combine']")[0];
     if (combineButton) combineButton.disabled = !pieces.length || pieces.length >= 6;
-    const warning = need("search-warning");
+    const warning = need(SEARCH_WARNING);
     const doubt = now5.found && now5.found.doubt || "";
     warning.classList.toggle("hidden", !doubt);
     warning.textContent = doubt;
   };
   var named2 = null;
   function names() {
-    const list2 = find("search-clip-names");
+    const list2 = find(SEARCH_CLIP_NAMES);
     if (!list2 || named2 === now5.clips && list2.firstChild) return;
     named2 = now5.clips;
     list2.replaceChildren(...(now5.clips ? now5.clips.clips : []).slice(0, 5e3).map(([name]) => {
@@ -9457,7 +9650,7 @@
     }));
   }
   function drawMotifs() {
-    const select2 = find("search-motif");
+    const select2 = find(SEARCH_MOTIF);
     const mark3 = JSON.stringify(now5.motifs);
     if (!select2 || select2.dataset.mark === mark3) return;
     select2.dataset.mark = mark3;
@@ -9520,7 +9713,7 @@
     return searchFor([piece]);
   }
   document.addEventListener("change", (event) => {
-    if (targetOf(event).id === "search-motif" && targetOf(event).value) {
+    if (targetOf(event).id === SEARCH_MOTIF && targetOf(event).value) {
       remember3();
       changeSearch({ query: targetOf(event).value });
       targetOf(event).value = "";
@@ -9638,7 +9831,7 @@
      * @param {Selection | null} selection
      */
     draw(found, view4, clips, motifs2, scheme, presets, body2, engines, key, selection) {
-      if (!find("search-sources") || !body2) return clientside.no_update;
+      if (!find(SEARCH_SOURCES) || !body2) return clientside.no_update;
       Object.assign(now5, { found, view: view4 || {}, clips, motifs: motifs2 || [], scheme, presets, body: body2, engines, key, selection: selection || {} });
       const page2 = within(document, ".search-page");
       page2.dataset.look = now5.view.look || "search";
@@ -9661,7 +9854,7 @@
     const query = [escapeName(clip), `${start3}-${end}`, ...dataset2 ? [escapeName(dataset2)] : []].join(":");
     remember3();
     changeSearch({ query, look: "" });
-    if (!location.pathname.endsWith("/search")) clientside.set_props("url", { pathname: "/search", search: "" });
+    if (!location.pathname.endsWith("/search")) clientside.set_props(URL2, { pathname: "/search", search: "" });
     else within(document, ".page").scrollTo({ top: 0, behavior: "smooth" });
   });
 

@@ -1,8 +1,10 @@
 /* The cursor of the Clip page: it follows the Stage frame by frame, shows the values under it, and moves the Stage. */
 import { clientside, register, setStore } from "../shared/dash.mjs";
 import { allWithin, find, need } from "../shared/dom.mjs";
+import { SELECTION, VIEW_CHANGE } from "../shared/ids.mjs";
 import { nearest } from "../shared/numbers.mjs";
 import { player } from "../stage/player.mjs";
+import * as ids from "./ids.mjs";
 /** @import { ClipState, Plot, Range, ShownClip } from "./types.d.ts" */
 /** @import { Selection, View } from "../shared/types.d.ts" */
 /** @import { Standing } from "../stage/types.d.ts" */
@@ -14,7 +16,7 @@ import { player } from "../stage/player.mjs";
 export const at = { shown: null, frame: null, hover: null, items: [], pending: null, values: null, from: "", range: null, dragged: null };
 
 /** @param {string} name */
-const part = (name) => allWithin(document, `#clip-box .clip-${name}`)[0];
+const part = (name) => allWithin(document, `#${ids.CLIP_BOX} .clip-${name}`)[0];
 
 /** @type {Plot | null} */
 let measured = null; // asking the browser for places sixty times a second would make it lay out the page as often
@@ -29,10 +31,10 @@ export function chartPlot() {
 
 /** @returns {Plot | null} */
 function measure() {
-  const graph = /** @type {any} */ (document.querySelector("#clip-graph .js-plotly-plot"));
+  const graph = /** @type {any} */ (document.querySelector(`#${ids.CLIP_GRAPH} .js-plotly-plot`));
   const full = graph && graph._fullLayout;
   if (!full || !full.xaxis || !full.meta || !at.shown || full.meta.clip !== at.shown.clip) return null;
-  const box = need("clip-box").getBoundingClientRect();
+  const box = need(ids.CLIP_BOX).getBoundingClientRect();
   const own = graph.getBoundingClientRect();
   const { xaxis, yaxis, meta } = full;
   const dx = own.left - box.left + xaxis._offset;
@@ -40,7 +42,7 @@ function measure() {
   return {
     graph, meta, full,
     lines: graph.data.filter((/** @type {any} */ trace) => trace.mode === "lines"),
-    chips: allWithin(document, "#clip-legend .clip-value"),
+    chips: allWithin(document, `#${ids.CLIP_LEGEND} .clip-value`),
     left: dx, width: xaxis._length,
     top: dy + full._size.t, height: full._size.h,
     /** @param {number} value */
@@ -164,7 +166,7 @@ export function seekFrame(frame) {
   const there = at.items.some((item) => isShown(item) && wanted >= item.start && wanted < item.end);
   if (there && player.seek({ clip: shown.clip, frame: wanted })) return;
   at.pending = { clip: shown.clip, frame: wanted };
-  setStore("selection", { clip: shown.clip });
+  setStore(SELECTION, { clip: shown.clip });
 }
 
 /** Where every figure of the Stage stands at this moment. */
@@ -194,7 +196,7 @@ function follow(items) {
 }
 
 for (const kind of /** @type {const} */ (["stage-frame", "stage-state"])) {
-  window.addEventListener(kind, (event) => { if (find("clip-box")) follow(event.detail.items); });
+  window.addEventListener(kind, (event) => { if (find(ids.CLIP_BOX)) follow(event.detail.items); });
 }
 
 register("clip", {
@@ -202,12 +204,12 @@ register("clip", {
   /** @param {any} figure @param {unknown} legend @param {ShownClip | null} shown @param {View | null} view */
   drawn(figure, legend, shown, view) {
     at.shown = shown;
-    const graph = /** @type {any} */ (document.querySelector("#clip-graph .js-plotly-plot"));
+    const graph = /** @type {any} */ (document.querySelector(`#${ids.CLIP_GRAPH} .js-plotly-plot`));
     if (graph && graph.on && !graph.dataset.clipWatched) {
       graph.dataset.clipWatched = "yes";
       const again = () => { forget(); placeMarks(); };
       graph.on("plotly_afterplot", again);
-      new ResizeObserver(again).observe(need("clip-box"));
+      new ResizeObserver(again).observe(need(ids.CLIP_BOX));
     }
     forget();
     if (figure && figure.layout && figure.layout.meta && figure.layout.meta.thinned) fetchValues(view);
@@ -231,11 +233,11 @@ register("clip", {
    */
   pick(value, _back, _next, names, shown) {
     const trigger = (clientside.callback_context.triggered[0] || {}).prop_id || "";
-    const step = trigger.startsWith("clip-previous") ? -1 : trigger.startsWith("clip-next") ? 1 : 0;
+    const step = trigger.startsWith(ids.CLIP_PREVIOUS) ? -1 : trigger.startsWith(ids.CLIP_NEXT) ? 1 : 0;
     const clip = step ? names[names.indexOf(shown ? shown.clip : value) + step] : value;
     if (clip && (!shown || clip !== shown.clip)) {
-      setStore("view-change", { span: "" });
-      setStore("selection", { clip });
+      setStore(VIEW_CHANGE, { span: "" });
+      setStore(SELECTION, { clip });
     }
     return clientside.no_update;
   },
@@ -255,15 +257,15 @@ register("clip", {
     const trigger = (clientside.callback_context.triggered[0] || {}).prop_id || "";
     /** @type {View} */
     const change = {};
-    if (trigger.startsWith("clip-chart")) Object.assign(change, { chart: chart === "angles" ? "" : chart, joints: "" });
-    if (trigger.startsWith("clip-kind")) change.angles = kind === "body" ? "" : kind;
-    if (trigger.startsWith("clip-joints")) change[kind === "file" && chart === "angles" ? "rig" : "joints"] = (joints || []).join(",");
-    if (trigger.startsWith("clip-channels")) change.channels = (channels || []).join(",");
-    if (trigger.startsWith("clip-joints") && same(joints, choice && choice.joints)) return clientside.no_update;
-    if (trigger.startsWith("clip-channels") && same(channels, choice && choice.channels)) return clientside.no_update;
-    if (trigger.startsWith("clip-chart") && (now.chart || "angles") === chart) return clientside.no_update;
-    if (trigger.startsWith("clip-kind") && (now.angles || "body") === kind) return clientside.no_update;
-    setStore("view-change", change);
+    if (trigger.startsWith(ids.CLIP_CHART)) Object.assign(change, { chart: chart === "angles" ? "" : chart, joints: "" });
+    if (trigger.startsWith(ids.CLIP_KIND)) change.angles = kind === "body" ? "" : kind;
+    if (trigger.startsWith(ids.CLIP_JOINTS)) change[kind === "file" && chart === "angles" ? "rig" : "joints"] = (joints || []).join(",");
+    if (trigger.startsWith(ids.CLIP_CHANNELS)) change.channels = (channels || []).join(",");
+    if (trigger.startsWith(ids.CLIP_JOINTS) && same(joints, choice && choice.joints)) return clientside.no_update;
+    if (trigger.startsWith(ids.CLIP_CHANNELS) && same(channels, choice && choice.channels)) return clientside.no_update;
+    if (trigger.startsWith(ids.CLIP_CHART) && (now.chart || "angles") === chart) return clientside.no_update;
+    if (trigger.startsWith(ids.CLIP_KIND) && (now.angles || "body") === kind) return clientside.no_update;
+    setStore(VIEW_CHANGE, change);
     return clientside.no_update;
   },
   /** @param {{ clip: string, frame: number } | null} to */

@@ -2,6 +2,7 @@
    thousands of cells; those of a folded table are made when it opens. */
 import { clientside, register } from "../shared/dash.mjs";
 import { element, find } from "../shared/dom.mjs";
+import * as ids from "./ids.mjs";
 /** @import { Bout, Gait } from "./types.d.ts" */
 
 const MOST_EVENTS = 600;
@@ -63,7 +64,7 @@ function bout(data, one, open) {
 function events(data) {
   const list = element("div", "gait-events");
   for (const [frame, seconds, side, name] of data.events.slice(0, MOST_EVENTS)) {
-    const row = sends(element("button", "gait-event"), "clip-seek", { clip: data.clip, frame });
+    const row = sends(element("button", "gait-event"), ids.CLIP_SEEK, { clip: data.clip, frame });
     row.append(element("span", "number", seconds), element("span", "muted number", `frame ${frame}`),
       element("span", `side-${side}`, side[0].toUpperCase() + side.slice(1)), element("span", "", name));
     list.append(row);
@@ -76,7 +77,7 @@ function events(data) {
 register("gait", {
   /** @param {Gait | null} data */
   draw(data) {
-    const place = find("clip-gait");
+    const place = find(ids.CLIP_GAIT);
     if (!place) return clientside.no_update;
     if (!data) place.replaceChildren();
     else if (data.why) place.replaceChildren(element("div", "muted", data.why));

@@ -1,15 +1,17 @@
 /* Pointer and keys on the chart of the Clip page: moments, ranges, zoom. */
 import { changeView, setStore } from "../shared/dash.mjs";
 import { closest, find, targetOf } from "../shared/dom.mjs";
+import { SELECTION } from "../shared/ids.mjs";
 import { clamp } from "../shared/numbers.mjs";
 import { player } from "../stage/player.mjs";
 import { at, chartPlot, chosenRange, frameNow, placeMarks, seekFrame } from "./cursor.mjs";
+import * as ids from "./ids.mjs";
 import { spanWithin } from "./zoom.mjs";
 /** @import { Plot, Range, Spot } from "./types.d.ts" */
 
 const CLOSE = 4; // pixels that a click may wander
 /** The chart's box around the target of an event. @param {EventTarget | null} target */
-const box = (target) => closest({ target }, "#clip-box");
+const box = (target) => closest({ target }, `#${ids.CLIP_BOX}`);
 /** What is pressed now. @type {Spot & { id: number, grip: boolean, moved: boolean } | null} */
 let press = null;
 
@@ -21,7 +23,7 @@ const inside = (plot, x, y) => x >= plot.left - 6 && x <= plot.left + plot.width
 /** @param {PointerEvent | WheelEvent} event */
 function locate(event) {
   const plot = chartPlot();
-  const area = find("clip-box");
+  const area = find(ids.CLIP_BOX);
   if (!plot || !area) return null;
   const { left, top } = area.getBoundingClientRect();
   return { plot, x: event.clientX - left, y: event.clientY - top };
@@ -92,7 +94,7 @@ document.addEventListener("pointerout", (event) => {
 /** @param {Range} range */
 function select(range) {
   const [start, end] = range;
-  if (at.shown && end - start >= 2) setStore("selection", { clip: at.shown.clip, start, end });
+  if (at.shown && end - start >= 2) setStore(SELECTION, { clip: at.shown.clip, start, end });
   else placeMarks();
 }
 
@@ -217,7 +219,7 @@ const KEYS = {
   End: () => at.shown && seekFrame(at.shown.frames - 1),
   "[": () => setEnd("start"),
   "]": () => setEnd("end"),
-  Escape: () => at.shown && setStore("selection", { clip: at.shown.clip }),
+  Escape: () => at.shown && setStore(SELECTION, { clip: at.shown.clip }),
   "+": () => zoom("in"),
   "=": () => zoom("in"),
   "-": () => zoom("out"),
@@ -225,7 +227,7 @@ const KEYS = {
   " ": () => player[player.playing ? "pause" : "play"](),
 };
 document.addEventListener("keydown", (event) => {
-  if (targetOf(event).id !== "clip-box" || event.ctrlKey || event.metaKey || event.altKey || !KEYS[event.key]) return;
+  if (targetOf(event).id !== ids.CLIP_BOX || event.ctrlKey || event.metaKey || event.altKey || !KEYS[event.key]) return;
   event.preventDefault();
   KEYS[event.key](event.shiftKey);
 });

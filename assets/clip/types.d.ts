@@ -1,13 +1,7 @@
 // What the server tells the Clip page (webapp/features/clip).
 import type { Standing } from "../stage/types.d.ts";
-
-/** The clip that is shown. */
-export interface ShownClip {
-  dataset: string;
-  clip: string;
-  version: string;
-  frames: number;
-}
+import type { Bout, ClipShown as ShownClip, GaitTable as Gait } from "./ids.mjs";
+export type { Bout, ShownClip, Gait };
 
 /** Frames [start, end). */
 export type Range = [start: number, end: number];
@@ -34,23 +28,6 @@ export interface Spot {
   plot: Plot;
   x: number;
   y: number;
-}
-
-export interface Bout {
-  title: string;
-  facts: string;
-  start: number;
-  end: number;
-  rows: string[][];
-}
-
-/** The gait of a clip, or why it has none. */
-export interface Gait {
-  clip: string;
-  why?: string;
-  head: string[];
-  bouts: Bout[];
-  events: [frame: number, seconds: string, side: string, name: string][];
 }
 
 /** What the Clip page shows now. */

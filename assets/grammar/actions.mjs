@@ -1,6 +1,7 @@
 /* The actions as cards with their posture strips; the occurrences of the chosen one beside them. */
 import { allWithin, element, find, icon, need } from "../shared/dom.mjs";
 import { clock, plural } from "../shared/words.mjs";
+import * as ids from "./ids.mjs";
 import { isFresh, playsSelection, redraw, state } from "./state.mjs";
 /** @import { Action, GrammarData, StringRow } from "./types.d.ts" */
 /** @import { Selection } from "../shared/types.d.ts" */
@@ -52,30 +53,30 @@ const occurrences = (data, id) =>
 
 /** @param {GrammarData} data @param {string | null} order */
 export const drawActions = (data, order) => {
-  const box = find("action-cards");
+  const box = find(ids.ACTION_CARDS);
   if (!box || !isFresh(box, [data.key, data.names, order])) return;
   const sorted = [...data.actions];
   if (order === "count") sorted.sort((a, b) => b.count - a.count);
   if (order === "seconds") sorted.sort((a, b) => b.seconds - a.seconds);
-  if (order === "name") sorted.sort((a, b) => b.named - a.named || a.name.localeCompare(b.name, undefined, { numeric: true }));
+  if (order === "name") sorted.sort((a, b) => Number(b.named) - Number(a.named) || a.name.localeCompare(b.name, undefined, { numeric: true }));
   redraw(box, sorted.map(card));
 };
 
 /** @param {GrammarData} data @param {Selection | null} selection */
 export const drawOccurrences = (data, selection) => {
-  const box = find("occurrences");
+  const box = find(ids.OCCURRENCES);
   if (!box) return;
   const id = selection?.action === undefined ? null : Number(selection.action);
   const known = id === null ? undefined : data.actions?.[id];
   for (const one of allWithin(document, ".action-card")) one.classList.toggle("chosen", known !== undefined && Number(one.dataset.action) === id);
-  need("action-hint").classList.toggle("hidden", Boolean(known));
-  need("action-detail").classList.toggle("hidden", !known);
+  need(ids.ACTION_HINT).classList.toggle("hidden", Boolean(known));
+  need(ids.ACTION_DETAIL).classList.toggle("hidden", !known);
   if (!known || id === null || !isFresh(box, [data.key, data.names, id, selection?.segment])) return;
   const all = occurrences(data, id);
-  need("action-title").textContent = `Action ${id}`;
-  need("action-count").textContent = `${plural(all.length, "time")} in ${plural(known.clips ?? 0, "recording")}`;
+  need(ids.ACTION_TITLE).textContent = `Action ${id}`;
+  need(ids.ACTION_COUNT).textContent = `${plural(all.length, "time")} in ${plural(known.clips ?? 0, "recording")}`;
   const shown = all.slice(0, ROWS).map((one) => occurrence(one, id, String(one[3]) === String(selection?.segment)));
   redraw(box, shown);
   if (all.length > ROWS) box.append(element("div", "muted selection-more", `and ${all.length - ROWS} more, all of them in the recordings above`));
-  playsSelection(need("action-all"), { action: id });
+  playsSelection(need(ids.ACTION_ALL), { action: id });
 };

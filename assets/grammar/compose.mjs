@@ -1,14 +1,17 @@
 /* A new routine: what the link says of it, what the server made of that, and how it plays. */
 import { changeView, clientside, setStore } from "../shared/dash.mjs";
 import { allWithin, closest, element, find, need, setLink, within } from "../shared/dom.mjs";
+import { SELECTION } from "../shared/ids.mjs";
 import { plural } from "../shared/words.mjs";
 import { player } from "../stage/player.mjs";
 import { visited } from "./history.mjs";
+import * as ids from "./ids.mjs";
 import { actionChip, actionOf, downloadQuery, isFresh, redraw, state } from "./state.mjs";
 import { lightTree, showTree } from "./tree.mjs";
 /** @import { Past } from "./history.mjs" */
 /** @import { Composition, RoutineKeys, TreeNode } from "./types.d.ts" */
 /** @import { Selection, View } from "../shared/types.d.ts" */
+/** @import { StageRequest } from "../stage/types.d.ts" */
 
 const KEYS = ["sentence", "pick", "up"];
 const HISTORY = "motionscape-routines";
@@ -28,7 +31,7 @@ const keysOf = (shown) => Object.fromEntries(KEYS.filter((key) => shown?.[key]).
 /** @param {RoutineKeys | undefined} a @param {RoutineKeys | undefined} b */
 const same = (a, b) => KEYS.every((key) => (a?.[key] || "") === (b?.[key] || ""));
 const ready = () => Boolean(now.name) && same(now.asked, keysOf(view));
-const here = () => on && Boolean(find("compose-tree")?.offsetParent); // the page may have gone meanwhile
+const here = () => on && Boolean(find(ids.COMPOSE_TREE)?.offsetParent); // the page may have gone meanwhile
 const onStage = () => String(player.frameOf(0)?.dataset || "").startsWith("~derive~");
 
 /**
@@ -53,7 +56,7 @@ function remember(sentence) {
   try { sessionStorage.setItem(HISTORY, JSON.stringify(past)); } catch { /* private mode: then not after a reload */ }
 }
 
-/** @param {Composition} data */
+/** @param {Composition} data @returns {StageRequest} */
 function request(data) {
   return {
     dataset: data.name ?? "", title: `New routine: ${plural(data.actions.length, "action")}`, layout: "overlay", sync: "start",
@@ -71,7 +74,7 @@ async function play(data, from) {
 
 /** @param {Composition} data */
 function string(data) {
-  const list = need("compose-string");
+  const list = need(ids.COMPOSE_STRING);
   if (!isFresh(list, [data.name, data.actions, state.data.names, now.asked, now.chosen])) return;
   const chips = data.actions.map((id, at) => {
     const line = element("li", "compose-step");
@@ -89,7 +92,7 @@ function string(data) {
 
 /** @param {Composition} data */
 function meters(data) {
-  const box = need("compose-meters");
+  const box = need(ids.COMPOSE_METERS);
   box.classList.toggle("hidden", !data.skate);
   if (!data.skate) return;
   const [source, plain, kept] = data.skate;
@@ -120,13 +123,13 @@ function chosenWords() {
 
 function show() {
   const busy = Boolean(view.sentence) && !same(now.asked, keysOf(view));
-  need("compose-string").classList.toggle("busy", busy);
+  need(ids.COMPOSE_STRING).classList.toggle("busy", busy);
   const error = !busy && now.error;
-  need("compose-error").classList.toggle("hidden", !error);
-  need("compose-error").textContent = error || "";
+  need(ids.COMPOSE_ERROR).classList.toggle("hidden", !error);
+  need(ids.COMPOSE_ERROR).textContent = error || "";
   const there = ready();
-  need("compose-string").dataset.shown = busy ? "" : KEYS.map((key) => now.asked?.[key] || "").join(" ");
-  need("compose-said").textContent = busy ? "Making the routine …" : there
+  need(ids.COMPOSE_STRING).dataset.shown = busy ? "" : KEYS.map((key) => now.asked?.[key] || "").join(" ");
+  need(ids.COMPOSE_SAID).textContent = busy ? "Making the routine …" : there
     ? `${plural(now.actions.length, "action")}, ${now.seconds.toFixed(1)} s. ${now.novel ? "Nobody performed it like this." : "It occurs like this in the recordings."}`
     : error ? "" : "Press New routine: chance makes one that keeps to the rules.";
   for (const name of ["play", "larger", "smaller", "others", "undo", "redo"]) {
@@ -135,19 +138,19 @@ function show() {
     within(document, `[data-compose="${name}"]`).disabled = !usable;
   }
   if (busy && !now.actions) return;
-  need("compose-chosen").textContent = there ? chosenWords() : "";
+  need(ids.COMPOSE_CHOSEN).textContent = there ? chosenWords() : "";
   if (!there) {
-    if (error) for (const id of ["compose-string", "compose-tree"]) { need(id).replaceChildren(); isFresh(need(id), ""); }
+    if (error) for (const id of [ids.COMPOSE_STRING, ids.COMPOSE_TREE]) { need(id).replaceChildren(); isFresh(need(id), ""); }
   } else {
     string(now);
-    showTree(need("compose-tree"), now.svg, choose);
+    showTree(need(ids.COMPOSE_TREE), now.svg, choose);
     meters(now);
   }
-  need("compose-warnings").replaceChildren(...((there && now.warnings) || []).map((text) => element("p", "", text)));
-  setLink("compose-bvh", there && `/api/bvh/${encodeURIComponent(now.name ?? "")}/${encodeURIComponent(now.clip)}`);
-  setLink("compose-json", there && `/api/derivation/${now.name?.split("~")[2]}.json`);
-  setLink("compose-svg", there && `/api/grammar-tree.svg?${downloadQuery(view, { sentence: now.code })}`);
-  need("compose-save").disabled = !there;
+  need(ids.COMPOSE_WARNINGS).replaceChildren(...((there && now.warnings) || []).map((text) => element("p", "", text)));
+  setLink(ids.COMPOSE_BVH, there && `/api/bvh/${encodeURIComponent(now.name ?? "")}/${encodeURIComponent(now.clip)}`);
+  setLink(ids.COMPOSE_JSON, there && `/api/derivation/${now.name?.split("~")[2]}.json`);
+  setLink(ids.COMPOSE_SVG, there && `/api/grammar-tree.svg?${downloadQuery(view, { sentence: now.code })}`);
+  need(ids.COMPOSE_SAVE).disabled = !there;
   for (const button of allWithin(document, ".compose-recipe")) {
     const text = there && now.recipes?.[button.dataset.recipe ?? ""];
     button.disabled = !text;
@@ -181,7 +184,7 @@ const whole = (text, low, high) => Math.min(Math.max(Math.round(Number(text) || 
 /** @type {Record<string, () => void>} */
 const actions = {
   new() {
-    const most = whole(need("compose-most").value, 1, Number(need("compose-most").max));
+    const most = whole(need(ids.COMPOSE_MOST).value, 1, Number(need(ids.COMPOSE_MOST).max));
     const seed = Number((/^random:(\d+)/.exec(view.sentence || "") || [0, past.list.length])[1]) + 1;
     goTo(`random:${seed}:${most}`);
   },
@@ -212,8 +215,8 @@ window.addEventListener("stage-frame", (event) => {
   const at = ours ? now.spans.findIndex(([a, b]) => item.frame >= a && item.frame < b) : -1;
   if (at === lit) return;
   lit = at;
-  lightTree(find("compose-tree"), at);
-  allWithin(document, "#compose-string .compose-step").forEach((step, number) => step.classList.toggle("lit", number === at));
+  lightTree(find(ids.COMPOSE_TREE), at);
+  allWithin(document, `#${ids.COMPOSE_STRING} .compose-step`).forEach((step, number) => step.classList.toggle("lit", number === at));
 });
 
 export const composition = () => ({ on, now, view, ready: ready(), play: () => play(now) });
@@ -222,16 +225,16 @@ export const composition = () => ({ on, now, view, ready: ready(), play: () => p
 export const drawCompose = (data, shown, selection) => {
   view = shown || {};
   const entered = view.show === "compose" && !on;
-  on = view.show === "compose" && Boolean(find("compose-tree"));
+  on = view.show === "compose" && Boolean(find(ids.COMPOSE_TREE));
   if (!on || !state.data.key) return;
   if (!view.sentence) return actions.new();
   const [, , most] = /^random:(\d+):(\d+)/.exec(view.sentence) || [];
-  if (most && document.activeElement?.id !== "compose-most") clientside.set_props("compose-most", { value: Number(most) });
+  if (most && document.activeElement?.id !== ids.COMPOSE_MOST) clientside.set_props(ids.COMPOSE_MOST, { value: Number(most) });
   remember(view.sentence);
   if (data) now = data;
   if (data && data.key !== state.data.key && !data.error) now = /** @type {any} */ ({});
   show();
   if (!ready()) return;
-  if (entered && selection && Object.keys(selection).length) setStore("selection", {});
+  if (entered && selection && Object.keys(selection).length) setStore(SELECTION, {});
   if (!view.alt && (now.name !== played || (entered && !onStage()))) play(now);
 };

@@ -3,6 +3,7 @@ import { changeView, clientside, register } from "../shared/dash.mjs";
 import { find } from "../shared/dom.mjs";
 import { drawActions, drawOccurrences } from "./actions.mjs";
 import { drawCompose } from "./compose.mjs";
+import * as ids from "./ids.mjs";
 import { drawOthers } from "./others.mjs";
 import { drawRoutines } from "./routines.mjs";
 import { drawRules } from "./rules.mjs";
@@ -19,7 +20,7 @@ register("grammar", {
    * @param {unknown} _place
    */
   draw(data, selection, order, _place) {
-    if (!data || !find("grammar-string")) return clientside.no_update;
+    if (!data || !find(ids.GRAMMAR_STRING)) return clientside.no_update;
     state.data = data;
     drawString(data);
     drawActions(data, order);

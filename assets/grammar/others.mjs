@@ -4,9 +4,11 @@ import { element, find } from "../shared/dom.mjs";
 import { plural } from "../shared/words.mjs";
 import { player } from "../stage/player.mjs";
 import { composition, goTo } from "./compose.mjs";
+import * as ids from "./ids.mjs";
 import { actionOf, isFresh, paintAction, state } from "./state.mjs";
 /** @import { OtherWay, OtherWays } from "./types.d.ts" */
 /** @import { View } from "../shared/types.d.ts" */
+/** @import { StageRequest } from "../stage/types.d.ts" */
 
 const LETTERS = "ABCDEFGH";
 let playing = "";
@@ -14,7 +16,7 @@ let playing = "";
 /** @param {OtherWays | null} data @param {View} view */
 const matches = (data, view) => ["sentence", "pick", "up", "alt"].every((key) => (data?.asked?.[key] || "") === (view[key] || ""));
 
-/** @param {OtherWays} data */
+/** @param {OtherWays} data @returns {StageRequest} */
 function request(data) {
   return {
     dataset: data.others[0].name, title: `${plural(data.others.length, "other way")} for ${data.part}`, layout: "side", sync: "start",
@@ -48,7 +50,7 @@ function card(other, i) {
 
 /** @param {OtherWays | null} data @param {View} view */
 export const drawOthers = (data, view) => {
-  const box = find("compose-others");
+  const box = find(ids.COMPOSE_OTHERS);
   if (!box) return;
   const wanted = view.show === "compose" && view.alt;
   box.classList.toggle("hidden", !wanted);

@@ -1,8 +1,10 @@
 /* The routines of the recordings as strings of coloured squares, and the tree of the chosen one. */
 import { changeView, setStore } from "../shared/dash.mjs";
 import { allWithin, closest, element, find, need, setLink } from "../shared/dom.mjs";
+import { SELECTION } from "../shared/ids.mjs";
 import { clock, plural } from "../shared/words.mjs";
 import { ahead } from "../stage/ahead.mjs";
+import * as ids from "./ids.mjs";
 import { actionOf, downloadQuery, isFresh, redraw, state } from "./state.mjs";
 import { lightTree, showTree } from "./tree.mjs";
 /** @import { GrammarData, Routine, ShownRoutine } from "./types.d.ts" */
@@ -41,12 +43,12 @@ function row(routine, number, brief) {
 function play(routine, first = 0, end = routine.leaves.length) {
   const selection = selectionOf(routine, first, end);
   ahead.play(selection);
-  setStore("selection", selection);
+  setStore(SELECTION, selection);
 }
 
 /** @param {ShownRoutine | null} shown @param {GrammarData | null} data @param {View | null} view */
 export const drawRoutines = (shown, data, view) => {
-  const list = find("routine-list");
+  const list = find(ids.ROUTINE_LIST);
   if (!list || !data?.routines) return;
   if (isFresh(list, [data.key, data.names])) {
     const brief = new Map(data.rows.map((clip) => [clip.clip, clip.brief]));
@@ -60,14 +62,14 @@ export const drawRoutines = (shown, data, view) => {
     button.classList.toggle("chosen", here);
     button.setAttribute("aria-pressed", String(here));
   }
-  need("routine-title").textContent = `Routine ${shown.number + 1}`;
-  need("routine-count").textContent = `${routine.clip}, ${plural(routine.actions.length, "action")}`;
-  showTree(need("routine-tree"), shown.svg, ({ first, end }) => play(routine, first, end));
-  setLink("routine-svg", `/api/grammar-tree.svg?${downloadQuery(view, { routine: shown.number })}`);
+  need(ids.ROUTINE_TITLE).textContent = `Routine ${shown.number + 1}`;
+  need(ids.ROUTINE_COUNT).textContent = `${routine.clip}, ${plural(routine.actions.length, "action")}`;
+  showTree(need(ids.ROUTINE_TREE), shown.svg, ({ first, end }) => play(routine, first, end));
+  setLink(ids.ROUTINE_SVG, `/api/grammar-tree.svg?${downloadQuery(view, { routine: shown.number })}`);
 };
 
 document.addEventListener("click", (event) => {
-  if (closest(event, "#routine-play") && now.routine) play(now.routine);
+  if (closest(event, `#${ids.ROUTINE_PLAY}`) && now.routine) play(now.routine);
   const button = closest(event, ".routine-row");
   if (!button) return;
   const number = Number(button.dataset.routine);
@@ -76,7 +78,7 @@ document.addEventListener("click", (event) => {
 });
 
 window.addEventListener("stage-frame", (event) => {
-  const box = find("routine-tree");
+  const box = find(ids.ROUTINE_TREE);
   if (!box?.offsetParent || !now.routine) return;
   const item = event.detail.items[0];
   const here = item && item.clip === now.routine.clip && item.dataset === state.data.dataset;

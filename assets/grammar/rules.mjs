@@ -1,6 +1,7 @@
 /* The rules in plain words: a routine is one of these ways, and so is each phrase it is made of. */
 import { allWithin, closest, element, find, need } from "../shared/dom.mjs";
 import { plural } from "../shared/words.mjs";
+import * as ids from "./ids.mjs";
 import { actionChip, isFresh, state } from "./state.mjs";
 /** @import { GrammarData, Phrase, Way } from "./types.d.ts" */
 
@@ -70,7 +71,7 @@ function card(phrase, start) {
 
 /** @param {GrammarData} data */
 export const drawRules = (data) => {
-  const box = find("grammar-rules");
+  const box = find(ids.GRAMMAR_RULES);
   if (!box || !isFresh(box, [data.key, data.names])) return;
   open.clear();
   box.replaceChildren(...data.rules.map((phrase, number) => card(phrase, number === 0)));

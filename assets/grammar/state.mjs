@@ -1,5 +1,6 @@
 // What the Grammar page shows now, and the pieces that all its parts draw with.
 import { allWithin, element } from "../shared/dom.mjs";
+import { SELECTION } from "../shared/ids.mjs";
 import { plural } from "../shared/words.mjs";
 /** @import { Action, DrawnBox, GrammarData } from "./types.d.ts" */
 /** @import { Selection, View } from "../shared/types.d.ts" */
@@ -17,7 +18,7 @@ export const actionOf = (id) => (state.data.actions || [])[id] || { id, name: `A
  * @param {Selection | null} selection
  */
 export const playsSelection = (button, selection) => {
-  button.dataset.store = "selection";
+  button.dataset.store = SELECTION;
   button.dataset.value = JSON.stringify(selection);
   return button;
 };

@@ -2,6 +2,7 @@
 import { allWithin, around, childrenOf, closest, element, find } from "../shared/dom.mjs";
 import { clock } from "../shared/words.mjs";
 import { player } from "../stage/player.mjs";
+import * as ids from "./ids.mjs";
 import { actionOf, isFresh, paintAction, playsSelection } from "./state.mjs";
 /** @import { GrammarData, Piece, StringRow } from "./types.d.ts" */
 /** @import { Selection } from "../shared/types.d.ts" */
@@ -68,7 +69,7 @@ function row(clip, longest) {
 
 /** @param {GrammarData} data */
 export const drawString = (data) => {
-  const box = find("grammar-string");
+  const box = find(ids.GRAMMAR_STRING);
   if (!box || !isFresh(box, [data.key, data.names])) return;
   const longest = Math.max(...data.rows.map((clip) => clip.seconds), 1e-3);
   box.replaceChildren(...data.rows.map((clip) => row(clip, longest)));
@@ -80,7 +81,7 @@ export const drawString = (data) => {
  */
 export const markChosen = (selection) => {
   const chosen = selection?.action === undefined ? null : String(selection.action);
-  const box = find("grammar-string");
+  const box = find(ids.GRAMMAR_STRING);
   if (!box) return;
   box.classList.toggle("one-action", chosen !== null);
   for (const made of allWithin(box, ".string-block")) {
@@ -94,7 +95,7 @@ export const markChosen = (selection) => {
 document.addEventListener("keydown", (event) => {
   const at = closest(event, ".string-block");
   if (!at) return;
-  const lines = allWithin(around(at, "#grammar-string"), ".string-blocks");
+  const lines = allWithin(around(at, `#${ids.GRAMMAR_STRING}`), ".string-blocks");
   const siblings = /** @type {any} */ (at.parentNode);
   const line = lines.indexOf(siblings);
   const blocks = allWithin(siblings, ".string-block");
@@ -117,7 +118,7 @@ document.addEventListener("keydown", (event) => {
 const LARGEST = 32;
 document.addEventListener("click", (event) => {
   const button = closest(event, ".string-zoom");
-  const box = button && find("grammar-string");
+  const box = button && find(ids.GRAMMAR_STRING);
   if (!box) return;
   const before = Number(box.dataset.zoom || 1);
   const zoom = Math.min(Math.max(before * (button.dataset.zoom === "in" ? 2 : 0.5), 1), LARGEST);
@@ -141,7 +142,7 @@ function follow(box, line) {
 /** @type {HTMLElement[]} */
 let lit = [];
 function cursor() {
-  const box = find("grammar-string");
+  const box = find(ids.GRAMMAR_STRING);
   if (!box || !box.offsetParent) return;
   for (const line of lit) line.style.display = "";
   lit = [];

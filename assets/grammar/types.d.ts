@@ -1,74 +1,10 @@
 // What the server tells the Grammar page (webapp/features/grammar).
 import type { Span } from "../stage/types.d.ts";
-
-export interface Action {
-  id: number;
-  name: string;
-  short: string;
-  colour: string;
-  ink?: string;
-  hint?: string;
-  label?: string;
-  named: number;
-  strip?: string;
-  clips?: number;
-  count: number;
-  seconds: number;
-}
+import type { Action, GrammarData, Other as OtherWay, Part as ChosenPart, Phrase, Routine, RoutineData as ShownRoutine, Row as StringRow, Way } from "./ids.mjs";
+export type { Action, GrammarData, OtherWay, ChosenPart, Phrase, Routine, ShownRoutine, StringRow, Way };
 
 /** Seconds from and to, the action, and its number among the action's occurrences. */
-export type Piece = [start: number, end: number, action: number, number: number];
-
-/** A recording as a string of actions. */
-export interface StringRow {
-  clip: string;
-  brief: string;
-  seconds: number;
-  fps: number;
-  pieces: Piece[];
-  cuts: number[];
-  labels: [start: number, end: number, name: string][];
-}
-
-export interface Routine {
-  clip: string;
-  seconds: [number, number];
-  actions: number[];
-  leaves: [number, number][];
-}
-
-/** One way in which a phrase goes: actions by number, phrases by name. */
-export interface Way {
-  parts: (number | string)[];
-  count: number;
-}
-
-export interface Phrase {
-  id: string;
-  name: string;
-  seen: number;
-  cyclic: boolean;
-  ways: Way[];
-}
-
-/** A result. */
-export interface GrammarData {
-  key: string;
-  dataset: string;
-  version: string;
-  names: string;
-  actions: Action[];
-  rows: StringRow[];
-  rules: Phrase[];
-  routines: Routine[];
-}
-
-/** The tree of a routine of the recordings. */
-export interface ShownRoutine {
-  key: string;
-  number: number;
-  svg: string;
-}
+export type Piece = StringRow["pieces"][number];
 
 /** A node of a tree that was chosen. */
 export interface TreeNode {
@@ -76,16 +12,6 @@ export interface TreeNode {
   first: number;
   end: number;
   leaf: boolean;
-}
-
-export interface ChosenPart {
-  name: string;
-  first: number;
-  end: number;
-  ways: number;
-  varies: boolean;
-  larger: boolean;
-  smaller: boolean;
 }
 
 /** Which routine was asked for: sentence, pick, up, alt. */
@@ -113,20 +39,6 @@ export interface Composition {
   jump: boolean;
   warnings?: string[];
   recipes?: Record<string, string>;
-}
-
-/** One other way for the chosen part. */
-export interface OtherWay {
-  name: string;
-  clip: string;
-  code: string;
-  actions: number[];
-  first: number;
-  end: number;
-  start: number;
-  stop: number;
-  seconds: number;
-  bands: Span[];
 }
 
 export interface OtherWays {

@@ -2,6 +2,7 @@
    that has begun, and the keyboard's focus, away with it. */
 import { clientside, register } from "../shared/dash.mjs";
 import { allWithin, childrenOf, element, icon, need, within } from "../shared/dom.mjs";
+import * as ids from "./ids.mjs";
 /** @import { Job } from "./types.d.ts" */
 /** @import { Child } from "../shared/dom.mjs" */
 
@@ -15,7 +16,7 @@ import { allWithin, childrenOf, element, icon, need, within } from "../shared/do
 function button(action, job, className, ...children) {
   const made = element("button", "job-button " + className, ...children);
   made.type = "button";
-  made.dataset.store = "job-action";
+  made.dataset.store = ids.JOB_ACTION;
   made.dataset.value = JSON.stringify({ action, job });
   made.dataset.stamp = "yes";
   return made;
@@ -65,7 +66,7 @@ function failed({ id, title, error }) {
 register("jobs", {
   /** @param {Job[] | null} jobs */
   show(jobs) {
-    const box = need("job-list");
+    const box = need(ids.JOB_LIST);
     const wanted = (jobs || []).map((job) => /** @type {[string, Job]} */ ([job.error ? `${job.id} failed` : String(job.id), job]));
     const names = new Set(wanted.map(([name]) => name));
     for (const row of childrenOf(box)) if (!names.has(row.dataset.job ?? "")) row.remove();

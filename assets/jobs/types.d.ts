@@ -1,10 +1,5 @@
 // What the server tells of its jobs (webapp/jobs).
+import type { JobRow } from "./ids.mjs";
 
-export interface Job {
-  id: number;
-  title: string;
-  stage: string;
-  percent: number | null;
-  stopping: boolean;
-  error?: string;
-}
+export type Job = Required<Omit<JobRow, "error">> & Pick<JobRow, "error">;
+

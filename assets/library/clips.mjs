@@ -2,6 +2,7 @@
 import { changeView, clientside, openPage, register, setStore } from "../shared/dash.mjs";
 import { allWithin, closest } from "../shared/dom.mjs";
 import { cellRenderers, reactElement } from "../shared/grid.mjs";
+import { SELECTION } from "../shared/ids.mjs";
 /** @import { View } from "../shared/types.d.ts" */
 
 /** @type {Record<string, string>} */
@@ -22,7 +23,7 @@ cellRenderers.Mark = (props) =>
 // Like dcc.Link: another page without loading the app again. What is shown there is the selection.
 /** @param {string | undefined} clip */
 function open(clip) {
-  setStore("selection", { clip });
+  setStore(SELECTION, { clip });
   openPage("/clip");
 }
 document.addEventListener("click", (event) => {

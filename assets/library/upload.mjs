@@ -2,6 +2,7 @@
 import { clientside, register, setStore } from "../shared/dash.mjs";
 import { childrenOf, closest, find, need } from "../shared/dom.mjs";
 import { freshBatch, kinds, refuse, sizeInWords, takeFiles } from "./batch.mjs";
+import * as ids from "./ids.mjs";
 /** @import { Batch, FoundFile, Upload } from "./types.d.ts" */
 
 const HEADERS = { "X-Motionscape": "upload" };
@@ -11,7 +12,7 @@ const SHOWN = 400; // rows; beyond these only problems get a row
 let batch = null;
 
 const limits = () => {
-  const data = need("drop-zone").dataset;
+  const data = need(ids.DROP_ZONE).dataset;
   return {
     fileBytes: Number(data.fileBytes), totalBytes: Number(data.totalBytes), files: Number(data.files),
     suffixes: (data.suffixes ?? "").split(" "),
@@ -97,7 +98,7 @@ function next(mine) {
 /* ---- showing ---- */
 /** @param {Batch} mine @param {Upload} item */
 function draw(mine, item) {
-  const list = find("upload-list");
+  const list = find(ids.UPLOAD_LIST);
   if (!list || mine !== batch) return;
   if (!item.row) {
     if (list.childElementCount >= SHOWN && item.state !== "error") { return; }
@@ -115,7 +116,7 @@ function draw(mine, item) {
 }
 /** @param {Batch} mine */
 function summary(mine) {
-  const node = find("upload-summary");
+  const node = find(ids.UPLOAD_SUMMARY);
   if (!node || mine !== batch) return;
   const sent = mine.items.reduce((sum, item) => sum + (item.state === "error" ? 0 : item.sent), 0);
   const bad = mine.items.filter((item) => item.state === "error").length;
@@ -125,15 +126,15 @@ function summary(mine) {
   if (bad) sentences.push(`${bad} left out`);
   if (mine.ignored) sentences.push(`${mine.ignored} other file${mine.ignored > 1 ? "s" : ""} ignored`);
   node.textContent = sentences.join("; ");
-  const bar = find("upload-bar");
+  const bar = find(ids.UPLOAD_BAR);
   if (bar) bar.style.width = (mine.bytes ? Math.min(100, (100 * sent) / mine.bytes) : 0) + "%";
-  need("upload-progress").classList.toggle("hidden", !busy);
+  need(ids.UPLOAD_PROGRESS).classList.toggle("hidden", !busy);
 }
 /** @param {Batch} mine */
 function tell(mine) {
   summary(mine);
   const done = mine.active + mine.queue.length === 0;
-  setStore("upload", { token: mine.token, received: mine.sent, done, name: mine.name, total: mine.items.length, ...kinds(mine) });
+  setStore(ids.UPLOAD, { token: mine.token, received: mine.sent, done, name: mine.name, total: mine.items.length, ...kinds(mine) });
 }
 /** @param {boolean} discard */
 function reset(discard) {
@@ -143,9 +144,9 @@ function reset(discard) {
     if (discard && batch.token) fetch("/api/uploads/" + batch.token, { method: "DELETE", headers: HEADERS }).catch(() => {});
   }
   batch = null;
-  const list = find("upload-list");
+  const list = find(ids.UPLOAD_LIST);
   if (list) list.replaceChildren();
-  const node = find("upload-summary");
+  const node = find(ids.UPLOAD_SUMMARY);
   if (node) node.textContent = "";
 }
 
@@ -168,11 +169,11 @@ document.addEventListener("drop", async (event) => {
   document.documentElement.classList.remove("dragging-files");
   if (!carriesFiles(event)) return;
   event.preventDefault();
-  if (!find("drop-zone")) return;
+  if (!find(ids.DROP_ZONE)) return;
   const card = closest(event, ".dataset-card");
   const files = event.dataTransfer ? await gather(event.dataTransfer) : [];
-  if (!find("upload-list") || !need("upload-list").offsetParent) {
-    setStore("upload-into", { dataset: card ? card.dataset.dataset : "", at: Date.now() });
+  if (!find(ids.UPLOAD_LIST) || !need(ids.UPLOAD_LIST).offsetParent) {
+    setStore(ids.UPLOAD_INTO, { dataset: card?.dataset.dataset ?? "", at: Date.now() });
   }
   whenShown(() => add(files));
 });
@@ -188,7 +189,7 @@ document.addEventListener("click", (event) => {
 });
 /** @param {() => void} then @param {number} [tries] */
 function whenShown(then, tries = 60) {
-  if (find("upload-list")) then();
+  if (find(ids.UPLOAD_LIST)) then();
   else if (tries) setTimeout(() => whenShown(then, tries - 1), 50);
 }
 

@@ -1,11 +1,14 @@
 /* The blend space of a motif: what is chosen and its weights, in the link and on the Stage. blend_controls.mjs draws. */
 import { changeView, clientside, register, setStore } from "../shared/dash.mjs";
 import { closest, find, need, within } from "../shared/dom.mjs";
+import { SELECTION } from "../shared/ids.mjs";
 import { player } from "../stage/player.mjs";
 import { drawControls, updateControls } from "./blend_controls.mjs";
+import * as ids from "./ids.mjs";
 import { evenWeight, inStep, readPairs, rounded, sharesOf, sum, writePairs } from "./mixture.mjs";
 /** @import { BlendData, BlendMotion, Mixture } from "./types.d.ts" */
 /** @import { Selection, View } from "../shared/types.d.ts" */
+/** @import { StageRequest } from "../stage/types.d.ts" */
 
 const OURS = "~blend~";
 const WAIT = 300; // milliseconds without a change before the weights go into the link
@@ -53,6 +56,7 @@ function mixtureName() {
   return `${OURS}${now.data.key}~${now.data.motif}~${writePairs(used.map(([k]) => k), used.map(([, share]) => share))}`;
 }
 
+/** @returns {StageRequest} */
 function request() {
   const { data } = now;
   const made = { dataset: mixtureName(), clip: "blend", label: "Mixture" };
@@ -74,7 +78,7 @@ function play() {
   const mixture = request();
   if (onStage()) player.replace(mixture);
   else player.show(mixture);
-  const link = find("blend-bvh");
+  const link = find(ids.BLEND_BVH);
   if (link) link.setAttribute("href", `/api/bvh/${encodeURIComponent(mixtureName())}/blend`);
 }
 
@@ -156,21 +160,21 @@ document.addEventListener("click", (event) => {
 /** @param {boolean | null} [quiet] */
 function show(quiet) {
   const { data } = now;
-  need("blend-title").textContent = data.title;
+  need(ids.BLEND_TITLE).textContent = data.title;
   const body = data.bodies[now.body];
-  need("blend-count").textContent = `${now.chosen.length} of ${data.total} motions`;
+  need(ids.BLEND_COUNT).textContent = `${now.chosen.length} of ${data.total} motions`;
   const others = data.total - body.motions.length;
-  need("blend-note").textContent = others
+  need(ids.BLEND_NOTE).textContent = others
     ? `${others} of its ${data.total} motions are of other bodies; only motions of one body can be mixed.` : "";
-  drawControls(need("blend-controls"), now, shares(), controlActions);
+  drawControls(need(ids.BLEND_CONTROLS), now, shares(), controlActions);
   if (!quiet) play();
 }
 
 /** @param {string} text */
 function message(text) {
-  need("blend-hint").textContent = text;
-  need("blend-hint").classList.toggle("hidden", !text);
-  need("blend-panel").classList.toggle("hidden", Boolean(text));
+  need(ids.BLEND_HINT).textContent = text;
+  need(ids.BLEND_HINT).classList.toggle("hidden", !text);
+  need(ids.BLEND_PANEL).classList.toggle("hidden", Boolean(text));
 }
 
 /**
@@ -178,7 +182,7 @@ function message(text) {
  * @param {Selection | null} selection
  */
 function leave(selection) {
-  if (now && onStage() && selection) setStore("selection", { ...selection });
+  if (now && onStage() && selection) setStore(SELECTION, { ...selection });
   now = /** @type {any} */ (null);
 }
 
@@ -219,7 +223,7 @@ function take(data, view, selection) {
   } else {
     message("");
     if (!now || `${now.data.key} ${now.data.motif}` !== name) begin(data, view, selection, linked);
-    else if (!need("blend-controls").childElementCount) show(true); // the page came anew
+    else if (!need(ids.BLEND_CONTROLS).childElementCount) show(true); // the page came anew
     else if ((view.weights || "") !== now.written && read(view.weights)) show();
   }
   seen = name;
@@ -237,7 +241,7 @@ register("blend", {
       leave(selection);
       return clientside.no_update;
     }
-    if (!data || !find("blend-panel")) return clientside.no_update;
+    if (!data || !find(ids.BLEND_PANEL)) return clientside.no_update;
     take(data, view, selection);
     return clientside.no_update;
   },

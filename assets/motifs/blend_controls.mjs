@@ -1,6 +1,7 @@
 /* The controls of a blend space: a triangle for three motions, a slider each for two or more than three. */
 import { allWithin, element, find, within, svgElement, withAttributes } from "../shared/dom.mjs";
 import { percent } from "../shared/words.mjs";
+import * as ids from "./ids.mjs";
 import { awayFromCorner, CORNERS, insideWeights, placeOf, weightsAt } from "./triangle.mjs";
 /** @import { Mixture, MixtureActions } from "./types.d.ts" */
 
@@ -129,7 +130,7 @@ export function drawControls(box, state, shares, actions) {
  * @param {number[]} shares
  */
 export function updateControls(state, shares) {
-  const box = find("blend-controls");
+  const box = find(ids.BLEND_CONTROLS);
   if (!box) return;
   allWithin(box, ".blend-row").forEach((made, i) => {
     within(made, ".blend-share").textContent = percent(shares[i]);

@@ -2,6 +2,8 @@
 import { changeView, clientside, register, setStore } from "../shared/dash.mjs";
 import { allWithin, find, svgElement } from "../shared/dom.mjs";
 import { cellRenderers, reactElement } from "../shared/grid.mjs";
+import { SELECTION, STAGE_REQUEST } from "../shared/ids.mjs";
+import * as ids from "./ids.mjs";
 /** @import { Bar, Flow, Ribbon } from "./types.d.ts" */
 /** @import { Selection, View } from "../shared/types.d.ts" */
 
@@ -24,10 +26,10 @@ const drawing = (name, attributes, title) => svgElement(name, attributes, ...(ti
  * @param {number | null} b
  */
 function choose(a, b) {
-  if (a !== null && a !== undefined) return setStore("selection", { motif: a });
+  if (a !== null && a !== undefined) return setStore(SELECTION, { motif: a });
   if (b === null || b === undefined) return;
   changeView({ gained: String(b) });
-  setStore("selection", {});
+  setStore(SELECTION, {});
 }
 
 /**
@@ -84,7 +86,7 @@ function drawRibbon(svg, ribbon, width, changes) {
 }
 
 function draw() {
-  const box = find("compare-flow");
+  const box = find(ids.COMPARE_FLOW);
   if (!box || !shown || !shown.data || !box.clientWidth) return;
   const width = box.clientWidth, { height, bars, ribbons } = shown.data;
   const svg = drawing("svg", { width, height, viewBox: `0 0 ${width} ${height}`, role: "group", "aria-label": "Motion that motifs of both results share" });
@@ -100,7 +102,7 @@ function draw() {
 }
 
 function mark() {
-  const box = find("compare-flow");
+  const box = find(ids.COMPARE_FLOW);
   if (!box || !shown) return;
   const a = String(shown.selection?.motif ?? ""), b = a ? "" : String(shown.gained ?? "");
   /** @param {HTMLElement} node */
@@ -126,7 +128,7 @@ register("compare", {
   /** @param {Flow | null} data @param {Selection | null} selection @param {View | null} view */
   draw(data, selection, view) {
     shown = data && { data, selection, gained: (view || {}).gained };
-    const box = find("compare-flow");
+    const box = find(ids.COMPARE_FLOW);
     if (!data || !box) return clientside.no_update;
     watch(box);
     draw();
@@ -134,7 +136,7 @@ register("compare", {
   },
   /** @param {any} request */
   play(request) {
-    if (request) setStore("stage-request", request);
+    if (request) setStore(STAGE_REQUEST, request);
     return clientside.no_update;
   },
   /** @param {Selection | null} selection @param {View | null} view */

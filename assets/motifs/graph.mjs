@@ -1,13 +1,15 @@
 /* The motif graph: selection, faint rare edges, zoom and pictures. Classes change, elements never do. */
 import { clientside, register, setStore } from "../shared/dash.mjs";
 import { context2d, find } from "../shared/dom.mjs";
+import { SELECTION } from "../shared/ids.mjs";
 import { save } from "../shared/save.mjs";
 import { ahead } from "../stage/ahead.mjs";
+import * as ids from "./ids.mjs";
 import { walking } from "./walk_state.mjs";
 /** @import { Cytoscape, GraphEvent } from "./types.d.ts" */
 /** @import { Selection } from "../shared/types.d.ts" */
 
-const ID = "motif-graph";
+const ID = ids.MOTIF_GRAPH;
 /** Pixels that an arrow key moves the graph. @type {Record<string, [number, number]>} */
 const STEPS = { ArrowLeft: [60, 0], ArrowRight: [-60, 0], ArrowUp: [0, 60], ArrowDown: [0, -60] };
 
@@ -154,8 +156,8 @@ register("graph", {
     const mine = ++taps;
     await ahead.settled(); // first the Stage, then all else that follows from a selection
     if (mine !== taps) return clientside.no_update;
-    if (which.includes("tapNodeData") && node) setStore("selection", { motif: node.motif });
-    else if (which.includes("tapEdgeData") && edge) setStore("selection", { edge: edge.edge });
+    if (which.includes("tapNodeData") && node) setStore(SELECTION, { motif: node.motif });
+    else if (which.includes("tapEdgeData") && edge) setStore(SELECTION, { edge: edge.edge });
     return clientside.no_update;
   },
   /** @param {Selection | null} selection @param {number | null} threshold */
@@ -164,7 +166,7 @@ register("graph", {
     if (!cy) return clientside.no_update;
     watch(cy);
     rasterise(cy);
-    const label = find("edge-filter-label");
+    const label = find(ids.EDGE_FILTER_LABEL);
     if (label) label.textContent = `Successions seen at least ${threshold || 1}×`;
     cy.batch(() => {
       cy.elements().removeClass("chosen near faded rare");

@@ -1,6 +1,8 @@
 /* The motions of what is selected: plain elements, because each Dash component costs the browser milliseconds to take in. */
 import { clientside, register } from "../shared/dash.mjs";
 import { childrenOf, element, find, icon } from "../shared/dom.mjs";
+import { SELECTION } from "../shared/ids.mjs";
+import * as ids from "./ids.mjs";
 /** @import { MotionRow } from "./types.d.ts" */
 
 /**
@@ -11,7 +13,7 @@ function row({ clip, brief, when, strip, selection, chosen }) {
   const button = element("button", "motion-row" + (chosen ? " chosen" : ""));
   button.type = "button";
   button.title = `Play ${clip}, ${when}, alone`;
-  button.dataset.store = "selection";
+  button.dataset.store = SELECTION;
   button.dataset.value = JSON.stringify(selection);
   button.setAttribute("aria-pressed", String(chosen));
   const picture = element("img", "motion-strip");
@@ -23,7 +25,7 @@ function row({ clip, brief, when, strip, selection, chosen }) {
 register("motions", {
   /** @param {{ name?: string, rows?: MotionRow[], more?: number } | null} motions */
   list(motions) {
-    const box = find("motion-list");
+    const box = find(ids.MOTION_LIST);
     if (!box) return clientside.no_update; // it has gone with its page
     const { name = "", rows = [], more = 0 } = motions || {};
     const same = box.dataset.name === name;

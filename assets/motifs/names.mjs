@@ -2,6 +2,7 @@
 import { clientside, register } from "../shared/dash.mjs";
 import { gridApi } from "../shared/grid.mjs";
 import { graphReady } from "./graph.mjs";
+import * as ids from "./ids.mjs";
 
 const LONGEST = 26;
 
@@ -25,7 +26,7 @@ register("names", {
   /** @param {string | null} text @param {Record<string, any>[] | null} rows */
   async search(text, rows) {
     const words = (text || "").toLowerCase().split(/\s+/).filter(Boolean);
-    const api = await gridApi("motif-table");
+    const api = await gridApi(ids.MOTIF_TABLE);
     if (api) api.setGridOption("quickFilterText", text || "");
     const cy = await graphReady(3);
     if (!cy) return clientside.no_update;

@@ -4,6 +4,7 @@ import { find } from "../shared/dom.mjs";
 import { gridApi, gridFunctions } from "../shared/grid.mjs";
 import { percent } from "../shared/words.mjs";
 import { graphReady } from "./graph.mjs";
+import * as ids from "./ids.mjs";
 /** @import { Cytoscape, GraphElements, Stability } from "./types.d.ts" */
 /** @import { Selection } from "../shared/types.d.ts" */
 
@@ -47,9 +48,9 @@ register("stability", {
   /** @param {Stability | null} data @param {unknown} _elements @param {Selection | null} selection */
   async draw(data, _elements, selection) {
     shown = data || null;
-    const legend = find("stability-legend");
+    const legend = find(ids.STABILITY_LEGEND);
     if (legend) legend.classList.toggle("hidden", !shown);
-    const place = find("stability-words");
+    const place = find(ids.STABILITY_WORDS);
     if (place && shown) place.textContent = words((selection || {}).motif);
     const cy = await graphReady();
     if (!cy) return clientside.no_update;
@@ -63,7 +64,7 @@ register("stability", {
   /** @param {Stability | null} data */
   async list(data) {
     shown = data || null;
-    const api = await gridApi("motif-table");
+    const api = await gridApi(ids.MOTIF_TABLE);
     if (!api) return clientside.no_update;
     api.setColumnsVisible(["stability"], Boolean(shown));
     api.refreshCells({ columns: ["stability"], force: true });

@@ -2,8 +2,10 @@
 import { clientside, register } from "../shared/dash.mjs";
 import { allWithin, around, childrenOf, closest, element, find, need } from "../shared/dom.mjs";
 import { drawings } from "../shared/downloads.mjs";
+import { SELECTION } from "../shared/ids.mjs";
 import { clock } from "../shared/words.mjs";
 import { player } from "../stage/player.mjs";
+import * as ids from "./ids.mjs";
 /** @import { TimelineData, TimelineRow } from "./types.d.ts" */
 /** @import { Selection } from "../shared/types.d.ts" */
 
@@ -35,7 +37,7 @@ function motionBlock([start, end, motif, number], motifs, seconds) {
   block.tabIndex = -1;
   block.title = `${name}, motion ${number + 1} of ${motions}, ${clock(start)} to ${clock(end)}`;
   block.setAttribute("aria-label", block.title);
-  block.dataset.store = "selection";
+  block.dataset.store = SELECTION;
   block.dataset.value = JSON.stringify({ motif, motion: number });
   block.dataset.motif = String(motif);
   block.style.setProperty("--tone", tone);
@@ -51,7 +53,7 @@ function row(clip, data, longest, fill) {
   head.type = "button";
   head.title = `Play ${clip.clip}`;
   head.setAttribute("aria-label", `${head.title}, ${Math.round(100 * clip.share)} % in motifs`);
-  head.dataset.store = "selection";
+  head.dataset.store = SELECTION;
   head.dataset.value = JSON.stringify({ clip: clip.clip });
   head.append(element("span", "ellipsis", clip.brief), element("span", "muted number", `${Math.round(100 * clip.share)} %`));
   const track = element("div", "timeline-track");
@@ -137,7 +139,7 @@ document.addEventListener("keydown", move);
 /** @type {HTMLElement[]} */
 let shown = [];
 function cursor() {
-  const box = find("timeline-rows");
+  const box = find(ids.TIMELINE_ROWS);
   if (!box || !box.offsetParent) return;
   const now = new Map();
   for (let i = 0; i < 24; i++) {
@@ -177,7 +179,7 @@ drawings.timeline = () => drawing(chosen);
 
 /** @param {TimelineData | null} data @param {string} order @param {string} scale @param {Selection | null} selection */
 function draw(data, order, scale, selection) {
-  const box = find("timeline-rows");
+  const box = find(ids.TIMELINE_ROWS);
   if (!box || !data) return clientside.no_update;
   const wanted = { data, order, scale, motif: order === "chosen" ? (selection || {}).motif : null };
   const same = drawn && box.firstChild && data === drawn.data && order === drawn.order && scale === drawn.scale && wanted.motif === drawn.motif;
@@ -187,7 +189,7 @@ function draw(data, order, scale, selection) {
     const rows = ordered(data.rows, order, (selection || {}).motif);
     box.classList.toggle("labelled", data.actions.length > 0);
     box.replaceChildren(...rows.map((clip) => row(clip, data, longest, scale === "fill")));
-    legend(need("timeline-legend"), data);
+    legend(need(ids.TIMELINE_LEGEND), data);
   }
   mark(box, selection);
   return clientside.no_update;
@@ -198,7 +200,7 @@ register("timeline", {
   /** @param {Selection | null} selection @param {string} order */
   mark(selection, order) {
     if (drawn && order === "chosen") draw(drawn.data, order, drawn.scale, selection);
-    const box = find("timeline-rows");
+    const box = find(ids.TIMELINE_ROWS);
     if (box) mark(box, selection);
     return clientside.no_update;
   },

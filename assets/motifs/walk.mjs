@@ -2,13 +2,16 @@
    walk_path.mjs draws the path, walk_graph.mjs marks the graph. */
 import { changeView, clientside, register, setStore } from "../shared/dash.mjs";
 import { allWithin, closest, find, need, setLink, targetOf } from "../shared/dom.mjs";
+import { SELECTION } from "../shared/ids.mjs";
 import { ahead } from "../stage/ahead.mjs";
 import { player } from "../stage/player.mjs";
+import * as ids from "./ids.mjs";
 import { lightMotif, markWalk } from "./walk_graph.mjs";
 import { drawPath, lightVisit } from "./walk_path.mjs";
 import { walking } from "./walk_state.mjs";
 /** @import { Walk, WalkKeys } from "./types.d.ts" */
 /** @import { Selection, View } from "../shared/types.d.ts" */
+/** @import { StageRequest } from "../stage/types.d.ts" */
 
 const KEYS = ["walk", "extra", "gaps", "ends", "feet"];
 const OURS = "~walk~";
@@ -33,9 +36,9 @@ const onStage = () => Boolean(player.frameOf(0)?.dataset?.startsWith(OURS));
 /** The motifs as one sees them: of the walk, or of the path that cannot be walked. */
 const motifs = () => now.path || [];
 
-/** @param {number[]} ids @param {View} [more] */
-function write(ids, more = {}) {
-  const text = ids.join("-");
+/** @param {number[]} path @param {View} [more] */
+function write(path, more = {}) {
+  const text = path.join("-");
   if (text.length > LONGEST) return problem({ error: "This path is too long for a link; about a hundred motifs fit." });
   changeView({ walk: text, ...more });
 }
@@ -49,7 +52,7 @@ function add(motif) {
   write([...motifs(), motif]);
 }
 
-/** @param {Walk} data */
+/** @param {Walk} data @returns {StageRequest} */
 function request(data) {
   const shown = data.path.slice(0, 8).join(" → ") + (data.path.length > 8 ? " …" : "");
   return {
@@ -78,7 +81,7 @@ const swap = (data) => {
 
 /** @param {Partial<Walk>} walk */
 function problem({ error, gap, detour }) {
-  const box = need("walk-error");
+  const box = need(ids.WALK_ERROR);
   box.replaceChildren();
   box.classList.toggle("hidden", !error);
   if (!error) return;
@@ -110,7 +113,7 @@ const cm = (metres) => `${(100 * metres).toFixed(1)} cm/s`;
 
 /** @param {Walk} data */
 function meters(data) {
-  const box = need("walk-meters");
+  const box = need(ids.WALK_METERS);
   box.classList.toggle("hidden", !data.name);
   if (!data.name) return;
   const [source, plain, kept] = data.skate;
@@ -156,37 +159,37 @@ function waysText(data) {
 
 function show() {
   const busy = !same(now.asked, keysOf(view));
-  need("walk-path").classList.toggle("busy", busy);
+  need(ids.WALK_PATH).classList.toggle("busy", busy);
   if (busy) {
-    need("walk-hint").textContent = view.walk ? "Making the walk …" : "";
+    need(ids.WALK_HINT).textContent = view.walk ? "Making the walk …" : "";
     return;
   }
   const walks = Boolean(now.name);
-  need("walk-path").dataset.shown = now.asked.walk || "";
-  need("walk-length").textContent = walks ? `${now.path.length} motif${now.path.length > 1 ? "s" : ""}, ${now.seconds.toFixed(1)} s` : "";
-  need("walk-hint").textContent = walks || now.error ? "" : "Click motifs in the graph one after the other, or let chance choose.";
-  need("walk-notes").replaceChildren(...(now.warnings || []).map((text) => Object.assign(document.createElement("p"), { textContent: text })));
-  need("walk-ways").textContent = waysText(now);
-  drawPath(need("walk-path"), now, { write, jump: seekTo });
+  need(ids.WALK_PATH).dataset.shown = now.asked.walk || "";
+  need(ids.WALK_LENGTH).textContent = walks ? `${now.path.length} motif${now.path.length > 1 ? "s" : ""}, ${now.seconds.toFixed(1)} s` : "";
+  need(ids.WALK_HINT).textContent = walks || now.error ? "" : "Click motifs in the graph one after the other, or let chance choose.";
+  need(ids.WALK_NOTES).replaceChildren(...(now.warnings || []).map((text) => Object.assign(document.createElement("p"), { textContent: text })));
+  need(ids.WALK_WAYS).textContent = waysText(now);
+  drawPath(need(ids.WALK_PATH), now, { write, jump: seekTo });
   problem(now);
   meters(now);
   for (const button of allWithin(document, "[data-walk='play']")) button.disabled = !walks;
   for (const button of allWithin(document, "[data-walk='clear']")) button.disabled = !view.walk;
-  setLink("walk-bvh", walks && `/api/bvh/${encodeURIComponent(now.name ?? "")}/walk`);
+  setLink(ids.WALK_BVH, walks && `/api/bvh/${encodeURIComponent(now.name ?? "")}/walk`);
   const recipes = Object.values((walks && now.recipes) || {});
   allWithin(document, ".walk-recipe").forEach((button, i) => {
     button.disabled = !recipes[i];
     button.title = `Copy the walk as ${i ? "a Python script" : "commands"}`;
     button.dataset.copy = recipes[i] || "";
   });
-  setLink("walk-json", walks && `/api/walk/${now.name?.slice(OURS.length)}.json`);
+  setLink(ids.WALK_JSON, walks && `/api/walk/${now.name?.slice(OURS.length)}.json`);
   lists();
   markWalk(now, walking.on, steps);
 }
 
 /** The lists of all motifs, filled once a graph. */
 function lists() {
-  for (const [id, first] of [["walk-add", "a motif …"], ["walk-from", "motif"], ["walk-to", "motif"]]) {
+  for (const [id, first] of [[ids.WALK_ADD, "a motif …"], [ids.WALK_FROM, "motif"], [ids.WALK_TO, "motif"]]) {
     const list = need(id);
     const stamp = `${now.key} ${JSON.stringify(now.motifs)}`;
     if (list.dataset.stamp === stamp) continue;
@@ -215,7 +218,7 @@ window.addEventListener("stage-frame", (event) => {
   const visit = ours ? now.visits.findIndex(([a, b]) => item.frame >= a && item.frame < b) : -1;
   if (visit === lit) return;
   lit = visit;
-  lightVisit(find("walk-path"), visit);
+  lightVisit(find(ids.WALK_PATH), visit);
   lightMotif(visit < 0 ? null : now.path[visit]);
 });
 
@@ -228,8 +231,8 @@ const actions = {
   random() {
     /** @param {string} id @param {number} low @param {number} high */
     const whole = (id, low, high) => Math.min(Math.max(Math.round(Number(need(id).value) || low), low), high);
-    const seconds = whole("walk-seconds", 1, Number(need("walk-seconds").max));
-    let seed = whole("walk-seed", 0, 999999999);
+    const seconds = whole(ids.WALK_SECONDS, 1, Number(need(ids.WALK_SECONDS).max));
+    let seed = whole(ids.WALK_SEED, 0, 999999999);
     if (view.walk === `random:${seconds}:${seed}`) seed += 1;
     changeView({ walk: `random:${seconds}:${seed}` });
   },
@@ -237,8 +240,8 @@ const actions = {
 
 /** @param {string} by */
 function between(by) {
-  const [from, to] = ["walk-from", "walk-to"].map((id) => need(id).value);
-  const missing = ["walk-from", "walk-to"].find((id) => !need(id).value);
+  const [from, to] = [ids.WALK_FROM, ids.WALK_TO].map((id) => need(id).value);
+  const missing = [ids.WALK_FROM, ids.WALK_TO].find((id) => !need(id).value);
   if (missing) return need(missing).focus();
   changeView({ walk: `${by}:${from}:${to}` });
 }
@@ -248,7 +251,7 @@ document.addEventListener("click", (event) => {
   if (button && !button.disabled && walking.on) actions[button.dataset.walk ?? ""]();
 });
 document.addEventListener("change", (event) => {
-  if (targetOf(event).id !== "walk-add" || !targetOf(event).value) return;
+  if (targetOf(event).id !== ids.WALK_ADD || !targetOf(event).value) return;
   add(Number(targetOf(event).value));
   targetOf(event).value = "";
 });
@@ -259,7 +262,7 @@ function leave(selection) {
   walking.on = false;
   lit = -1;
   markWalk({}, false, steps);
-  if (onStage() && selection && Object.keys(selection).length) setStore("selection", { ...selection });
+  if (onStage() && selection && Object.keys(selection).length) setStore(SELECTION, { ...selection });
 }
 
 /** What clicks in the graph do. */
@@ -283,7 +286,7 @@ const steps = {
 // boxes and arrows are then steps of the walk, not selections to be played
 ahead.unless((selection) => walking.on && (selection.edge !== undefined || (selection.motif !== undefined && selection.motion === undefined)));
 
-const OPTIONS = { extra: "walk-extra", gaps: "walk-bridge", ends: "walk-stop", feet: "walk-feet" };
+const OPTIONS = { extra: ids.WALK_EXTRA, gaps: ids.WALK_BRIDGE, ends: ids.WALK_STOP, feet: ids.WALK_FEET };
 /** Whether a switch is on for a value of the link. @type {Record<string, (value: string | undefined) => boolean>} */
 const checkedFor = { /** @param {string | undefined} v */
 extra: (v) => v === "1", /** @param {string | undefined} v */
@@ -302,14 +305,14 @@ register("walk", {
   draw(data, shown, _id, _elements, selection) {
     view = shown || {};
     if (view.side !== "walk") return leave(selection), clientside.no_update;
-    if (!find("walk-path")) return clientside.no_update;
+    if (!find(ids.WALK_PATH)) return clientside.no_update;
     const entered = !walking.on;
     walking.on = true;
     for (const [key, id] of Object.entries(OPTIONS)) clientside.set_props(id, { checked: checkedFor[key](view[key]) });
     const [, seconds, seed] = /^random:([\d.]+):(\d+)/.exec(view.walk || "") || [];
     if (seed) {
-      clientside.set_props("walk-seconds", { value: Number(seconds) });
-      clientside.set_props("walk-seed", { value: Number(seed) });
+      clientside.set_props(ids.WALK_SECONDS, { value: Number(seconds) });
+      clientside.set_props(ids.WALK_SEED, { value: Number(seed) });
     }
     if (!data) return clientside.no_update;
     const before = now;
@@ -318,7 +321,7 @@ register("walk", {
     if (!now.name || !same(now.asked, keysOf(view))) return clientside.no_update;
     const chosen = selection && Object.keys(selection).length > 0;
     if (entered && chosen && !before.key) return clientside.no_update; // the link is of the selection
-    if (entered && chosen) setStore("selection", {});
+    if (entered && chosen) setStore(SELECTION, {});
     if (now.name !== played || (entered && !onStage())) {
       const feet = before.name && before.frames === now.frames && String(before.path) === String(now.path) && onStage();
       if (feet) swap(now);

@@ -1,7 +1,9 @@
 /* The side of the map: the posture under the pointer, the key sequence, how far keys reach, and the hits. */
 import { allWithin, childrenOf, element, find, icon, targetOf } from "../shared/dom.mjs";
+import { SELECTION } from "../shared/ids.mjs";
 import { clock } from "../shared/words.mjs";
 import { figurePicture } from "./figure.mjs";
+import * as ids from "./ids.mjs";
 import { editPosture } from "./posture_editor.mjs";
 /** @import { MapData } from "./data.mjs" */
 /** @import { Facts, Hit } from "./types.d.ts" */
@@ -29,7 +31,7 @@ const short = (seconds) => (seconds >= 10 ? seconds.toFixed(0) : seconds.toFixed
  * @param {Facts | null} [facts]
  */
 export function drawPreview(map, node, facts) {
-  const box = find("map-preview");
+  const box = find(ids.MAP_PREVIEW);
   if (!box) return;
   if (node < 0) {
     box.replaceChildren(element("p", "muted map-hint", "Point at the map to see a posture. Click postures in the order in which they should come."));
@@ -64,7 +66,7 @@ function caption(map, node, facts) {
  * @param {(keys: number[], focus?: number) => void} change
  */
 export function drawStrip(map, keys, change) {
-  const box = find("map-keys");
+  const box = find(ids.MAP_KEYS);
   if (!box) return;
   const focused = childrenOf(box).indexOf(/** @type {any} */ (document.activeElement?.closest(".map-key-card")));
   /** @param {number} from @param {number} to */
@@ -120,7 +122,7 @@ const hitsInWords = (n, keys) => (!keys.length ? "" : n === 1 ? "1 hit" : `${n} 
 
 /** @param {number} n @param {unknown[]} keys @param {number} files */
 export function drawCount(n, keys, files) {
-  const box = find("map-count");
+  const box = find(ids.MAP_COUNT);
   if (box) box.textContent = hitsInWords(n, keys) + (n ? ` in ${files} clip${files === 1 ? "" : "s"}` : "");
 }
 
@@ -133,7 +135,7 @@ let later = 0;
  * @param {{ dataset: string, version: string, chosen: Selection | null }} shown
  */
 export function drawHits(map, hits, keys, { dataset, version, chosen }) {
-  const box = find("map-hits");
+  const box = find(ids.MAP_HITS);
   if (!box) return;
   clearTimeout(later);
   if (!hits.length) {
@@ -149,7 +151,7 @@ export function drawHits(map, hits, keys, { dataset, version, chosen }) {
     const { fps } = map.clips[hit.clip];
     const made = element("button", "motion-row map-hit");
     made.type = "button";
-    made.dataset.store = "selection";
+    made.dataset.store = SELECTION;
     made.dataset.value = JSON.stringify(segment);
     const on = chosen !== null && chosen.clip === segment.clip && chosen.start === segment.start && chosen.end === segment.end;
     made.classList.toggle("chosen", on);

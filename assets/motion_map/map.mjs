@@ -1,8 +1,10 @@
 /* The Map page: what is chosen on the map, from the link and back into it; everything a click changes is changed here. */
 import { changeView, clientside, notify, register, setStore } from "../shared/dash.mjs";
 import { childrenOf, closest, find, need } from "../shared/dom.mjs";
+import { STAGE_REQUEST } from "../shared/ids.mjs";
 import { player } from "../stage/player.mjs";
 import { loadMap } from "./data.mjs";
+import * as ids from "./ids.mjs";
 import { drawCount, drawHits, drawPreview, drawStrip, markHit } from "./keys.mjs";
 import { paceOf, readKeys, readNumber, writeKeys } from "./link.mjs";
 import { Overlay } from "./overlay.mjs";
@@ -11,7 +13,7 @@ import { editPosture } from "./posture_editor.mjs";
 import { state } from "./state.mjs";
 /** @import { KnownMap, Point } from "./types.d.ts" */
 /** @import { Selection, View } from "../shared/types.d.ts" */
-/** @import { Standing } from "../stage/types.d.ts" */
+/** @import { StageRequest, Standing } from "../stage/types.d.ts" */
 
 /** @type {View} */
 const USUAL = { colour: "height", click: "keys", pace: "any", way: "any" };
@@ -19,7 +21,7 @@ let live = 0;
 
 /** @param {Record<string, string>} change */
 const put = (change) => changeView({ ...change, at: Date.now() });
-const page = () => find("map-plot");
+const page = () => find(ids.MAP_PLOT);
 
 // ---- drawing ----
 function drawKeys() {
@@ -34,7 +36,7 @@ function search() {
   const { map, keys, reach, pace, path } = state;
   if (!path) state.hits = map.search(keys, reach, pace);
   drawCount(state.hits.length, path ? [path] : keys, new Set(state.hits.map((hit) => hit.clip)).size);
-  const all = find("map-play-all");
+  const all = find(ids.MAP_PLAY_ALL);
   if (all) all.disabled = state.hits.length === 0;
   return state.hits;
 }
@@ -100,7 +102,7 @@ export function setKeys(keys, focus) {
   }
   state.keys = keys.slice(0, 20);
   drawStrip(state.map, state.keys, setKeys);
-  if (focus !== undefined) childrenOf(need("map-keys"))[focus]?.focus();
+  if (focus !== undefined) childrenOf(need(ids.MAP_KEYS))[focus]?.focus();
   refresh();
   put({ keys: writeKeys(state.keys, state.map), drawn: "" });
 }
@@ -112,7 +114,7 @@ function setReach(reach, done) {
   if (done) put({ within: reach ? reach.toFixed(2) : "" });
 }
 function showReach() {
-  const slider = find("map-reach"), label = find("map-reach-value");
+  const slider = find(ids.MAP_REACH), label = find(ids.MAP_REACH_VALUE);
   if (!slider || !label || !state.map) return;
   slider.max = String(state.map.reach);
   slider.value = String(state.reach);
@@ -140,9 +142,9 @@ function mount() {
     path: drawn,
   });
   state.follower = new Follower(state.overlay);
-  const slider = Object.assign(document.createElement("input"), { type: "range", id: "map-reach", className: "map-slider", min: 0, step: 0.01, value: 0 });
-  slider.setAttribute("aria-labelledby", "map-reach-label");
-  need("map-reach-box").replaceChildren(slider);
+  const slider = Object.assign(document.createElement("input"), { type: "range", id: ids.MAP_REACH, className: "map-slider", min: 0, step: 0.01, value: 0 });
+  slider.setAttribute("aria-labelledby", ids.MAP_REACH_LABEL);
+  need(ids.MAP_REACH_BOX).replaceChildren(slider);
   slider.addEventListener("input", () => state.map && setReach(Number(slider.value), false));
   slider.addEventListener("change", () => state.map && setReach(Number(slider.value), true));
   new ResizeObserver(() => requestAnimationFrame(fit)).observe(box);
@@ -163,7 +165,7 @@ function show(view) {
   if (!map || !mount()) return;
   const keys = readKeys(view.keys, map), reach = Math.min(readNumber(view.within, 0), map.reach), pace = paceOf(view);
   state.mode = ["regions", "draw"].includes(view.click) ? view.click : "keys";
-  need("map-plot").dataset.mode = state.mode;
+  need(ids.MAP_PLOT).dataset.mode = state.mode;
   const region = readNumber(view.region, -1);
   state.overlay.squares("region", region < 0 ? [] : [...map.regions.keys()].filter((node) => map.regions[node] === region));
   const path = view.drawn || "";
@@ -211,8 +213,9 @@ function playAll() {
   if (!items.length) return;
   const { dataset, version } = state.known;
   const title = `${items.length} of ${state.hits.length} hits`;
+  /** @type {StageRequest} */
   const request = { dataset, version, items, title, layout: "overlay", sync: "start" };
-  setStore("stage-request", request);
+  setStore(STAGE_REQUEST, request);
   player.show(request);
 }
 

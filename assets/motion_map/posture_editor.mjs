@@ -1,5 +1,6 @@
 /* A posture shaped by hand: joints are dragged in three views, bones keep their lengths, and the nearest node follows. */
 import { allWithin, closest, element, need, svgElement, within } from "../shared/dom.mjs";
+import { SHELL } from "../shared/ids.mjs";
 import { dragJoint } from "./bones.mjs";
 import { drawFigure, figurePicture, jointOf, VIEWS } from "./figure.mjs";
 import { state } from "./state.mjs";
@@ -51,7 +52,7 @@ function dialog() {
   }
   foot.append(nearest, status, actions);
   box.append(title, hint, views, foot);
-  need("shell").append(box);
+  need(SHELL).append(box);
   listen(box);
   return box;
 }

@@ -1,4 +1,6 @@
 // A motion map: what its file holds, and what is searched on it.
+import type { Facts, KnownMap } from "./ids.mjs";
+export type { Facts, KnownMap };
 
 export type Point = number[];
 
@@ -41,20 +43,6 @@ export interface ClipSegment {
   clip: string;
   start: number;
   end: number;
-}
-
-/** What the server knows of nodes: seconds of each label. */
-export interface Facts {
-  names: string[];
-  labels: [number, number][][];
-}
-
-/** The store "map": which map the page shows. */
-export interface KnownMap {
-  key: string;
-  dataset: string;
-  version: string;
-  facts: Facts;
 }
 
 /** A way over the map, a point every `step` frames from `start` on. */

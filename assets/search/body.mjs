@@ -1,5 +1,6 @@
 /* The body diagram: parts are clicked and weighted; of a query in pieces, given to the piece that is active. */
 import { allWithin, closest, element, find, need, svgElement, targetOf, within } from "../shared/dom.mjs";
+import * as ids from "./ids.mjs";
 import { changeSearch, copyPieces, now, searchFor } from "./state.mjs";
 import { EVEN, evenWeights, readWeights, sameWeights, writeWeights } from "./weights.mjs";
 /** @import { Weights } from "./types.d.ts" */
@@ -44,7 +45,7 @@ function send() {
 function put(leaf, value) {
   raw[leaf] = Math.min(Math.max(value, 0), MOST);
   paint();
-  need("search-body").classList.toggle("search-none", total() === 0);
+  need(ids.SEARCH_BODY).classList.toggle("search-none", total() === 0);
   send();
 }
 
@@ -130,7 +131,7 @@ function build(box) {
 }
 
 function paint() {
-  const box = need("search-body");
+  const box = need(ids.SEARCH_BODY);
   const pieces = (now.found && now.found.pieces) || [];
   /** @param {string} leaf */
   const owner = (leaf) => pieces.findIndex((piece) => piece.leaves.includes(leaf));
@@ -179,7 +180,7 @@ function paint() {
 }
 
 export const drawBody = () => {
-  const box = find("search-body");
+  const box = find(ids.SEARCH_BODY);
   if (!box) return;
   if (!box.firstChild) {
     build(box);
@@ -246,7 +247,7 @@ document.addEventListener("click", (event) => {
   const part = closest(event, ".search-part");
   if (part) press(part.dataset.part ?? "", event.shiftKey);
   const chosen = closest(event, "[data-mode]");
-  if (chosen && chosen.closest("#search-body")) {
+  if (chosen && chosen.closest(`#${ids.SEARCH_BODY}`)) {
     mode = chosen.dataset.mode ?? "weights";
     paint();
   }

@@ -1,8 +1,10 @@
 /* The ranked hits: a row each with its pictures and score, and the strip that shows which parts match when. */
 import { changeView, notify, setStore } from "../shared/dash.mjs";
 import { allWithin, around, closest, context2d, element, find, hasClass, icon, need, targetOf, within } from "../shared/dom.mjs";
+import { SELECTION, STAGE_REQUEST } from "../shared/ids.mjs";
 import { player } from "../stage/player.mjs";
 import { counts, lightPart } from "./body.mjs";
+import * as ids from "./ids.mjs";
 import { now, searchAddress } from "./state.mjs";
 /** @import { Found, Hit, HitRow, Reason, Strip } from "./types.d.ts" */
 /** @import { StageRequest } from "../stage/types.d.ts" */
@@ -164,9 +166,9 @@ function head(box, found) {
 
 let drawn = "";
 export const drawHits = () => {
-  const box = find("search-hits");
+  const box = find(ids.SEARCH_HITS);
   if (!box) return;
-  const title = need("search-hits-head"), error = need("search-error");
+  const title = need(ids.SEARCH_HITS_HEAD), error = need(ids.SEARCH_ERROR);
   const found = now.found || {};
   error.textContent = found.error || "";
   error.classList.toggle("hidden", !found.error);
@@ -249,8 +251,8 @@ function put(request, first) {
   const paired = (stage.layout === "side" || stage.layout === "overlay") && !first && last > 1;
   const layout = request.items.length > 1 && paired ? stage.layout : request.layout;
   last = request.items.length;
-  if (Object.keys(now.selection).length) setStore("selection", {});
-  setStore("stage-request", { ...request, layout });
+  if (Object.keys(now.selection).length) setStore(SELECTION, {});
+  setStore(STAGE_REQUEST, { ...request, layout });
 }
 let last = 0; // figures that were shown before
 
@@ -258,11 +260,11 @@ let last = 0; // figures that were shown before
 export const seekPiece = (index, frame) => {
   const piece = now.found.pieces[index];
   const inside = player.seek({ clip: piece.clip, frame, dataset: piece.source });
-  if (!inside) setStore("stage-request", { ...now.found.request, at: undefined });
+  if (!inside) setStore(STAGE_REQUEST, { ...now.found.request, at: undefined });
 };
 
 window.addEventListener("stage-frame", (event) => {
-  if (!find("search-hits") || !now.found || !now.found.pieces) return;
+  if (!find(ids.SEARCH_HITS) || !now.found || !now.found.pieces) return;
   const { items, time, duration } = event.detail;
   const share = duration ? time / duration : 0;
   allWithin(document, ".search-hit .search-why-cursor").forEach((line) => {
@@ -286,7 +288,7 @@ window.addEventListener("stage-frame", (event) => {
 document.addEventListener("click", (event) => {
   const open = closest(event, ".search-open");
   if (open) {
-    const { hit } = around(open, ".search-hit").dataset;
+    const { hit = "" } = around(open, ".search-hit").dataset;
     changeView({ hit: hit === now.view.hit ? "" : hit });
   }
   const why = closest(event, ".search-why");

@@ -1,5 +1,6 @@
 /* The options of a search: engine, kind of hits, path, filters. Written once, then kept in step with the view. */
 import { around, closest, element, find, need, targetOf, within } from "../shared/dom.mjs";
+import * as ids from "./ids.mjs";
 import { changeSearch, now } from "./state.mjs";
 
 let waiting = 0;
@@ -45,7 +46,7 @@ function build(box) {
 }
 
 export const drawOptions = () => {
-  const box = find("search-options");
+  const box = find(ids.SEARCH_OPTIONS);
   if (!box) return;
   if (!box.firstChild) build(box);
   const { view, found, clips } = now;
@@ -72,7 +73,7 @@ export const drawOptions = () => {
 /** @type {boolean | null} */
 let folded = null;
 function fold() {
-  const [button, box] = [need("search-counts"), need("search-wanted")];
+  const [button, box] = [need(ids.SEARCH_COUNTS), need(ids.SEARCH_WANTED)];
   const little = button.clientWidth < 780;
   const closed = folded ?? (little && Boolean(now.view.query));
   button.setAttribute("aria-expanded", String(!closed));
@@ -82,10 +83,10 @@ function fold() {
   const { view } = now;
   const summary = [find("search-preset") && chosen("search-preset"), chosen("search-engine"), chosen("search-level"),
     view.route && `path ${view.route} %`, view.label, view.named && `“${view.named}”`, view.lasting && `${view.lasting} s`];
-  need("search-counts-says").textContent = summary.filter(Boolean).join(" · ");
+  need(ids.SEARCH_COUNTS_SAYS).textContent = summary.filter(Boolean).join(" · ");
 }
 document.addEventListener("click", (event) => {
-  const button = closest(event, "#search-counts");
+  const button = closest(event, `#${ids.SEARCH_COUNTS}`);
   if (!button) return;
   folded = button.getAttribute("aria-expanded") === "true";
   fold();
@@ -114,7 +115,7 @@ function take(id) {
 }
 
 /** @param {HTMLElement} target */
-const mine = (target) => target.closest && target.closest("#search-options");
+const mine = (target) => target.closest && target.closest(`#${ids.SEARCH_OPTIONS}`);
 document.addEventListener("change", (event) => { if (mine(targetOf(event)) && targetOf(event).tagName === "SELECT") take(targetOf(event).id); });
 document.addEventListener("input", (event) => {
   if (!mine(targetOf(event)) || targetOf(event).tagName === "SELECT") return;

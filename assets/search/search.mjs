@@ -1,8 +1,10 @@
 /* The Search page: what its parts share, and the one place where the store "search-found" is drawn. */
 import { clientside, register } from "../shared/dash.mjs";
 import { closest, find, within } from "../shared/dom.mjs";
+import { URL as PAGE_URL } from "../shared/ids.mjs";
 import { drawBody } from "./body.mjs";
 import { drawHits, playHits } from "./hits.mjs";
+import * as ids from "./ids.mjs";
 import { drawOptions } from "./options.mjs";
 import { drawSources } from "./sources.mjs";
 import { changeSearch, escapeName, now, remember } from "./state.mjs";
@@ -23,7 +25,7 @@ register("search", {
    * @param {Selection | null} selection
    */
   draw(found, view, clips, motifs, scheme, presets, body, engines, key, selection) {
-    if (!find("search-sources") || !body) return clientside.no_update;
+    if (!find(ids.SEARCH_SOURCES) || !body) return clientside.no_update;
     Object.assign(now, { found, view: view || {}, clips, motifs: motifs || [], scheme, presets, body, engines, key, selection: selection || {} });
     const page = within(document, ".search-page");
     page.dataset.look = now.view.look || "search";
@@ -47,6 +49,6 @@ document.addEventListener("click", (event) => {
   const query = [escapeName(clip), `${start}-${end}`, ...(dataset ? [escapeName(dataset)] : [])].join(":");
   remember();
   changeSearch({ query, look: "" });
-  if (!location.pathname.endsWith("/search")) clientside.set_props("url", { pathname: "/search", search: "" });
+  if (!location.pathname.endsWith("/search")) clientside.set_props(PAGE_URL, { pathname: "/search", search: "" });
   else within(document, ".page").scrollTo({ top: 0, behavior: "smooth" });
 });

@@ -5,6 +5,7 @@ import { clock } from "../shared/words.mjs";
 import { player } from "../stage/player.mjs";
 import { drawBody } from "./body.mjs";
 import { seekPiece } from "./hits.mjs";
+import * as ids from "./ids.mjs";
 import { canGoBack, changeSearch, copyPieces, goBack, now, remember, searchFor } from "./state.mjs";
 import { chooseRecording } from "./upload.mjs";
 /** @import { ClipList, Drag, QueryPiece, ShownPiece } from "./types.d.ts" */
@@ -92,7 +93,7 @@ function row(piece, index, several) {
   badge.dataset.piece = "active";
   badge.title = `Parts one clicks in the figure come from ${"ABCDEF"[index]}`;
   const name = element("input", "search-clip");
-  name.setAttribute("list", "search-clip-names");
+  name.setAttribute("list", ids.SEARCH_CLIP_NAMES);
   name.setAttribute("aria-label", "Clip that is looked for");
   name.placeholder = "Choose a clip";
   name.value = piece.dataset ? piece.clip : piece.clip;
@@ -131,7 +132,7 @@ function settle(node, piece) {
 
 function empty() {
   const name = element("input", "search-clip");
-  name.setAttribute("list", "search-clip-names");
+  name.setAttribute("list", ids.SEARCH_CLIP_NAMES);
   name.setAttribute("aria-label", "Clip that is looked for");
   name.placeholder = now.clips ? "Choose a clip" : "No dataset yet";
   const hint = element("span", "muted search-hint", "What motion do you look for? Choose a clip, then drag over the part that matters.");
@@ -144,7 +145,7 @@ let drawn = "";
 /** @type {Drag | null} */
 let dragged = null; // {index, start, end, mode, at}: while one drags
 export const drawSources = () => {
-  const box = need("search-sources");
+  const box = need(ids.SEARCH_SOURCES);
   const pieces = (now.found && now.found.pieces) || [];
   const mark = JSON.stringify([now.clips && [now.clips.dataset, now.clips.version, now.clips.clips.length], pieces.map((p) =>
     [p.dataset, p.clip, p.version, p.gives, p.labels.length, shownOf(p)])]);
@@ -165,7 +166,7 @@ export const drawSources = () => {
   if (back) back.classList.toggle("hidden", !canGoBack());
   const combineButton = allWithin(document, "[data-search='combine']")[0];
   if (combineButton) combineButton.disabled = !pieces.length || pieces.length >= 6;
-  const warning = need("search-warning");
+  const warning = need(ids.SEARCH_WARNING);
   const doubt = (now.found && now.found.doubt) || "";
   warning.classList.toggle("hidden", !doubt);
   warning.textContent = doubt;
@@ -174,7 +175,7 @@ export const drawSources = () => {
 /** @type {ClipList | null} */
 let named = null;
 function names() {
-  const list = find("search-clip-names");
+  const list = find(ids.SEARCH_CLIP_NAMES);
   if (!list || named === now.clips && list.firstChild) return;
   named = now.clips;
   list.replaceChildren(...(now.clips ? now.clips.clips : []).slice(0, 5000).map(([name]) => {
@@ -185,7 +186,7 @@ function names() {
 }
 
 function drawMotifs() {
-  const select = find("search-motif");
+  const select = find(ids.SEARCH_MOTIF);
   const mark = JSON.stringify(now.motifs);
   if (!select || select.dataset.mark === mark) return;
   select.dataset.mark = mark;
@@ -259,7 +260,7 @@ function fromStage() {
 }
 
 document.addEventListener("change", (event) => {
-  if (targetOf(event).id === "search-motif" && targetOf(event).value) {
+  if (targetOf(event).id === ids.SEARCH_MOTIF && targetOf(event).value) {
     remember();
     changeSearch({ query: targetOf(event).value });
     targetOf(event).value = "";

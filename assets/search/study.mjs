@@ -1,7 +1,9 @@
 /* Do people agree? Pairs and duels on the Stage, answered by keys; nothing here knows which engine found what. */
 import { changeView, clientside, register, setStore } from "../shared/dash.mjs";
 import { childrenOf, closest, element, find, icon, need, targetOf } from "../shared/dom.mjs";
+import { SELECTION, STAGE_REQUEST } from "../shared/ids.mjs";
 import { player } from "../stage/player.mjs";
+import * as ids from "./ids.mjs";
 /** @import { Person, Question, Study } from "./types.d.ts" */
 /** @import { Child } from "../shared/dom.mjs" */
 /** @import { View } from "../shared/types.d.ts" */
@@ -23,7 +25,7 @@ const mode = () => (view.study === "vote" ? "vote" : view.study === "results" ? 
 // The order of the pairs is each person's own: until that of who answers is here, nothing is asked.
 const awaited = () => data.asked[2] !== (person.name || person.id);
 const rows = () => (awaited() ? [] : (mode() === "vote" ? data.duels : data.pairs) || []);
-const visible = () => Boolean(find("study-setup")?.offsetParent) && data && !data.error;
+const visible = () => Boolean(find(ids.STUDY_SETUP)?.offsetParent) && data && !data.error;
 /** @param {Child | Child[]} words @param {string} name @param {string} [className] */
 const button = (words, name, className = "search-button") => {
   const made = element("button", className, ...[words].flat());
@@ -57,7 +59,7 @@ function setup() {
   const add = button([icon("plus", 13), "The query of the search"], "add");
   add.disabled = !whole();
   add.title = whole() ? "" : "Choose a query of this dataset, for the whole body, under Search first";
-  need("study-setup").replaceChildren(
+  need(ids.STUDY_SETUP).replaceChildren(
     element("div", "study-line", element("span", "search-label", "Queries"), ...queries, add, button([icon("dice", 15), "Draw three"], "draw")),
     element("div", "study-line", element("span", "search-label", "Engines"), ...engines),
     element("div", "study-line", label, name),
@@ -79,7 +81,7 @@ function nothing(words) {
 function draw() {
   const which = mode();
   if (which === "results") return;
-  const box = need(which === "vote" ? "study-vote" : "study-rate");
+  const box = need(which === "vote" ? ids.STUDY_VOTE : ids.STUDY_RATE);
   const all = rows();
   if (awaited()) return box.replaceChildren(nothing(`Fetching the pairs for ${person.name || "you"} …`));
   if (!data.queries.length) return box.replaceChildren(nothing("Choose queries above: the one of the search, or three drawn by chance."));
@@ -143,8 +145,8 @@ function play(row) {
   const wanted = JSON.stringify([row.query, row.hit, row.left, row.right]);
   if (wanted === shown && player.status !== "empty") return;
   shown = wanted;
-  setStore("selection", {});
-  setStore("stage-request", { ...row.request, at: wanted });
+  setStore(SELECTION, {});
+  setStore(STAGE_REQUEST, { ...row.request, at: wanted });
   const next = rows()[at[mode()] + 1];
   if (next) setTimeout(() => player.prefetch(next.request), 600);
 }
@@ -156,8 +158,8 @@ function answer(value) {
   if (!row) return;
   row.value = value;
   given.set(nameOf(row), value);
-  const message = which === "vote" ? { kind: "vote", query: row.query, left: row.left, right: row.right, choice: value }
-    : { kind: "rating", query: row.query, hit: row.hit, value };
+  const message = which === "vote" ? { kind: "vote", query: row.query, left: row.left, right: row.right, choice: String(value) }
+    : { kind: "rating", query: row.query, hit: row.hit, value: Number(value) };
   pending.push({ ...message, person: person.name || person.id, id: `${Date.now()} ${Math.random()}` });
   send();
   step(1);
@@ -165,9 +167,9 @@ function answer(value) {
 
 /** Tells the server what it has not confirmed: one message at a time, as two under way may overtake each other. */
 function send() {
-  if (!pending.length || !find("study-rate") || (sent && Date.now() - sent < PATIENCE)) return;
+  if (!pending.length || !find(ids.STUDY_RATE) || (sent && Date.now() - sent < PATIENCE)) return;
   sent = Date.now();
-  setStore("study-answer", { answers: [...pending], at: sent });
+  setStore(ids.STUDY_ANSWER, { answers: [...pending], at: sent });
   setTimeout(send, PATIENCE); // where no answer came: the server was away
 }
 
@@ -195,7 +197,7 @@ function place(number, before, all) {
 }
 
 const PATIENCE = 20000; // milliseconds
-/** @type {Record<string, any>[]} */
+/** @type {ids.Answer[]} */
 const pending = []; // answers the server has not confirmed
 let sent = 0; // when the message under way was sent, 0 where none is
 
@@ -206,7 +208,7 @@ function who(stored) {
   person = stored || {};
   if (!person.id) {
     person = { ...person, id: `someone-${Math.random().toString(36).slice(2, 8)}` };
-    setStore("study-person", person);
+    setStore(ids.STUDY_PERSON, person);
   }
 }
 
@@ -225,7 +227,7 @@ register("study", {
   /** @param {Study | null} found @param {View | null} seen @param {Person | null} stored */
   draw(found, seen, stored) {
     view = seen || {};
-    if (!found || view.look !== "agree" || !find("study-setup")) {
+    if (!found || view.look !== "agree" || !find(ids.STUDY_SETUP)) {
       shown = "";
       return clientside.no_update;
     }
@@ -235,8 +237,8 @@ register("study", {
     const before = data && data.asked[2] === found.asked[2] ? data : null;
     data = found;
     if (data.error) {
-      need("study-setup").replaceChildren(nothing(data.error));
-      for (const id of ["study-rate", "study-vote"]) need(id).replaceChildren();
+      need(ids.STUDY_SETUP).replaceChildren(nothing(data.error));
+      for (const id of [ids.STUDY_RATE, ids.STUDY_VOTE]) need(id).replaceChildren();
       return clientside.no_update;
     }
     if (fresh) for (const row of [...data.pairs, ...data.duels]) row.value = given.get(nameOf(row)) ?? row.value;
@@ -253,15 +255,15 @@ const ACTS = {
   add: () => asks([...data.queries.map((query) => query.name), whole()]),
   /** @param {HTMLElement} on */
   remove: (on) => asks(data.queries.map((query) => query.name).filter((name) => name !== on.dataset.name)),
-  draw: () => setStore("study-wish", { draw: 1 + Math.floor(Math.random() * 1e6) }),
+  draw: () => setStore(ids.STUDY_WISH, { draw: 1 + Math.floor(Math.random() * 1e6) }),
   /** @param {HTMLElement} on */
-  build: (on) => setStore("study-wish", { build: on.dataset.method, at: Date.now() }),
+  build: (on) => setStore(ids.STUDY_WISH, { build: on.dataset.method, at: Date.now() }),
   clear() {
     if (!window.confirm("Remove all ratings and votes about this dataset, of all people?")) return;
     given.clear();
     pending.length = 0;
     for (const row of [...data.pairs, ...data.duels]) row.value = null;
-    setStore("study-wish", { clear: true, at: Date.now() });
+    setStore(ids.STUDY_WISH, { clear: true, at: Date.now() });
   },
   /** @param {HTMLElement} on */
   move: (on) => step(Number(on.dataset.by)),
@@ -278,7 +280,7 @@ document.addEventListener("click", (event) => {
 document.addEventListener("change", (event) => {
   if (targetOf(event).id !== "study-name") return;
   who({ ...person, name: targetOf(event).value.trim() });
-  setStore("study-person", person);
+  setStore(ids.STUDY_PERSON, person);
   draw();
 });
 

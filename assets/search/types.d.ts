@@ -1,5 +1,9 @@
 // What the server tells the Search page (webapp/features/search).
 import type { StageRequest } from "../stage/types.d.ts";
+import type { Body, Clips as ClipList, Engine, HitRow as Hit, MotifChoice as MotifQuery, Person, PieceRow as ShownPiece, Question, Study as SentStudy } from "./ids.mjs";
+export type { Body, ClipList, Engine, Hit, MotifQuery, Person, ShownPiece, Question };
+
+export type Study = Required<Omit<SentStudy, "error">> & Pick<SentStudy, "error">;
 
 /** Weights of parts of the body, by part. */
 export type Weights = Record<string, number>;
@@ -11,29 +15,6 @@ export interface QueryPiece {
   start: number;
   end: number;
   leaves: string[];
-}
-
-/** The same as the server has it. */
-export interface ShownPiece extends QueryPiece {
-  frames: number;
-  fps: number;
-  version: string;
-  source: string;
-  colour: string;
-  gives: string;
-  labels: [start: number, end: number, action: string][];
-}
-
-export interface Hit {
-  name: string;
-  rank: number;
-  clip: string;
-  start: number;
-  end: number;
-  score: number;
-  when: string;
-  label?: string;
-  strip: string;
 }
 
 /** What was searched for. */
@@ -70,56 +51,6 @@ export interface Strip {
 export interface Reason {
   strip: Strip;
   request: StageRequest;
-}
-
-export interface ClipList {
-  dataset: string;
-  version: string;
-  clips: [name: string, frames: number, ...rest: any[]][];
-  actions: string[];
-}
-
-/** The parts of the body: leaves, the nodes above them, and their names. */
-export interface Body {
-  leaves: string[];
-  nodes: Record<string, string[]>;
-  words: Record<string, string>;
-}
-
-export interface MotifQuery {
-  name: string;
-  motions: number;
-  query: string;
-}
-
-export interface Engine {
-  method: string;
-  label: string;
-  ready: boolean;
-}
-
-/** A pair to be rated, or a duel to be decided. */
-export interface Question {
-  query: string;
-  hit?: string;
-  left?: string;
-  right?: string;
-  value: number | string | null;
-  request: StageRequest;
-}
-
-export interface Study {
-  error?: string;
-  asked: any[];
-  queries: { name: string; clip: string; when: string; strip: string }[];
-  engines: Engine[];
-  pairs: Question[];
-  duels: Question[];
-}
-
-export interface Person {
-  id?: string;
-  name?: string;
 }
 
 /** A range that is being dragged on the pictures of a piece. */

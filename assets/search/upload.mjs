@@ -1,9 +1,10 @@
 /* A recording of one's own as the query: sent by PUT to the upload route, read by a job. */
 import { setStore } from "../shared/dash.mjs";
 import { allWithin, element, find, within } from "../shared/dom.mjs";
+import * as ids from "./ids.mjs";
 
 const HEADERS = { "X-Motionscape": "upload" };
-const status = () => find("search-upload-status");
+const status = () => find(ids.SEARCH_UPLOAD_STATUS);
 /** @type {XMLHttpRequest | null} */
 let sending = null;
 let turn = 0; // the request that sends, and how often files were chosen: the last choice counts
@@ -46,7 +47,7 @@ async function send(files) {
   if (!files.length) return;
   const mine = ++turn;
   if (sending) sending.abort();
-  setStore("search-upload", null);
+  setStore(ids.SEARCH_UPLOAD, null);
   const wrong = files.find((file) => !suffixes().some((suffix) => file.name.toLowerCase().endsWith(suffix)));
   if (wrong) return say(`${wrong.name} is not a kind of file we read: choose BVH, or AMC together with its ASF.`, "error-text");
   let token = null;
@@ -63,7 +64,7 @@ async function send(files) {
     sending = null;
     quiet();
     const main = files.find((file) => !/\.asf(\.gz)?$/i.test(file.name)) || files[0];
-    setStore("search-upload", { token, name: main.name });
+    setStore(ids.SEARCH_UPLOAD, { token, name: main.name });
   } catch (error) {
     if (token) fetch(`/api/uploads/${token}`, { method: "DELETE", headers: HEADERS }).catch(() => {});
     if (mine !== turn) return;

@@ -1,4 +1,6 @@
 // What Dash gives to the browser: functions it may call, the stores it keeps, and its notices.
+import { NOTICES, VIEW_CHANGE } from "./ids.mjs";
+/** @import { StoreId } from "./ids.mjs" */
 
 /** Dash's own object: `set_props`, `no_update`, `callback_context`, and the functions of our callbacks by namespace. */
 export const clientside = (globalThis.dash_clientside ||= /** @type {any} */ ({}));
@@ -14,16 +16,17 @@ export function register(namespace, functions) {
 
 /**
  * Put data into a dcc.Store.
- * @param {string} store
- * @param {any} data
+ * @template T
+ * @param {StoreId<T>} store
+ * @param {T | null} data
  */
 export const setStore = (store, data) => clientside.set_props(store, { data });
 
 /**
  * Change keys of the store "view", and so of the link; an empty value takes the key away.
- * @param {Record<string, any>} values
+ * @param {Record<string, string | number | boolean | null>} values
  */
-export const changeView = (values) => setStore("view-change", values);
+export const changeView = (values) => setStore(VIEW_CHANGE, values);
 
 /**
  * Show a notice in the header.
@@ -32,7 +35,7 @@ export const changeView = (values) => setStore("view-change", values);
  * @param {string} [color]
  */
 export function notify(title, message, color = "orange") {
-  clientside.set_props("notices", { sendNotifications: [{ action: "show", title, message, color }] });
+  clientside.set_props(NOTICES, { sendNotifications: [{ action: "show", title, message, color }] });
 }
 
 /**

@@ -2,6 +2,7 @@
 import { clientside, notify, register } from "./dash.mjs";
 import { closest, find } from "./dom.mjs";
 import { gridApi } from "./grid.mjs";
+import { DATASET_PICKER } from "./ids.mjs";
 import { pngOf, save } from "./save.mjs";
 
 /** Addresses of drawings that the server makes, by the name of what they show: `drawings.timeline = () => address`.
@@ -9,7 +10,7 @@ import { pngOf, save } from "./save.mjs";
 export const drawings = {};
 
 const dataset = () => {
-  const picker = find("dataset-picker");
+  const picker = find(DATASET_PICKER);
   return (picker && picker.value) || "motionscape";
 };
 

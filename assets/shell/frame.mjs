@@ -1,6 +1,8 @@
 /* The frame: state into the URL, theme to the canvases, the splitter, the share button. */
 import { clientside, notify, register, setStore } from "../shared/dash.mjs";
 import { allWithin, closest, find, hasClass, targetOf, whenParsed, within } from "../shared/dom.mjs";
+import { DATASET, DATASET_CHOICE, NAV, SELECTION, SHELL, STAGE_REQUEST, THEME, VIEW, VIEW_CHANGE } from "../shared/ids.mjs";
+import { STAGE_CANVAS } from "../stage/ids.mjs";
 import { player } from "../stage/player.mjs";
 import { addressOf, pageOf, stageOfLink, stateOfLink } from "./address.mjs";
 /** @import { Selection, View } from "../shared/types.d.ts" */
@@ -26,7 +28,7 @@ window.addEventListener("stage-state", (event) => {
   writeAddress();
 });
 for (const kind of ["wheel", "pointerdown", "keydown"]) {
-  document.addEventListener(kind, (event) => { if (targetOf(event).id === "stage-canvas") handled = true; }, { passive: true, capture: true });
+  document.addEventListener(kind, (event) => { if (targetOf(event).id === STAGE_CANVAS) handled = true; }, { passive: true, capture: true });
 }
 
 register("shell", {
@@ -57,7 +59,7 @@ register("shell", {
       if (value === null || value === "") delete next[key];
       else next[key] = String(value);
     }
-    if (JSON.stringify(next) !== JSON.stringify(view || {})) setStore("view", next);
+    if (JSON.stringify(next) !== JSON.stringify(view || {})) setStore(VIEW, next);
     return clientside.no_update;
   },
   // What a link says of the Stage; it is taken up when the motion has arrived.
@@ -73,23 +75,23 @@ register("shell", {
   choose(choice, cleared) {
     if (!choice) return clientside.no_update;
     if (choice.dataset !== shown.dataset) {
-      setStore("selection", {});
-      setStore("view-change", Object.fromEntries((cleared || []).map((key) => [key, ""])));
-      setStore("stage-request", { dataset: choice.dataset, items: [] });
-      setStore("dataset", choice.dataset);
+      setStore(SELECTION, {});
+      setStore(VIEW_CHANGE, Object.fromEntries((cleared || []).map((key) => [key, ""])));
+      setStore(STAGE_REQUEST, { dataset: choice.dataset, items: [] });
+      setStore(DATASET, choice.dataset);
     }
     return clientside.no_update;
   },
   /** @param {string | null} value @param {string | null} dataset */
   pick(value, dataset) {
-    if (value && value !== dataset) setStore("dataset-choice", { dataset: value, at: Date.now() });
+    if (value && value !== dataset) setStore(DATASET_CHOICE, { dataset: value, at: Date.now() });
     return clientside.no_update;
   },
   // One link is the current page's.
   /** @param {string} pathname */
   current(pathname) {
     for (const link of allWithin(document, ".nav-link")) {
-      if (link.id === "nav-" + pageOf(pathname)) link.setAttribute("aria-current", "page");
+      if (link.id === NAV + pageOf(pathname)) link.setAttribute("aria-current", "page");
       else link.removeAttribute("aria-current");
     }
     return clientside.no_update;
@@ -140,9 +142,9 @@ function watchTheme() {
   let last = null;
   const tell = () => {
     const scheme = root.dataset.mantineColorScheme;
-    if ((scheme !== "dark" && scheme !== "light") || scheme === last || !clientside.set_props || !find("shell")) return;
+    if ((scheme !== "dark" && scheme !== "light") || scheme === last || !clientside.set_props || !find(SHELL)) return;
     last = scheme;
-    setStore("theme", scheme);
+    setStore(THEME, scheme);
   };
   new MutationObserver(tell).observe(root, { attributes: true, attributeFilter: ["data-mantine-color-scheme"] });
   tell();
@@ -198,9 +200,9 @@ function start() {
   watchSplitter();
   // the theme may be settled before Dash can take it
   const again = setInterval(() => {
-    if (!clientside.set_props || !find("shell")) return;
+    if (!clientside.set_props || !find(SHELL)) return;
     clearInterval(again);
-    setStore("theme", document.documentElement.dataset.mantineColorScheme || "light");
+    setStore(THEME, document.documentElement.dataset.mantineColorScheme || "light");
   }, 100);
 }
 whenParsed(start);

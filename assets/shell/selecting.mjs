@@ -2,12 +2,13 @@
 import { clientside, register, setStore } from "../shared/dash.mjs";
 import { allWithin, closest, find } from "../shared/dom.mjs";
 import { cellRenderers, gridApi, gridFunctions, reactElement } from "../shared/grid.mjs";
+import { SELECTION, URL as PAGE_URL, VIEW_CHANGE } from "../shared/ids.mjs";
 import { ahead } from "../stage/ahead.mjs";
 /** @import { Selection } from "../shared/types.d.ts" */
 
 /** @param {string} store @param {any} value @param {string | boolean | undefined} stamp */
 const put = (store, value, stamp) => {
-  if (store === "selection") ahead.play(value);
+  if (store === SELECTION) ahead.play(value);
   setStore(store, stamp ? { ...value, at: Date.now() } : value);
 };
 
@@ -15,15 +16,15 @@ document.addEventListener("click", (event) => {
   const button = closest(event, "[data-store]");
   if (!button || button.disabled) return;
   put(button.dataset.store ?? "", JSON.parse(button.dataset.value ?? "{}"), button.dataset.stamp);
-  if (button.dataset.page) clientside.set_props("url", { pathname: button.dataset.page, search: "" });
+  if (button.dataset.page) clientside.set_props(PAGE_URL, { pathname: button.dataset.page, search: "" });
 });
 
 // tables: a click or Enter on a row selects what the row stands for
 gridFunctions.chooseRow = (params) => {
   const at = params.event && params.event.type === "click" && params.event.target;
   if (at && at.closest && at.closest(".choice-cell")) return; // its box was meant
-  if (params.data && params.data.view) put("view-change", params.data.view, false);
-  if (params.data && params.data.selection) put("selection", params.data.selection, false);
+  if (params.data && params.data.view) put(VIEW_CHANGE, params.data.view, false);
+  if (params.data && params.data.selection) put(SELECTION, params.data.selection, false);
 };
 gridFunctions.leaveTable = () => false; // the browser goes to what comes after the table
 gridFunctions.chooseRowByKey = (params) => {

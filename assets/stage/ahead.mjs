@@ -1,6 +1,7 @@
 // What is selected plays at once: the Stage's request is fetched here, its motions already when the pointer rests on
 // them, while the app's own callbacks take their round trips. They end in the same request, which the Stage then knows.
 import { closest, find, need } from "../shared/dom.mjs";
+import * as ids from "./ids.mjs";
 import { player } from "./player.mjs";
 /** @import { Selection } from "../shared/types.d.ts" */
 
@@ -20,9 +21,9 @@ let turn = 0;
 function address(selection) {
   const pairs = new URLSearchParams(location.search);
   for (const key of OTHER) pairs.delete(key);
-  for (const [key, value] of Object.entries(selection)) pairs.set(key, value);
+  for (const [key, value] of Object.entries(selection)) pairs.set(key, String(value));
   const page = location.pathname.split("/").filter(Boolean).pop() || "library";
-  return `${need("stage").dataset.api || "/api"}/stage/${page}?${pairs}`;
+  return `${need(ids.STAGE).dataset.api || "/api"}/stage/${page}?${pairs}`;
 }
 
 /** @param {Selection} selection */
@@ -41,7 +42,7 @@ function ask(selection) {
 const exceptions = []; // tests of selections that are not played
 /** @param {Selection} selection */
 const usable = (selection) =>
-  selection && Object.keys(selection).length > 0 && !selection.motifs && find("stage") && !exceptions.some((test) => test(selection));
+  selection && Object.keys(selection).length > 0 && !selection.motifs && find(ids.STAGE) && !exceptions.some((test) => test(selection));
 
 export const ahead = {
   /**

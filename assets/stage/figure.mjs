@@ -30,7 +30,7 @@ export class Figure {
     this.ownFps = header.fps * header.step;
     this.n = header.joints.length;
     this.visible = true;
-    this.warp = usableWarp(item.warp);
+    this.warp = usableWarp(item.warp ?? undefined);
     this.warpFps = 0;
     this.stretch = 0; // seconds over which all of the motion is spread; 0: its own pace
     this.offset = 0; // frames (of those received) added to where time leads

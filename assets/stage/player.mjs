@@ -1,6 +1,7 @@
 // The page's stage and what others may ask of it: docs/architecture.md, "The Stage's data".
 import { register } from "../shared/dash.mjs";
 import { find, whenParsed } from "../shared/dom.mjs";
+import * as ids from "./ids.mjs";
 import { Stage } from "./stage.mjs";
 /** @import { Moment, SavedState, StageRequest, Standing } from "./types.d.ts" */
 
@@ -14,7 +15,7 @@ let early = null; // a request or state that came before the page held a stage
 
 /** Take hold of the page's stage; again when the page was rebuilt. */
 function mount() {
-  const root = find("stage");
+  const root = find(ids.STAGE);
   if (root === mounted) return;
   mounted = root; // also where the next line fails: once is enough
   stage?.close();

@@ -88,7 +88,7 @@ export class Requests {
     const motions = await this.cache.load(this.api, request, items);
     return {
       figures: items.flatMap((item, k) => (motions[k] instanceof Error ? [] : [new Figure(
-        { ...item, dataset: item.dataset ?? request.dataset }, motions[k], k)])),
+        { ...item, dataset: item.dataset ?? request.dataset ?? undefined }, motions[k], k)])),
       failed: motions.filter((motion) => motion instanceof Error),
     };
   }

@@ -4,6 +4,7 @@ import { within } from "../shared/dom.mjs";
 import { Camera } from "./camera.mjs";
 import { figureColours, readTheme, shades } from "./colours.mjs";
 import { Controls } from "./controls.mjs";
+import * as ids from "./ids.mjs";
 import { groundCentre, homeView, measureStage, placeFigures } from "./layout.mjs";
 import { nameFigures } from "./names.mjs";
 import { Requests } from "./requests.mjs";
@@ -27,7 +28,7 @@ export class Stage {
     this.clock = new Clock();
     this.camera = new Camera();
     this.traces = new Traces();
-    this.scene = new Scene(/** @type {HTMLCanvasElement} */ (/** @type {Element} */ (within(root, "#stage-canvas"))), readTheme(root));
+    this.scene = new Scene(/** @type {HTMLCanvasElement} */ (/** @type {Element} */ (within(root, `#${ids.STAGE_CANVAS}`))), readTheme(root));
     this.warpStrip = new WarpStrip(within(root, ".ms-warp"));
     this.bands = new SpanBands(within(root, ".ms-bands"));
     this.requests = new Requests(this);

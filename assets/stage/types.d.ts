@@ -1,43 +1,12 @@
 // What the Stage is asked to show, what it fetches, and what it tells.
+import type { Colour as Span, Figure as Item, StageRequest } from "../shared/ids.mjs";
+export type { Item, Span, StageRequest };
 
 /** Red, green and blue, 0 to 255. */
 export type Rgb = number[];
 
-/** Frames of the clip's own rate, drawn in a colour. */
-export interface Span {
-  start: number;
-  end: number;
-  colour: string;
-  label: string;
-}
-
 export interface PaintedSpan extends Span {
   rgb: Rgb;
-}
-
-/** One motion of a request: frames [start, end) of a clip. */
-export interface Item {
-  clip: string;
-  start?: number;
-  end?: number;
-  label?: string;
-  dataset?: string;
-  version?: string;
-  warp?: number[];
-  frame?: number;
-  colour?: string;
-  colours?: Span[];
-}
-
-export interface StageRequest {
-  dataset?: string;
-  version?: string;
-  items: Item[];
-  title?: string;
-  layout?: string;
-  sync?: string;
-  replace?: boolean;
-  at?: any;
 }
 
 /** The part of a motion's file that is JSON. */

@@ -2,15 +2,17 @@
 import { clientside, openPage, register, setStore } from "../shared/dash.mjs";
 import { closest, need } from "../shared/dom.mjs";
 import { cellRenderers, reactElement } from "../shared/grid.mjs";
+import { PAGE, SELECTION } from "../shared/ids.mjs";
+import * as ids from "./ids.mjs";
 
 // Like dcc.Link: another page without loading the app again. The link's parameters become those that are shown.
 /** @param {string} address */
 function open(address) {
   const { pathname, searchParams } = new URL(address, location.origin);
   searchParams.delete("dataset"); // it stays the same
-  setStore("selection", {});
+  setStore(SELECTION, {});
   openPage(pathname, { parameters: Object.fromEntries(searchParams) });
-  need("page").scrollTo(0, 0);
+  need(PAGE).scrollTo(0, 0);
 }
 
 /** @param {MouseEvent} event */
@@ -29,7 +31,7 @@ document.addEventListener("click", (event) => {
 
 // In the table Enter opens the row's result, whichever cell has the focus.
 document.addEventListener("keydown", (event) => {
-  const row = event.key === "Enter" && closest(event, "#sweep-table .ag-row");
+  const row = event.key === "Enter" && closest(event, `#${ids.SWEEP_TABLE} .ag-row`);
   const link = row && row.querySelector("a.point-link");
   if (!link) return;
   event.preventDefault();
