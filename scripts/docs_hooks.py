@@ -1,7 +1,7 @@
 """Tables of the documentation site that are read from the code, so that they are never out of date.
 
 mkdocs calls :func:`on_page_markdown` for every page. ``<!-- settings: motifs -->`` becomes the settings of that method,
-``<!-- commands -->`` the arguments of every command.
+``<!-- all settings -->`` those of every method, and ``<!-- commands -->`` the arguments of every command.
 """
 
 from __future__ import annotations
@@ -12,13 +12,25 @@ from collections.abc import Iterator, Mapping
 from typing import Any
 
 SETTINGS = re.compile(r"<!-- settings: ([a-z-]+) -->")
+ALL_SETTINGS = "<!-- all settings -->"
 COMMANDS = "<!-- commands -->"
 
 
 def on_page_markdown(markdown: str, **_: Any) -> str:
     """The text of a page with its tables in place; raises ParameterError for a method that does not exist."""
     markdown = SETTINGS.sub(lambda match: settings_table(match[1]), markdown)
-    return markdown.replace(COMMANDS, "\n".join(command_sections())) if COMMANDS in markdown else markdown
+    for marker, sections in ((ALL_SETTINGS, settings_sections), (COMMANDS, command_sections)):
+        if marker in markdown:
+            markdown = markdown.replace(marker, "\n".join(sections()))
+    return markdown
+
+
+def settings_sections() -> Iterator[str]:
+    """Lines of one section for each method."""
+    from core.analyses import METHODS
+
+    for name, method in METHODS.items():
+        yield f"## {name}\n\n{method.title}.\n\n{settings_table(name)}\n"
 
 
 def settings_table(method: str) -> str:
@@ -37,7 +49,7 @@ def settings_table(method: str) -> str:
 def command_sections() -> Iterator[str]:
     """Lines of one section for each command: what it does, how it is called, and its arguments."""
     for name, parser in parsers().items():
-        usage = re.sub(r"\s+", " ", parser.format_usage()).removeprefix("usage: ").strip()
+        usage = parser.format_usage().removeprefix("usage: ").rstrip()
         yield f"## {name}\n\n{parser.description}\n\n```text\n{usage}\n```\n"
         yield "| argument | meaning |\n|---|---|"
         for action in parser._actions:
@@ -52,9 +64,16 @@ def parsers() -> dict[str, argparse.ArgumentParser]:
 
     found = {}
     for name, command in commands().items():
-        found[name] = argparse.ArgumentParser(prog=f"motionscape {name}", description=command.help)
+        found[name] = argparse.ArgumentParser(
+            prog=f"motionscape {name}", description=command.help, formatter_class=narrow
+        )
         command.arguments(found[name])
     return found
+
+
+def narrow(prog: str) -> argparse.HelpFormatter:
+    """Lines that fit a page, however wide the terminal is."""
+    return argparse.HelpFormatter(prog, width=80)
 
 
 def spelled(action: argparse.Action) -> str:

@@ -116,7 +116,8 @@ def commands() -> dict[str, Command]:
 
 
 def _serve_arguments(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("workspace", nargs="?", default="workspace", type=Path, metavar="WORKSPACE")
+    words = "folder of the workspace, made where missing (default: workspace)"
+    parser.add_argument("workspace", nargs="?", default="workspace", type=Path, metavar="WORKSPACE", help=words)
     parser.add_argument("--host", default="127.0.0.1", help="address to listen on (default 127.0.0.1: this machine)")
     parser.add_argument("--port", default=8050, type=_port, help="default 8050; 0 takes a free one")
     parser.add_argument("--demo", action="store_true", help="have the demo dataset and its motif graph there")
