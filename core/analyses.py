@@ -22,9 +22,11 @@ from core.errors import AnalysisError, LoggedBug, MotionscapeError, ParameterErr
 from core.grammar.table import TableParameters, part_report
 from core.methods import METHODS, Method
 from core.motifs.axes import SweepParameters
-from core.parameters import Parameter, build, parameters_of
+from core.parameters import Parameter as Parameter
+from core.parameters import build, parameters_of
 from core.progress import Cancelled, Report, silent
-from core.requests import Request, query_request
+from core.requests import Request as Request
+from core.requests import query_request
 from core.workspace import (
     Job,
     ResultDamaged,

@@ -25,7 +25,7 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> Loadi
     app = LoadingDash(
         __name__,
         title="Motionscape",
-        update_title=None,
+        update_title="",
         assets_folder=str(_assets()),
         assets_path_ignore=[VENDOR],
         serve_locally=True,

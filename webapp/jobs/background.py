@@ -18,7 +18,8 @@ class WaitingManager(DiskcacheManager):
 
     def __init__(self, cache: Any):
         super().__init__(cache)
-        self._numbers, self._threads = itertools.count(1), {}
+        self._numbers = itertools.count(1)
+        self._threads: dict[int, threading.Thread] = {}
         self._lock = threading.Lock()
 
     def call_job_fn(self, key: str, job_fn: Any, args: Any, context: Any) -> int:

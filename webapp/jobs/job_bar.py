@@ -20,6 +20,7 @@ from core.workspace import DatasetInfo, Job, Workspace, WorkspaceError
 from webapp import jobs as webapp_jobs
 from webapp.jobs import names
 from webapp.shell.advice import in_the_browser
+from webapp.shell.attributes import attributes
 from webapp.shell.messages import notice
 from webapp.shell.names import NOTICES, REVISION
 
@@ -70,7 +71,7 @@ def layout() -> Component:
     return html.Footer(
         className="job-bar",
         children=[
-            html.Div(id=names.JOB_LIST, role="status", **{"aria-live": "polite", "aria-label": "Jobs"}),
+            html.Div(id=names.JOB_LIST, role="status", **attributes(aria_live="polite", aria_label="Jobs")),
             dcc.Store(id=names.JOBS_SHOWN),  # the rows; assets/jobs/job_bar.mjs draws them
             dcc.Interval(id=names.JOB_TICK, interval=FAST),
             dcc.Store(id=names.JOB_POKE),  # written when a job was just asked for: look now
@@ -177,14 +178,14 @@ def register(app: Dash, workspace: Workspace) -> None:
         prevent_initial_call=True,
     )
     def act(request, dismissed):
-        action, job_id = (request or {}).get("action"), (request or {}).get("job")
+        action, job_id = (request["action"], int(request["job"])) if request else ("", 0)
         try:
             if action == "cancel":
-                workspace.jobs.cancel(int(job_id))
+                workspace.jobs.cancel(job_id)
             elif action == "retry":
-                webapp_jobs.restart(workspace, int(job_id))
+                webapp_jobs.restart(workspace, job_id)
             if action in ("retry", "dismiss"):  # what is tried again no longer stands there as failed
-                dismissed = [*(dismissed or []), int(job_id)][-50:]
+                dismissed = [*(dismissed or []), job_id][-50:]
         except WorkspaceError as error:
             return no_update, time.time(), [notice("That did not work", str(error), "red")]
         return dismissed, time.time(), no_update

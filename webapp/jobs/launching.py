@@ -206,7 +206,7 @@ _QUIET: dict[str, Any] = {
     "stderr": subprocess.DEVNULL,
     "cwd": Path(__file__).resolve().parents[2],
 }
-if os.name == "nt":
+if sys.platform == "win32":
     _QUIET["creationflags"] = subprocess.DETACHED_PROCESS | subprocess.CREATE_NEW_PROCESS_GROUP
 else:
     _QUIET["start_new_session"] = True

@@ -9,15 +9,16 @@ from dash.development.base_component import Component
 from core.workspace import Job
 from webapp.jobs import names
 from webapp.jobs.job_bar import stage_words
+from webapp.shell.attributes import attributes
 from webapp.shell.buttons import sends
 from webapp.shell.icons import icon
 
 
-def running(job: Job, title: str, symbol: str) -> Component:
-    """Stage, progress and Cancel of a job, rendered once; assets/jobs/job_bar.mjs keeps them up to date."""
+def running(job: Job, title: str, symbol: str, class_name: str = "empty-state running") -> Component:
+    """Stage, progress and Cancel of a job, drawn once; assets/jobs/job_bar.mjs keeps them up to date."""
     known = job.state == "running" and not job.cancelling
     return html.Div(
-        className="empty-state running",
+        className=class_name,
         role="status",
         children=[
             html.Div(icon(symbol, 34), className="empty-icon"),
@@ -27,7 +28,7 @@ def running(job: Job, title: str, symbol: str) -> Component:
                 html.Div(style={"width": f"{round(100 * job.fraction)}%"}),
                 className="job-progress" if known else "job-progress waiting",
                 role="progressbar",
-                **{"aria-label": "Progress of this stage"},
+                **attributes(aria_label="Progress of this stage"),
             ),
             dmc.Button(
                 "Cancel",
@@ -38,5 +39,5 @@ def running(job: Job, title: str, symbol: str) -> Component:
                 **sends(names.JOB_ACTION, {"action": "cancel", "job": job.id}, every_time=True),
             ),
         ],
-        **{"data-job": str(job.id)},
+        **attributes(data_job=str(job.id)),
     )

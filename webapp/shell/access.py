@@ -9,6 +9,7 @@ import re
 from urllib.parse import parse_qsl, urlencode
 
 from flask import Flask, Response, redirect, request
+from flask.typing import ResponseReturnValue
 
 from webapp.shell.messages import error_page
 
@@ -48,7 +49,7 @@ def protect(server: Flask, token: str | None) -> None:
     hosts = known_hosts()
 
     @server.before_request
-    def _check() -> Response | tuple[str, int] | None:
+    def _check() -> ResponseReturnValue | None:
         return _let_in(token) if token else _check_host(hosts)
 
 
@@ -75,7 +76,7 @@ def _check_host(hosts: frozenset[str]) -> tuple[str, int] | None:
     )
 
 
-def _let_in(token: str) -> Response | tuple[str, int] | None:
+def _let_in(token: str) -> ResponseReturnValue | None:
     offered = request.args.get("token")
     if offered is not None and _same(offered, token):
         rest = [(k, v) for k, v in parse_qsl(request.query_string.decode("utf-8", "replace")) if k != "token"]

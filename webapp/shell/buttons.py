@@ -8,24 +8,25 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from typing import Any
 
 
-def copies(text: str) -> dict[str, str]:
+def copies(text: str) -> dict[str, Any]:
     """Attributes for a button: a click copies ``text`` to the clipboard and says so."""
     return {"data-copy": text}
 
 
-def similar(clip: str, start: int, end: int) -> dict[str, str]:
+def similar(clip: str, start: int, end: int) -> dict[str, Any]:
     """Attributes for a button: a click goes to the Search page and looks for frames ``[start, end)`` of a clip."""
     return {"data-similar": json.dumps({"clip": clip, "start": int(start), "end": int(end)})}
 
 
 def sends(
     store: str, value: Mapping[str, object], *, every_time: bool = False, page: str | None = None
-) -> dict[str, str]:
+) -> dict[str, Any]:
     """Attributes for a button: a click puts ``value`` into ``store``; ``every_time``: also when it is there already;
 
     ``page``: and goes to that page.
     """
-    said = {"data-store": store, "data-value": json.dumps(value)}
-    return said | ({"data-stamp": "yes"} if every_time else {}) | ({"data-page": f"/{page}"} if page else {})
+    attributes = {"data-store": store, "data-value": json.dumps(value)}
+    return attributes | ({"data-stamp": "yes"} if every_time else {}) | ({"data-page": f"/{page}"} if page else {})

@@ -9,6 +9,7 @@ from dash import dcc, html
 from dash.development.base_component import Component
 
 from webapp.shell import links, names, theme
+from webapp.shell.attributes import attributes
 from webapp.shell.feature import features
 from webapp.shell.icons import icon
 
@@ -39,9 +40,9 @@ def layout(stage: Component, job_bar: Component, stores: Sequence[Component]) ->
                         role="separator",
                         tabIndex="0",
                         title="Drag, or use the arrow keys, to resize the stage",
-                        **{"aria-label": "Width of the stage", "aria-orientation": "vertical"},
+                        **attributes(aria_label="Width of the stage", aria_orientation="vertical"),
                     ),
-                    html.Aside(stage, className="stage-panel", **{"aria-label": "Stage"}),
+                    html.Aside(stage, className="stage-panel", **attributes(aria_label="Stage")),
                     job_bar,
                 ],
             ),
@@ -87,7 +88,7 @@ def _header() -> Component:
                 nothingFoundMessage="No dataset of this name",
                 leftSection=icon("stack", 16),
                 comboboxProps={"shadow": "md"},
-                **{"aria-label": "Dataset"},
+                **attributes(aria_label="Dataset"),
             ),
             # in the header's free space (assets/shell/notices.css), where they cover no control
             dmc.NotificationContainer(
@@ -98,7 +99,7 @@ def _header() -> Component:
                 id=names.SHARE,
                 variant="default",
                 leftSection=icon("link", 16),
-                **{"aria-label": "Copy a link to this view"},
+                **attributes(aria_label="Copy a link to this view"),
             ),
             dmc.ColorSchemeToggle(
                 id=names.SCHEME_TOGGLE,
@@ -106,7 +107,7 @@ def _header() -> Component:
                 darkIcon=icon("moon"),
                 variant="default",
                 size=36,
-                **{"aria-label": "Switch between light and dark"},
+                **attributes(aria_label="Switch between light and dark"),
             ),
         ],
     )
@@ -124,5 +125,5 @@ def _navigation() -> Component:
             )
             for feature in features()
         ],
-        **{"aria-label": "Pages"},
+        **attributes(aria_label="Pages"),
     )

@@ -12,6 +12,7 @@ import json
 import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 import dash
 from flask import request
@@ -38,7 +39,7 @@ class LoadingDash(CheckedDash):
 
     shown_at_once: Mapping[str, Sequence[str]] = {}
 
-    def interpolate_index(self, **parts: str) -> str:
+    def interpolate_index(self, *_: Any, **parts: Any) -> str:
         """The page's HTML. Raises RuntimeError where Dash writes its scripts otherwise than this module knows."""
         scripts, later = split_scripts(parts["scripts"])
         addresses = self._addresses(later)
@@ -77,9 +78,17 @@ def split_scripts(html: str) -> tuple[list[str], dict[str, str]]:
     for part, found in left_out.items():
         if len(found) != 1:
             raise RuntimeError(f"Dash {dash.__version__} writes {len(found)} scripts of {part}, not one")
-    later = {name: re.search(r'src="([^"]+)"', left_out[f"/{name}/"][0])[1] for name in LATER}
+    later = {name: _source(left_out[f"/{name}/"][0]) for name in LATER}
     gone = {tag for found in left_out.values() for tag in found}
     return [tag for tag in tags if tag not in gone], later
+
+
+def _source(tag: str) -> str:
+    """The address in a script tag."""
+    found = re.search(r'src="([^"]+)"', tag)
+    if found is None:
+        raise RuntimeError(f"Dash {dash.__version__} writes a script without an address: {tag}")
+    return found[1]
 
 
 def _suites(sources: Mapping[str, str]) -> dict[str, dict[str, object]]:

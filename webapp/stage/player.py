@@ -7,7 +7,9 @@ the browser (assets/stage/player.mjs, the events ``stage-state`` and ``stage-fra
 from __future__ import annotations
 
 from dash import ClientsideFunction, Dash, Input, Output, dcc, html
+from dash.development.base_component import Component
 
+from webapp.shell.attributes import attributes
 from webapp.shell.names import STAGE_REQUEST
 from webapp.stage import names
 
@@ -35,7 +37,10 @@ def stage(api: str = "/api") -> html.Div:
             dcc.Store(id=STAGE_REQUEST),
             dcc.Store(id=names.STAGE_SHOWN),
             html.Div(
-                [html.Div(className="ms-stage-title"), html.Div(className="ms-figures", **{"aria-label": "Figures"})],
+                [
+                    html.Div(className="ms-stage-title"),
+                    html.Div(className="ms-figures", **attributes(aria_label="Figures")),
+                ],
                 className="ms-stage-head",
             ),
             _view(),
@@ -45,13 +50,13 @@ def stage(api: str = "/api") -> html.Div:
                         [html.Div(className="ms-band-rows"), html.Div(className="ms-band-cursor")],
                         className="ms-bands",
                         hidden=True,
-                        **{"aria-hidden": "true"},
+                        **attributes(aria_hidden="true"),
                     ),
                     html.Div(
                         html.Div([html.Canvas(), html.Div(className="ms-warp-cursor")], className="ms-warp-rows"),
                         className="ms-warp",
                         hidden=True,
-                        **{"aria-hidden": "true"},
+                        **attributes(aria_hidden="true"),
                     ),
                     _scrub_bar(),
                     _toolbar(),
@@ -62,7 +67,7 @@ def stage(api: str = "/api") -> html.Div:
         id=names.STAGE,
         className="ms-stage",
         role="region",
-        **{"aria-label": "Stage", "data-api": api, "data-status": "empty"},
+        **attributes(aria_label="Stage", data_api=api, data_status="empty"),
     )
 
 
@@ -78,19 +83,21 @@ def register(app: Dash) -> None:
 def _view() -> html.Div:
     return html.Div(
         [
-            html.Canvas(id=names.STAGE_CANVAS, role="img", tabIndex="0", **{"aria-label": "Stage for moving figures"}),
+            html.Canvas(
+                id=names.STAGE_CANVAS, role="img", tabIndex="0", **attributes(aria_label="Stage for moving figures")
+            ),
             html.Div(
                 [
-                    html.Div(className="ms-message-figure", **{"aria-hidden": "true"}),
+                    html.Div(className="ms-message-figure", **attributes(aria_hidden="true")),
                     html.Div("Nothing on stage yet", className="ms-message-title"),
                     html.Div("Choose a clip, a motif or a motion, and it plays here.", className="ms-message-hint"),
                     html.Div(className="ms-message-text", role="status"),
-                    html.Button("Try again", type="button", className="ms-retry", **{"data-action": "retry"}),
+                    html.Button("Try again", type="button", className="ms-retry", **attributes(data_action="retry")),
                 ],
                 className="ms-message",
             ),
             html.Div(
-                [html.Span(), html.Button("Try again", type="button", **{"data-action": "retry"})],
+                [html.Span(), html.Button("Try again", type="button", **attributes(data_action="retry"))],
                 className="ms-stage-note",
                 role="status",
                 hidden=True,
@@ -112,25 +119,24 @@ def _scrub_bar() -> html.Div:
         className="ms-scrub",
         role="slider",
         tabIndex="0",
-        **{"aria-label": "Time in seconds", "aria-valuemin": "0", "aria-valuemax": "0", "aria-valuenow": "0"},
+        **attributes(aria_label="Time in seconds", aria_valuemin="0", aria_valuemax="0", aria_valuenow="0"),
     )
 
 
 def _tool(action: str, label: str, key: str = "", pressed: bool | None = None) -> html.Button:
-    attributes = {"data-action": action, "data-icon": action, "data-key": key, "aria-label": label}
-    attributes["data-tip"] = f"{label}  ·  {key}" if key else label
-    if pressed is not None:
-        attributes["aria-pressed"] = str(pressed).lower()
-    return html.Button(type="button", className="ms-tool", **attributes)
+    tip = f"{label}  ·  {key}" if key else label
+    state = {} if pressed is None else attributes(aria_pressed=str(pressed).lower())
+    data = attributes(data_action=action, data_icon=action, data_key=key, data_tip=tip)
+    return html.Button(type="button", className="ms-tool", **data, **attributes(aria_label=label), **state)
 
 
-def _group(*children, label: str, name: str = "") -> html.Div:
-    return html.Div(list(children), className=f"ms-group {name}".strip(), role="group", **{"aria-label": label})
+def _group(*children: Component, label: str, name: str = "") -> html.Div:
+    return html.Div(list(children), className=f"ms-group {name}".strip(), role="group", **attributes(aria_label=label))
 
 
 def _toolbar() -> html.Div:
     speed = html.Button(
-        "1×", type="button", className="ms-speed", **{"data-action": "speed", "data-tip": "Normal speed  ·  0"}
+        "1×", type="button", className="ms-speed", **attributes(data_action="speed", data_tip="Normal speed  ·  0")
     )
     return html.Div(
         [
@@ -162,5 +168,5 @@ def _toolbar() -> html.Div:
         ],
         className="ms-toolbar",
         role="toolbar",
-        **{"aria-label": "Stage controls"},
+        **attributes(aria_label="Stage controls"),
     )

@@ -6,16 +6,17 @@ from collections.abc import Mapping
 from typing import Any
 
 import plotly.graph_objects as go
+from dash import dcc
 
 from webapp.shell import theme
 
 SERIES = ("#3b6abf", "#d2762b", "#3a9b7a", "#a45fc0", "#c2486a", "#7f8a2e", "#2f95b0", "#8c6d53")
 FONT = "system-ui, -apple-system, Segoe UI, Roboto, Noto Sans, sans-serif"
-CONFIG = {"displayModeBar": False, "responsive": True}
+CONFIG: dcc.Graph.Config = {"displayModeBar": False, "responsive": True}
 HEAT = {"light": "Blues", "dark": "Viridis"}
 
 
-def themed(figure: go.Figure, scheme: str | None, *, height: int = 320, **layout: Any) -> go.Figure:
+def themed(figure: go.Figure, scheme: str | None, *, height: int | None = 320, **layout: Any) -> go.Figure:
     """The figure in the colours of ``scheme`` ("light" or "dark"); ``layout`` goes to its layout."""
     c = theme.CANVAS[scheme if scheme in theme.CANVAS else "light"]
     axis = {

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import dash_mantine_components as dmc
 from dash.development.base_component import Component
 
+from webapp.shell.attributes import attributes
 from webapp.shell.icons import icon
 
 KINDS = {"png": "Picture (PNG)", "svg": "Drawing (SVG)", "csv": "Numbers (CSV)"}
@@ -34,16 +37,16 @@ def table_download(grid_id: str, name: str) -> Component:
     return _button(f"Save the table as CSV: {name}", **_saves("table", grid_id, "csv", name))
 
 
-def _saves(what: str, target: str, kind: str, name: str) -> dict[str, str]:
+def _saves(what: str, target: str, kind: str, name: str) -> dict[str, Any]:
     return {"data-save": what, "data-target": target, "data-kind": kind, "data-name": name}
 
 
-def _button(label: str, **attributes: str) -> Component:
+def _button(label: str, **more: Any) -> Component:
     return dmc.ActionIcon(
         icon("download", 16),
         variant="default",
         size=30,
         attributes={"root": {"title": label}},
-        **{"aria-label": label},
-        **attributes,
+        **attributes(aria_label=label),
+        **more,
     )

@@ -12,6 +12,7 @@ from dash.development.base_component import Component
 
 from core.errors import ParameterError
 from core.parameters import Parameter
+from webapp.shell.attributes import attributes
 from webapp.shell.icons import icon
 from webapp.shell.identifiers import Pattern
 
@@ -101,7 +102,9 @@ def _label(parameter: Parameter, labels: Mapping[str, str]) -> Component:
     name = labels.get(parameter.name, parameter.label)
     help_text = parameter.help.strip()
     mark = dmc.Tooltip(
-        html.Span(icon("info", 14), className="help-mark", tabIndex="0", role="note", **{"aria-label": help_text}),
+        html.Span(
+            icon("info", 14), className="help-mark", tabIndex="0", role="note", **attributes(aria_label=help_text)
+        ),
         label=help_text,
         events={"hover": True, "focus": True, "touch": True},
     )

@@ -17,12 +17,13 @@ from core.mocap.clip import Label, Segment
 from core.mocap.dataset import Dataset
 from core.workspace import MotifNote
 from webapp.shell import theme
+from webapp.shell.attributes import attributes
 
 Row = dict[str, Any]
 
-NUMBER = {"cellClass": "number ag-right-aligned-cell", "headerClass": "ag-right-aligned-header"}
+NUMBER: dict[str, Any] = {"cellClass": "number ag-right-aligned-cell", "headerClass": "ag-right-aligned-header"}
 
-STRIP = {
+STRIP: dict[str, Any] = {
     "headerName": "Motion",
     "flex": 1,
     "minWidth": 136,
@@ -30,7 +31,7 @@ STRIP = {
     "sortable": False,
     "cellClass": "strip-cell",
 }
-TEXT = {"filter": "agTextColumnFilter"}
+TEXT: dict[str, Any] = {"filter": "agTextColumnFilter"}
 
 
 def decimals(digits: int) -> dict[str, Any]:
@@ -40,7 +41,7 @@ def decimals(digits: int) -> dict[str, Any]:
 
 
 SECONDS = decimals(1)
-WRAPPED = {"wrapHeaderText": True}
+WRAPPED: dict[str, Any] = {"wrapHeaderText": True}
 
 
 def column(field: str, name: str, width: int, tip: str = "", **more: Any) -> dict[str, Any]:
@@ -102,7 +103,7 @@ def grid(
         eventListeners={"rowClicked": ["chooseRow(params)"], "cellKeyDown": ["chooseRowByKey(params)"]},
         className="grid",
     )
-    return html.Div(table, role="group", style={"--row-height": f"{row_height}px"}, **{"aria-label": label})
+    return html.Div(table, role="group", style={"--row-height": f"{row_height}px"}, **attributes(aria_label=label))
 
 
 def strip_address(dataset: str, segment: Segment, n_poses: int = 6, fingerprint: str = "") -> str:
@@ -113,9 +114,7 @@ def strip_address(dataset: str, segment: Segment, n_poses: int = 6, fingerprint:
 
 def motif_rows(graph: Any, dataset: Dataset, notes: Mapping[int, MotifNote] = MappingProxyType({})) -> list[Row]:
     """One row a motif: how often, how long, in how many clips, and the label that covers most of it."""
-    by_clip: dict[str, list[Label]] = {}
-    for label in dataset.labels:
-        by_clip.setdefault(label.clip, []).append(label)
+    by_clip = labels_by_clip(dataset)
     rates = {clip.name: clip.fps for clip in dataset.clips}
     rows = []
     for motif in graph.motifs:
@@ -130,7 +129,7 @@ def motif_rows(graph: Any, dataset: Dataset, notes: Mapping[int, MotifNote] = Ma
                 "seconds": round(sum(seconds) / len(seconds), 2),
                 "clips": len({segment.clip for segment in motif.segments}),
                 "label": majority_label(motif.segments, by_clip),
-                **_said(notes.get(motif.id)),
+                **_note_cells(notes.get(motif.id)),
                 "selection": {"motif": motif.id},
             }
         )
@@ -139,9 +138,7 @@ def motif_rows(graph: Any, dataset: Dataset, notes: Mapping[int, MotifNote] = Ma
 
 def motions_csv(dataset: Dataset, graph: Any, notes: Mapping[int, MotifNote] = MappingProxyType({})) -> str:
     """One line a motion: its motif, what people call it, its frames (end exclusive), seconds and main label."""
-    by_clip: dict[str, list[Label]] = {}
-    for label in dataset.labels:
-        by_clip.setdefault(label.clip, []).append(label)
+    by_clip = labels_by_clip(dataset)
     text = io.StringIO()
     lines = csv.writer(text, lineterminator="\n")
     lines.writerow(["motif", "name", "tags", "clip", "start_frame", "end_frame", "seconds", "label"])
@@ -154,7 +151,15 @@ def motions_csv(dataset: Dataset, graph: Any, notes: Mapping[int, MotifNote] = M
     return text.getvalue()
 
 
-def _said(note: MotifNote | None) -> Row:
+def labels_by_clip(dataset: Dataset) -> dict[str, list[Label]]:
+    """The labels of each clip that has any."""
+    labels: dict[str, list[Label]] = {}
+    for label in dataset.labels:
+        labels.setdefault(label.clip, []).append(label)
+    return labels
+
+
+def _note_cells(note: MotifNote | None) -> Row:
     return {"name": note.name, "tags": ", ".join(note.tags), "note": note.note} if note else {"name": "", "tags": ""}
 
 

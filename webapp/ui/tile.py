@@ -6,6 +6,8 @@ import dash_mantine_components as dmc
 from dash import html
 from dash.development.base_component import Component
 
+from webapp.shell.attributes import attributes
+
 
 def metric_tile(name: str, value: str, explanation: str) -> Component:
     """One tile; focusable, so that its explanation is there for the keyboard too."""
@@ -14,7 +16,7 @@ def metric_tile(name: str, value: str, explanation: str) -> Component:
             [html.Span(name, className="tile-name"), html.Span(value, className="tile-value number")],
             className="tile card",
             tabIndex="0",
-            **{"aria-label": f"{name}: {value}. {explanation}"},
+            **attributes(aria_label=f"{name}: {value}. {explanation}"),
         ),
         label=explanation,
         boxWrapperProps={"className": "tile-box"},

@@ -77,7 +77,7 @@ def _choose(app: Dash, workspace: Workspace) -> None:
         if clip not in dataset.names:
             return None, list(dataset.names), None, layout.nothing(dataset, clip), "hidden"
         recording = dataset.clip(clip)
-        shown = {"dataset": dataset.name, "version": dataset.fingerprint, "clip": clip}
+        shown: dict[str, Any] = {"dataset": dataset.name, "version": dataset.fingerprint, "clip": clip}
         shown |= {"fps": recording.fps, "frames": recording.n_frames}
         return (shown if shown != before else no_update), list(dataset.names), clip, None, ""
 

@@ -55,8 +55,9 @@ def frames_of(dataset: Dataset, skeleton: Skeleton) -> BodyFrames:
 def choice(view: Mapping[str, str] | None, curves: ClipCurves) -> Choice:
     """What ``view`` asks for, as far as this clip has it; defaults for the rest."""
     view = view or {}
-    chart = view.get("chart") if view.get("chart") in CHARTS else "angles"
-    kind = view.get("angles") if view.get("angles") in KINDS else "body"
+    chart, kind = view.get("chart", ""), view.get("angles", "")
+    chart = chart if chart in CHARTS else "angles"
+    kind = kind if kind in KINDS else "body"
     if not curves.angle_joints:
         kind = "file"
     offered = offered_joints(curves, chart, kind)

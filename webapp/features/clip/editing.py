@@ -152,7 +152,7 @@ def _open(app: Dash, workspace: Workspace) -> None:
         title, says, button = ACTIONS[action]
         if action == "trim":
             start, end = selected(shown, selection)
-            if start is None:
+            if start is None or end is None:
                 hint = notice("No range is selected", "Drag over the chart to select one.", "orange")
                 set_props(NOTICES, {"sendNotifications": [hint]})
                 return (no_update,) * 9

@@ -14,6 +14,7 @@ from core.poses.angles import JOINTS
 from webapp.features.clip import editing, names, table
 from webapp.features.clip.clips import CHARTS, KINDS, Choice, joint_words, offered_joints
 from webapp.features.clip.figures.curves import Panel
+from webapp.shell.attributes import attributes
 from webapp.shell.buttons import sends, similar
 from webapp.shell.icons import icon
 from webapp.shell.messages import empty_state
@@ -39,7 +40,9 @@ def page() -> Component:
                 children=[
                     html.Div(id=names.CLIP_FACTS, className="muted clip-facts"),
                     _choosers(),
-                    html.Div(id=names.CLIP_LEGEND, className="clip-legend", **{"aria-label": "Values at the cursor"}),
+                    html.Div(
+                        id=names.CLIP_LEGEND, className="clip-legend", **attributes(aria_label="Values at the cursor")
+                    ),
                     _chart(),
                     html.Div(id=names.CLIP_RANGE, className="clip-range"),
                     html.Div([html.H2("Gait")], className="section-head section"),
@@ -63,7 +66,7 @@ def page() -> Component:
 def _head() -> Component:
     def step(name: str, label: str, symbol: str) -> Component:
         button = dmc.ActionIcon(
-            icon(symbol, 18), id=name, variant="default", size=36, disabled=True, **{"aria-label": label}
+            icon(symbol, 18), id=name, variant="default", size=36, disabled=True, **attributes(aria_label=label)
         )
         return html.Span(button, title=label)
 
@@ -77,7 +80,7 @@ def _head() -> Component:
         nothingFoundMessage="No clip of this name",
         maxDropdownHeight=320,
         comboboxProps={"shadow": "md"},
-        **{"aria-label": "Clip"},
+        **attributes(aria_label="Clip"),
     )
     walk = [step(names.CLIP_PREVIOUS, "Previous clip", "back"), picker, step(names.CLIP_NEXT, "Next clip", "next")]
     return page_head(
@@ -90,7 +93,7 @@ def _head() -> Component:
 def _choosers() -> Component:
     def segments(name: str, choices: dict[str, str], label: str) -> Component:
         data = [{"value": value, "label": text} for value, text in choices.items()]
-        return dmc.SegmentedControl(id=name, data=data, size="xs", **{"aria-label": label})
+        return dmc.SegmentedControl(id=name, data=data, size="xs", **attributes(aria_label=label))
 
     return html.Div(
         className="clip-choosers",
@@ -112,7 +115,7 @@ def _choosers() -> Component:
                     placeholder="Add a joint",
                     maxDropdownHeight=300,
                     comboboxProps={"shadow": "md"},
-                    **{"aria-label": "Joints"},
+                    **attributes(aria_label="Joints"),
                 ),
                 id=names.CLIP_JOINTS_BOX,
                 className="hidden clip-joints-box",
@@ -130,7 +133,7 @@ def _chart() -> Component:
             html.Div(className="clip-dot", hidden=True),
         ],
         className="clip-over",
-        **{"aria-hidden": "true"},
+        **attributes(aria_hidden="true"),
     )
     graph = dcc.Graph(
         id=names.CLIP_GRAPH,
@@ -143,7 +146,7 @@ def _chart() -> Component:
         className="card clip-box",
         tabIndex="0",
         role="application",
-        **{"aria-label": "Chart of the clip. " + HINT},
+        **attributes(aria_label="Chart of the clip. " + HINT),
     )
     zoom = [
         _zoom("minus", "Zoom out", "out"),
@@ -159,7 +162,7 @@ def _zoom(symbol: str, label: str, what: str) -> Component:
         variant="default",
         size=26,
         attributes={"root": {"title": label, "data-clip-zoom": what}},
-        **{"aria-label": label},
+        **attributes(aria_label=label),
     )
 
 
@@ -222,7 +225,7 @@ def legend(panels: Sequence[Panel]) -> list[Component]:
                     },
                 ),
                 html.Span(line.label, className="clip-key-name"),
-                html.Span("", className="clip-value number", **{"data-unit": _unit(panel.unit)}),
+                html.Span("", className="clip-value number", **attributes(data_unit=_unit(panel.unit))),
             ],
             className="clip-chip",
             title=f"{line.label}: positive is {line.tip}" if line.tip and panel.unit == "deg" else line.tip,

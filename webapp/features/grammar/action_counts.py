@@ -53,7 +53,7 @@ def _point(workspace: Workspace, dataset: str | None, values: Mapping[str, objec
     view = {key: text for key, text in change.items() if text}
     key = settings.key_of(workspace, grammars.PAGE, dataset, view)
     found = grammars.learned(workspace, dataset, view) if key else None
-    if found is None:
+    if key is None or found is None:
         return None
     terminals, objective = found.terminals, found.terminals.objective
     return Point(

@@ -9,6 +9,7 @@ from dash.development.base_component import Component
 from core.workspace import MotifNote, Workspace, WorkspaceError
 from core.workspace.notes import LONGEST_NAME
 from webapp.features.grammar import grammars, names
+from webapp.shell.attributes import attributes
 from webapp.shell.icons import icon
 from webapp.shell.names import DATASET, SELECTION, VIEW
 
@@ -30,7 +31,7 @@ def layout() -> Component:
                         size="xs",
                         w=190,
                         allowDeselect=False,
-                        **{"aria-label": "Order of the actions"},
+                        **attributes(aria_label="Order of the actions"),
                     ),
                     html.Div(id=names.ACTION_CARDS, className="action-cards"),
                 ],
@@ -96,7 +97,7 @@ def register(app: Dash, workspace: Workspace) -> None:
     def fill(selection, _field, name, view):
         action = (selection or {}).get("action")
         notes = grammars.notes_of(workspace, name, view) if name and action is not None else None
-        if notes is None:
+        if notes is None or action is None:
             return "", None, ""
         note = notes.get(int(action), MotifNote())
         return note.name, int(action), CARRIED if note.carried and note.name else ""

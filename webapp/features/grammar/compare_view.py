@@ -16,6 +16,7 @@ from webapp.features.grammar.figures import bakeoff as figures
 from webapp.jobs.names import JOBS_FINISHED
 from webapp.jobs.running import running
 from webapp.shell import recipes
+from webapp.shell.attributes import attributes
 from webapp.shell.buttons import copies, sends
 from webapp.shell.icons import icon
 from webapp.shell.messages import empty_state, notice
@@ -125,7 +126,7 @@ def _result(result, key: str, scheme: str | None, again: dict[str, str]) -> list
     )
     said = f"{result.sentences} routines were held out in turn, and {result.shuffles} shuffles of them tried."
     return [
-        html.Div(plays, className="compose-bar", role="group", **{"aria-label": "Play"}),
+        html.Div(plays, className="compose-bar", role="group", **attributes(aria_label="Play")),
         html.P([said, *(f" {note[:1].upper()}{note[1:]}." for note in result.notes)], className="muted view-hint"),
         html.Div(
             [
@@ -168,5 +169,5 @@ def _play(label: str, value: dict[str, str]) -> Component:
         [icon("play", 14), label],
         type="button",
         className="walk-button",
-        **{"data-store": names.BAKEOFF_PLAY, "data-value": json.dumps(value), "data-stamp": "yes"},
+        **attributes(data_store=names.BAKEOFF_PLAY, data_value=json.dumps(value), data_stamp="yes"),
     )

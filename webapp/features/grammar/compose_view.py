@@ -10,6 +10,7 @@ from dash.development.base_component import Component
 from core.workspace import Workspace, WorkspaceError
 from webapp.features.grammar import compositions, names
 from webapp.features.grammar.routines_view import tree_link
+from webapp.shell.attributes import attributes
 from webapp.shell.icons import icon
 from webapp.shell.names import DATASET, SELECTION, VIEW
 
@@ -19,16 +20,20 @@ def layout() -> Component:
     return html.Div(
         className="compose-view",
         children=[
-            html.Div(_buttons(), className="compose-bar", role="group", **{"aria-label": "The new routine"}),
+            html.Div(_buttons(), className="compose-bar", role="group", **attributes(aria_label="The new routine")),
             html.Div(id=names.COMPOSE_ERROR, className="walk-error hidden", role="alert"),
             html.P(id=names.COMPOSE_SAID, className="muted view-hint", role="status"),
             html.Ol(
-                id=names.COMPOSE_STRING, className="compose-string", **{"aria-label": "Actions of the new routine"}
+                id=names.COMPOSE_STRING,
+                className="compose-string",
+                **attributes(aria_label="Actions of the new routine"),
             ),
-            html.Div(_chosen(), className="compose-bar", role="group", **{"aria-label": "The chosen part"}),
+            html.Div(_chosen(), className="compose-bar", role="group", **attributes(aria_label="The chosen part")),
             html.Div(id=names.COMPOSE_OTHERS, className="compose-others hidden"),
             html.Div(
-                html.Div(id=names.COMPOSE_TREE, className="tree", role="group", **{"aria-label": "How it is built"}),
+                html.Div(
+                    id=names.COMPOSE_TREE, className="tree", role="group", **attributes(aria_label="How it is built")
+                ),
                 className="card tree-card",
             ),
             html.Div(
@@ -70,7 +75,7 @@ def _buttons() -> list[Component]:
         ),
         tree_link(names.COMPOSE_JSON, "JSON", "Save where every frame comes from, and the meters"),
         *(
-            html.Button(label, type="button", className="walk-button compose-recipe", **{"data-recipe": words})
+            html.Button(label, type="button", className="walk-button compose-recipe", **attributes(data_recipe=words))
             for label, words in (("Command", "Copy as commands"), ("Python", "Copy as Python"))
         ),
     ]
@@ -89,7 +94,7 @@ def _chosen() -> list[Component]:
             type="button",
             className="walk-button tree-png",
             title="Save the tree as a picture",
-            **{"data-link": names.COMPOSE_SVG},
+            **attributes(data_link=names.COMPOSE_SVG),
         ),
     ]
 
@@ -109,7 +114,7 @@ def _save() -> list[Component]:
 
 
 def _button(label, action: str, tip: str) -> Component:
-    return html.Button(label, type="button", className="walk-button", title=tip, **{"data-compose": action})
+    return html.Button(label, type="button", className="walk-button", title=tip, **attributes(data_compose=action))
 
 
 def register(app: Dash, workspace: Workspace) -> None:

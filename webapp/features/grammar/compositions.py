@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Any
 from core import analyses
 from core.errors import MotionscapeError, ParameterError
 from core.grammar import authoring
-from core.grammar.trees import Node, at_path, leaves, preorder
+from core.grammar.trees import Node, at_path, preorder
 from core.mocap.clip import Label
 from core.mocap.dataset import Dataset
 from core.synthesis import Derivation
@@ -45,7 +45,7 @@ def is_composing(view: View) -> bool:
 
 def asked_of(view: View, *more: str) -> dict[str, str]:
     """What of the link says which routine it is, and what of it is chosen."""
-    return {key: view[key] for key in (*ASKED, *more) if (view or {}).get(key)}
+    return {key: text for key in (*ASKED, *more) if (text := (view or {}).get(key))}
 
 
 def kept(workspace: Workspace, key: str) -> Derivation | None:
@@ -83,7 +83,7 @@ def composed(workspace: Workspace, name: str, view: View) -> dict[str, Any] | No
         return None
     data = {"key": key, "asked": asked_of(view)}
     try:
-        tree = tree_of(found, view["sentence"])
+        tree = tree_of(found, (view or {})["sentence"])
         request = derive_request(found, name, view, tree)
         made = analyses.result_now(workspace, request)
     except MotionscapeError as error:
@@ -95,7 +95,8 @@ def composed(workspace: Workspace, name: str, view: View) -> dict[str, Any] | No
     svg = grammars.routine_svg(
         dataset,
         found,
-        grammars.Routine(None, tuple(zip(leaves(tree), made.pieces, strict=True)), tree),
+        tree,
+        made.pieces,
         notes,
         marked=chosen and chosen["at"],
         picked=_number(view, "pick"),
@@ -165,8 +166,8 @@ def chosen_part(found: LearnedGrammar, tree: Node, view: View) -> dict[str, Any]
         "first": node.start,
         "end": node.end,
         "name": grammars.tree_names(found, {})(node.symbol),
-        "ways": len(found.grammar.choices[node.symbol]),
-        "varies": any(len(found.grammar.choices[n.symbol]) > 1 for n in preorder(node) if not n.is_leaf),
+        "ways": len(found.grammar.choices[node.name]),
+        "varies": any(len(found.grammar.choices[n.name]) > 1 for n in preorder(node) if not n.is_leaf),
         "larger": level + 1 < len(around),
         "smaller": level > 0,
     }
@@ -180,7 +181,7 @@ def alternatives(workspace: Workspace, name: str, view: View) -> dict[str, Any] 
     data = {"asked": asked_of(view, "alt")}
     notes = grammars.notes_of(workspace, name, view) or {}
     try:
-        tree = tree_of(found, view["sentence"])
+        tree = tree_of(found, (view or {})["sentence"])
         chosen = chosen_part(found, tree, view)
         if chosen is None:
             return data | {"error": "Choose an action first."}
@@ -231,7 +232,7 @@ def keep(workspace: Workspace, name: str | None, view: View, called: str) -> str
     if not called:
         raise WorkspaceError("Give it a name first.")
     found = grammars.learned(workspace, name, view)
-    if found is None or name is None or not (view or {}).get("sentence"):
+    if found is None or name is None or not view or not view.get("sentence"):
         raise WorkspaceError("There is no routine to keep.")
     try:
         made = analyses.result_now(workspace, derive_request(found, name, view, tree_of(found, view["sentence"])))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from core.mocap.clip import Segment
@@ -116,12 +116,20 @@ def tree_names(found: LearnedGrammar, notes: Mapping[int, MotifNote]) -> Callabl
 
 
 def routine_svg(
-    dataset: Dataset, found: LearnedGrammar, routine: Routine, notes: Mapping[int, MotifNote], **look
+    dataset: Dataset,
+    found: LearnedGrammar,
+    tree: Node,
+    segments: Iterable[Segment],
+    notes: Mapping[int, MotifNote],
+    **look: Any,
 ) -> str:
-    """The tree of a routine with a posture below every action; look: as for parse_tree.tree_svg."""
-    pictures = [actions.icon_address(dataset, segment) for _, segment in routine.pieces]
+    """The tree of a routine with a posture below every action.
+
+    segments: of its actions, in order; look: as for parse_tree.tree_svg.
+    """
+    pictures = [actions.icon_address(dataset, segment) for segment in segments]
     return tree_svg(
-        routine.tree,
+        tree,
         tree_names(found, notes),
         actions.tones(found.terminals.n_terminals),
         **({"pictures": pictures} | look),

@@ -9,6 +9,7 @@ from dash import dcc, html
 from dash.development.base_component import Component
 
 from webapp.features.grammar import names, views
+from webapp.shell.attributes import attributes
 from webapp.shell.icons import icon
 from webapp.ui import method_page
 from webapp.ui.method_page import MethodPage
@@ -93,7 +94,9 @@ def result(tiles: Sequence[tuple[str, str, str]]) -> Component:
                 ],
                 className="section-head section",
             ),
-            html.Div(id=names.GRAMMAR_STRING, className="card string", role="list", **{"aria-label": "Recordings"}),
+            html.Div(
+                id=names.GRAMMAR_STRING, className="card string", role="list", **attributes(aria_label="Recordings")
+            ),
             html.Div([views.switch()], className="section-head section"),
             *views.panels(),
             dcc.Store(id=names.GRAMMAR_DRAWN),
@@ -107,7 +110,7 @@ def _zoom(symbol: str, label: str, direction: str) -> Component:
         type="button",
         title=label,
         className="walk-button string-zoom",
-        **{"aria-label": label, "data-zoom": direction},
+        **attributes(aria_label=label, data_zoom=direction),
     )
 
 

@@ -9,6 +9,7 @@ from dash.development.base_component import Component
 from core.workspace import Workspace
 from webapp.features.grammar import grammars, names
 from webapp.shell import settings
+from webapp.shell.attributes import attributes
 from webapp.shell.icons import icon
 from webapp.shell.names import DATASET, VIEW
 
@@ -23,7 +24,7 @@ def layout() -> Component:
                 "built, and a part of the tree to play it.",
                 className="muted view-hint",
             ),
-            html.Ol(id=names.ROUTINE_LIST, className="card routine-list", **{"aria-label": "Routines"}),
+            html.Ol(id=names.ROUTINE_LIST, className="card routine-list", **attributes(aria_label="Routines")),
             html.Div(
                 className="card tree-card",
                 children=[
@@ -44,13 +45,16 @@ def layout() -> Component:
                                 type="button",
                                 className="walk-button tree-png",
                                 title="Save the tree as a picture",
-                                **{"data-link": names.ROUTINE_SVG},
+                                **attributes(data_link=names.ROUTINE_SVG),
                             ),
                         ],
                         className="tree-head",
                     ),
                     html.Div(
-                        id=names.ROUTINE_TREE, className="tree", role="group", **{"aria-label": "How it is built"}
+                        id=names.ROUTINE_TREE,
+                        className="tree",
+                        role="group",
+                        **attributes(aria_label="How it is built"),
                     ),
                 ],
             ),
@@ -85,7 +89,9 @@ def register(app: Dash, workspace: Workspace) -> None:
         notes = grammars.notes_of(workspace, name, view) or {}
         number = grammars.routine_number(found, view)
         routine = grammars.routines(found)[number]
-        data = {"key": key, "number": number, "svg": grammars.routine_svg(workspace.open(name), found, routine, notes)}
+        segments = [segment for _, segment in routine.pieces]
+        svg = grammars.routine_svg(workspace.open(name), found, routine.tree, segments, notes)
+        data = {"key": key, "number": number, "svg": svg}
         return no_update if data == before else data
 
     app.clientside_callback(

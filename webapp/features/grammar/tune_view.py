@@ -9,7 +9,7 @@ from dash.development.base_component import Component
 
 from core import analyses
 from core.errors import ParameterError
-from core.workspace import Workspace, WorkspaceError
+from core.workspace import Job, Workspace, WorkspaceError
 from webapp import jobs
 from webapp.features.grammar import action_counts, grammars, names
 from webapp.features.grammar.figures import table as grammar_table
@@ -232,8 +232,10 @@ def _follow(app: Dash, workspace: Workspace) -> None:
             return [], None, None, "hidden"
         ready = [point.key for point in points if point is not None]
         now = [name, job.id, job.state] if job is not None else [name]
-        alive = job is not None and job.alive
-        strip = _strip(running(job, "Comparing", "sweep")) if alive else _ended(job)
+        if job is not None and job.alive:
+            strip: Component | list[Component] = running(job, "Comparing", "sweep", "card sweep-running section")
+        else:
+            strip = _ended(job)
         return (
             no_update if now == spoken else strip,
             no_update if now == spoken else now,
@@ -242,12 +244,7 @@ def _follow(app: Dash, workspace: Workspace) -> None:
         )
 
 
-def _strip(box: Component) -> Component:
-    box.className = "card sweep-running section"
-    return box
-
-
-def _ended(job) -> Component | list:
+def _ended(job: Job | None) -> Component | list[Component]:
     if job is None or job.state not in ("failed", "cancelled"):
         return []
     words = {"failed": f"Comparing failed: {job.error}", "cancelled": "Comparing was cancelled."}[job.state]

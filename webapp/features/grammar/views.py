@@ -12,6 +12,7 @@ from dash.development.base_component import Component
 
 from core.workspace import Workspace
 from webapp.features.grammar import actions_view, compare_view, compose_view, names, routines_view, tune_view
+from webapp.shell.attributes import attributes
 from webapp.shell.names import VIEW
 
 
@@ -25,7 +26,7 @@ class Part(NamedTuple):
 
 
 def _rules() -> Component:
-    return html.Div(id=names.GRAMMAR_RULES, className="grammar-rules", **{"aria-label": "Rules"})
+    return html.Div(id=names.GRAMMAR_RULES, className="grammar-rules", **attributes(aria_label="Rules"))
 
 
 def _nothing(app: Dash, workspace: Workspace) -> None:
@@ -70,7 +71,7 @@ def switch() -> Component:
         value=PARTS[0].value,
         size="xs",
         className="view-switch",
-        **{"aria-label": "What to look at"},
+        **attributes(aria_label="What to look at"),
     )
 
 
@@ -80,7 +81,7 @@ def panels() -> list[Component]:
         html.Div(
             part.layout(),
             className="view-panel" + (" hidden" if number else ""),
-            **{"data-key": "show", "data-value": part.value},
+            **attributes(data_key="show", data_value=part.value),
         )
         for number, part in enumerate(PARTS)
     ]

@@ -18,6 +18,7 @@ from webapp import jobs
 from webapp.features.library import names
 from webapp.jobs import changes
 from webapp.jobs.names import JOB_POKE
+from webapp.shell.attributes import attributes
 from webapp.shell.icons import icon
 from webapp.shell.names import AWAITED, DATASET, JOB_STARTED
 from webapp.shell.uploads import SUFFIXES, Limits
@@ -39,9 +40,12 @@ def dialog(limits: Limits) -> Component:
             _drop_zone(limits),
             html.Div(html.Div(id=names.UPLOAD_BAR), id=names.UPLOAD_PROGRESS, className="upload-progress hidden"),
             html.Div(
-                id=names.UPLOAD_SUMMARY, className="muted upload-summary", role="status", **{"aria-live": "polite"}
+                id=names.UPLOAD_SUMMARY,
+                className="muted upload-summary",
+                role="status",
+                **attributes(aria_live="polite"),
             ),
-            html.Ul(id=names.UPLOAD_LIST, className="upload-list", tabIndex="0", **{"aria-label": "Files"}),
+            html.Ul(id=names.UPLOAD_LIST, className="upload-list", tabIndex="0", **attributes(aria_label="Files")),
             html.Div(
                 className="upload-choices",
                 children=[
@@ -65,7 +69,7 @@ def dialog(limits: Limits) -> Component:
                                 data=[{"value": "add", "label": "Keep"}, {"value": "replace", "label": "Replace"}],
                                 value="add",
                                 fullWidth=True,
-                                **{"aria-labelledby": names.UPLOAD_LABELS_LABEL},
+                                **attributes(aria_labelledby=names.UPLOAD_LABELS_LABEL),
                             ),
                         ],
                     ),
@@ -99,19 +103,19 @@ def _drop_zone(limits: Limits) -> Component:
             html.Div("Drop files, folders or a zip here", className="drop-title"),
             html.Div(
                 [
-                    dmc.Button(words, variant="default", size="compact-sm", **{"data-chooses": what})
+                    dmc.Button(words, variant="default", size="compact-sm", **attributes(data_chooses=what))
                     for words, what in buttons
                 ],
                 className="drop-buttons",
             ),
             html.Div(limits.sentence(), className="muted drop-limits"),
         ],
-        **{
-            "data-file-bytes": limits.file_bytes,
-            "data-total-bytes": limits.total_bytes,
-            "data-files": limits.files,
-            "data-suffixes": " ".join(SUFFIXES),
-        },
+        **attributes(
+            data_file_bytes=limits.file_bytes,
+            data_total_bytes=limits.total_bytes,
+            data_files=limits.files,
+            data_suffixes=" ".join(SUFFIXES),
+        ),
     )
 
 

@@ -14,6 +14,7 @@ from core.workspace import DatasetInfo
 from core.workspace.datasets import is_version
 from webapp.features.library import adding, names
 from webapp.jobs.names import UNDO
+from webapp.shell.attributes import attributes
 from webapp.shell.buttons import sends
 from webapp.shell.icons import icon
 from webapp.shell.messages import empty_state
@@ -86,7 +87,7 @@ def _card(info: DatasetInfo, chosen: bool) -> Component:
     return html.Div(
         className="card dataset-card" + (" chosen" if chosen else ""),
         role="listitem",
-        **{"data-dataset": info.name},
+        **attributes(data_dataset=info.name),
         children=[
             html.Button(
                 className="dataset-open",
@@ -97,7 +98,7 @@ def _card(info: DatasetInfo, chosen: bool) -> Component:
                     html.Span(pills, className="dataset-doubts"),
                 ],
                 **sends(DATASET_CHOICE, {"dataset": info.name}, every_time=True),
-                **{"aria-current": "true" if chosen else "false"},
+                **attributes(aria_current="true" if chosen else "false"),
             ),
             _card_menu(info.name),
         ],
@@ -115,7 +116,7 @@ def _card_menu(name: str) -> Component:
                     variant="subtle",
                     color="gray",
                     className="dataset-menu",
-                    **{"aria-label": f"More for {name}"},
+                    **attributes(aria_label=f"More for {name}"),
                 )
             ),
             dmc.MenuDropdown(
@@ -195,7 +196,7 @@ def detail(name: str, tables: dict[str, Component], report: ImportReport, tab: s
 
 def report_chips(report: ImportReport) -> list[dict[str, str]]:
     """What of a report one can look at, with the number of its files; only what there is."""
-    counts = Counter(file.verdict for file in report.files)
+    counts: Counter[str] = Counter(file.verdict for file in report.files)
     counts["all"] = len(report.files)
     newest = report.last_addition
     counts["added"] = sum(file.addition == newest for file in report.files) if newest else 0
@@ -238,7 +239,7 @@ def _rename_dialog() -> Component:
         title="Rename dataset",
         children=[
             dcc.Store(id=names.RENAME_OLD),
-            dmc.TextInput(id=names.RENAME_NAME, label="New name", **{"data-autofocus": True}),
+            dmc.TextInput(id=names.RENAME_NAME, label="New name", **attributes(data_autofocus=True)),
             html.Div(id=names.RENAME_PROBLEM, className="form-problem", role="alert"),
             dmc.Group(dmc.Button("Rename", id=names.RENAME_SAVE), justify="flex-end", mt="md"),
         ],

@@ -43,7 +43,7 @@ def opened(
     """The map that a view shows and its data set; None where there is none."""
     found = settings.result_of(workspace, "map", dataset, view)
     try:
-        return (found, workspace.open(dataset)) if found is not None else None
+        return (found, workspace.open(dataset)) if dataset and found is not None else None
     except WorkspaceError:
         return None
 
@@ -119,7 +119,7 @@ def _draw(app: Dash, workspace: Workspace) -> None:
         shown = opened(workspace, name, view) if known else None
         if shown is None:
             return no_update, [], ""
-        colouring = (look or {}).get("colour")
+        colouring = str((look or {}).get("colour") or "")
         graph = results.motif_graph(workspace, name, parameters) if colouring == "motif" else None
         layer = figures.layer_of(*shown, graph, colouring)
         wanted = colouring in ("label", "motif") and not layer.names

@@ -12,6 +12,7 @@ from dash.development.base_component import Component
 from webapp.features.motion_map import names
 from webapp.features.motion_map.figures.heatmap import COLOURINGS
 from webapp.features.motion_map.maps import OtherMap
+from webapp.shell.attributes import attributes
 from webapp.shell.buttons import sends
 from webapp.shell.icons import icon
 from webapp.ui import method_page
@@ -86,14 +87,14 @@ def _map_card() -> Component:
     colours = [{"value": value, "label": name} for value, (name, _) in COLOURINGS.items()]
     colour = dmc.Select(
         id=names.MAP_CONTROLS["colour"], data=colours, value="height", size="xs", w=160, allowDeselect=False,
-        **{"aria-label": "Colour the map by"},
+        **attributes(aria_label="Colour the map by"),
     )  # fmt: skip
     click = dmc.SegmentedControl(
         id=names.MAP_CONTROLS["click"],
         data=[{"value": value, "label": label} for value, label in CLICKS],
         value="keys",
         size="xs",
-        **{"aria-label": "What a click on the map does"},
+        **attributes(aria_label="What a click on the map does"),
     )
     bar = html.Div([colour, click, html.Div(className="spacer"), _save()], className="map-bar")
     graph = dcc.Graph(id=names.MAP_GRAPH, figure=empty(), config={**CONFIG, "staticPlot": True}, responsive=True)
@@ -111,9 +112,9 @@ def _map_card() -> Component:
 
 def _save() -> Component:
     kinds = {"png": "Picture of the map (PNG)", "svg": "Drawing of the map (SVG)"}
-    items = [dmc.MenuItem(label, **{"data-map-save": kind}) for kind, label in kinds.items()]
+    items = [dmc.MenuItem(label, **attributes(data_map_save=kind)) for kind, label in kinds.items()]
     target = dmc.ActionIcon(
-        icon("download", 16), variant="default", size=30, **{"aria-label": "Save the map as a picture"},
+        icon("download", 16), variant="default", size=30, **attributes(aria_label="Save the map as a picture"),
         attributes={"root": {"title": "Save the map as a picture"}},
     )  # fmt: skip
     return dmc.Menu(shadow="md", position="bottom-end", children=[dmc.MenuTarget(target), dmc.MenuDropdown(items)])
@@ -123,7 +124,7 @@ def _side() -> Component:
     return html.Div(
         className="card map-side",
         children=[
-            html.Div(id=names.MAP_PREVIEW, className="map-preview", **{"aria-live": "polite"}),
+            html.Div(id=names.MAP_PREVIEW, className="map-preview", **attributes(aria_live="polite")),
             html.Div(
                 className="map-block",
                 children=[
@@ -137,7 +138,9 @@ def _side() -> Component:
                         ],
                         className="map-line",
                     ),
-                    html.Div(id=names.MAP_KEYS, className="map-keys", role="list", **{"aria-label": "Keys in order"}),
+                    html.Div(
+                        id=names.MAP_KEYS, className="map-keys", role="list", **attributes(aria_label="Keys in order")
+                    ),
                 ],
             ),
             html.Div(
@@ -168,7 +171,7 @@ def _side() -> Component:
                                 className="soft-button map-all",
                                 title="Play up to 12 hits together",
                                 disabled=True,
-                                **{"data-map-do": "all"},
+                                **attributes(data_map_do="all"),
                             ),
                         ],
                         className="map-line",
@@ -181,7 +184,7 @@ def _side() -> Component:
 
 def _do(action: str, symbol: str, label: str) -> Component:
     return dmc.ActionIcon(
-        icon(symbol, 16), variant="default", size=28, **{"data-map-do": action, "aria-label": label},
+        icon(symbol, 16), variant="default", size=28, **attributes(data_map_do=action, aria_label=label),
         attributes={"root": {"title": label}},
     )  # fmt: skip
 
@@ -190,7 +193,7 @@ def _pick(name: str, choices: Sequence[tuple[str, str]], label: str) -> Componen
     data = [{"value": value or "any", "label": said} for value, said in choices]
     return dmc.Select(
         id=names.MAP_CONTROLS[name], data=data, value="any", size="xs", allowDeselect=False, className="map-pick",
-        **{"aria-label": label},
+        **attributes(aria_label=label),
     )  # fmt: skip
 
 
@@ -202,13 +205,13 @@ def _below() -> Component:
         size="xs",
         className="view-switch",
         attributes={"root": {"data-key": "below"}},
-        **{"aria-label": "What to look at"},
+        **attributes(aria_label="What to look at"),
     )
 
 
 def _panels() -> list[Component]:
     content: Mapping[str, Component] = {
-        "hits": html.Div(id=names.MAP_HITS, className="card map-hits", role="list", **{"aria-label": "Hits"}),
+        "hits": html.Div(id=names.MAP_HITS, className="card map-hits", role="list", **attributes(aria_label="Hits")),
         "labels": html.Div(id=names.MAP_MULTIPLES, className="map-multiples"),
         "clips": html.Div(
             [
@@ -225,7 +228,7 @@ def _panels() -> list[Component]:
         html.Div(
             content[value],
             className="view-panel" + (" hidden" if number else ""),
-            **{"data-key": "below", "data-value": value},
+            **attributes(data_key="below", data_value=value),
         )
         for number, (value, _) in enumerate(BELOW)
     ]

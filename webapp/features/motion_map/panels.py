@@ -113,14 +113,14 @@ def clip_rows(motion_map: MotionMap, dataset: Dataset) -> list[dict[str, Any]]:
 
 def region(motion_map: MotionMap, dataset: Dataset, graph: MotifGraph | None, chosen: str | None) -> list[Component]:
     """What passes a region: its motifs and its clips, each a button that selects it."""
-    if not (chosen or "").isdecimal() or int(chosen) >= len(motion_map.icons):
+    if not chosen or not chosen.isdecimal() or int(chosen) >= len(motion_map.icons):
         return [
             html.P(
                 "Choose Regions above the map, then click one: what passes through it is listed here.",
                 className="muted map-hint",
             )
         ]
-    nodes = motion_map.regions == int(chosen)
+    nodes = np.equal(motion_map.regions, int(chosen))
     seconds = layers.seconds_of_clips(motion_map)[:, nodes].sum(axis=1)
     clips = [(motion_map.clips[k], seconds[k]) for k in np.argsort(-seconds, kind="stable") if seconds[k] > 0]
     total = f"{nodes.sum()} nodes, {seconds.sum():.1f} s of motion"

@@ -37,6 +37,7 @@ from webapp.shell.names import (
     VIEW_CHANGE,
 )
 from webapp.ui import method_page
+from webapp.ui.tables import labels_by_clip
 
 
 def register(app: Dash, workspace: Workspace) -> None:
@@ -154,7 +155,7 @@ def found_data(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] |
         found = searching.find(workspace, dataset, view)
         if found is None:
             return data
-        labels = searching.labels_by_clip(dataset)
+        labels = labels_by_clip(dataset)
         rows = [
             figures.hit_row(dataset, hit, rank, searching.label_of(labels, hit.segment))
             for rank, hit in enumerate(found.hits, 1)
@@ -176,15 +177,17 @@ def _menus(app: Dash, workspace: Workspace) -> None:
     def show_menus(found, key, name, view):
         if not key or not name:
             return []
-        found = found or {}
-        return [_download(workspace, name, view, found["level"])] if found.get("hits") else []
+        search = searching.read(view) if found and found.get("hits") else None
+        return [_download(workspace, name, view, search, found["level"])] if search else []
 
 
-def _download(workspace: Workspace, name: str, view: Mapping[str, str], level: str) -> Component:
+def _download(
+    workspace: Workspace, name: str, view: Mapping[str, str], search: searching.Asked, level: str
+) -> Component:
     settled = settings.view_of(PAGE, settings.request_of(PAGE, name, view).parameters)
     query = urlencode({"dataset": name, **searching.asked_of(view), **{k: v for k, v in settled.items() if v}})
     request = settings.request_of(PAGE, name, view)
-    again = recipes.both(workspace.path, request, searching.read(view), level)
+    again = recipes.both(workspace.path, request, search, level)
     items = [
         dmc.MenuItem("Hits (CSV)", href=f"/api/search/hits.csv?{query}", refresh=True),
         dmc.MenuItem("Hits (JSON)", href=f"/api/search/hits.json?{query}", refresh=True),

@@ -20,6 +20,7 @@ from webapp.features.search import names
 from webapp.features.search.engines import ENGINES
 from webapp.features.search.figures import ranking as figures
 from webapp.shell import settings
+from webapp.shell.attributes import attributes
 from webapp.shell.errors import sentence
 from webapp.shell.icons import icon
 from webapp.shell.messages import empty_state
@@ -70,7 +71,7 @@ def layout() -> Component:
                         ],
                         className="study-line ranking-engines",
                         role="group",
-                        **{"aria-label": "What is compared"},
+                        **attributes(aria_label="What is compared"),
                     ),
                     run_button(METHOD),
                 ],
@@ -178,7 +179,7 @@ def result(dataset: Dataset, found: Evaluation, view: Mapping[str, str] | None, 
                 data=[{"value": value, "label": figures.REGIMES[value]} for value in regimes],
                 value=regime,
                 size="xs",
-                **{"aria-label": "What may be found"},
+                **attributes(aria_label="What may be found"),
             ),
             html.Div(className="spacer"),
             html.A(
@@ -196,7 +197,7 @@ def result(dataset: Dataset, found: Evaluation, view: Mapping[str, str] | None, 
         size="xs",
         w=190,
         allowDeselect=False,
-        **{"aria-label": "Engine whose confusions are shown"},
+        **attributes(aria_label="Engine whose confusions are shown"),
     )
     return [
         head,

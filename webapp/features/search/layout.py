@@ -11,6 +11,7 @@ from webapp.features.search import names
 from webapp.features.search.engines import ENGINES
 from webapp.features.search.figures.hits import body
 from webapp.features.search.searching import PAGE
+from webapp.shell.attributes import attributes
 from webapp.shell.icons import icon
 from webapp.shell.uploads import SUFFIXES
 from webapp.ui.method_page import MethodPage, run_button, settings_fold, status_place
@@ -47,10 +48,10 @@ def page(panels: dict[str, Component]) -> Component:
             html.Div(
                 [settings_fold(METHOD), _search()],
                 className="view-panel",
-                **{"data-key": "look", "data-value": "search"},
+                **attributes(data_key="look", data_value="search"),
             ),
             *(
-                html.Div(panel, className="view-panel hidden", **{"data-key": "look", "data-value": value})
+                html.Div(panel, className="view-panel hidden", **attributes(data_key="look", data_value=value))
                 for value, panel in panels.items()
             ),
         ],
@@ -64,7 +65,7 @@ def _views(panels: dict[str, Component]) -> Component:
         value="search",
         size="xs",
         attributes={"root": {"data-key": "look"}},
-        **{"aria-label": "What to look at"},
+        **attributes(aria_label="What to look at"),
     )
 
 
@@ -75,7 +76,9 @@ def _search() -> Component:
             status_place(METHOD),
             html.Div(id=names.SEARCH_ERROR, className="search-error hidden", role="alert"),
             html.Div(id=names.SEARCH_HITS_HEAD, className="section-head section hidden"),
-            html.Div(id=names.SEARCH_HITS, className="card search-hits hidden", role="list", **{"aria-label": "Hits"}),
+            html.Div(
+                id=names.SEARCH_HITS, className="card search-hits hidden", role="list", **attributes(aria_label="Hits")
+            ),
             *_stores(),
         ]
     )
@@ -94,7 +97,9 @@ def _query() -> Component:
                 children=[
                     _button("From the Stage", "stage", "Look for what the Stage shows, from its start to its end"),
                     html.Select(
-                        id=names.SEARCH_MOTIF, className="search-select hidden", **{"aria-label": "Look for a motif"}
+                        id=names.SEARCH_MOTIF,
+                        className="search-select hidden",
+                        **attributes(aria_label="Look for a motif"),
                     ),
                     _button(
                         [icon("upload", 14), "Upload a file"],
@@ -106,7 +111,7 @@ def _query() -> Component:
                     ),
                     _button([icon("back", 14), "Back"], "back", "Back to what was looked for before", "hidden"),
                 ],
-                **{"aria-label": "Where the query comes from", "data-suffixes": ",".join(SUFFIXES)},
+                **attributes(aria_label="Where the query comes from", data_suffixes=",".join(SUFFIXES)),
             ),
             html.Div(id=names.SEARCH_UPLOAD_STATUS, className="search-upload", role="status"),
             html.Div(id=names.SEARCH_WARNING, className="search-warning hidden", role="status"),
@@ -125,7 +130,7 @@ def _fold() -> Component:
         id=names.SEARCH_COUNTS,
         type="button",
         className="search-fold",
-        **{"aria-expanded": "true", "aria-controls": names.SEARCH_WANTED},
+        **attributes(aria_expanded="true", aria_controls=names.SEARCH_WANTED),
     )
 
 
@@ -145,7 +150,7 @@ def _wanted() -> Component:
 
 def _button(label, action: str, tip: str, more: str = "") -> Component:
     return html.Button(
-        label, type="button", className=f"search-button {more}".strip(), title=tip, **{"data-search": action}
+        label, type="button", className=f"search-button {more}".strip(), title=tip, **attributes(data_search=action)
     )
 
 

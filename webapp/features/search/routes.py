@@ -17,6 +17,7 @@ from webapp.features.search.queries import read_hit
 from webapp.shell import links, settings
 from webapp.shell.errors import sentence
 from webapp.shell.routes import BadRequest, answer_errors
+from webapp.ui.tables import labels_by_clip
 
 
 def blueprints(workspace: Workspace) -> list[Blueprint]:
@@ -36,10 +37,11 @@ def search_blueprint(workspace: Workspace) -> Blueprint:
         if hit is None:
             raise BadRequest("The link names no hit.")
         try:
-            asked = searching.read(view)
+            search = searching.read(view)
             why = searching.explain(workspace, dataset, view, hit)
-            query = searching.query_of(workspace, dataset, asked.pieces)
-            sources = [searching.source_of(workspace, dataset, piece) for piece in asked.pieces]
+            pieces = search.pieces if search else ()
+            query = searching.query_of(workspace, dataset, pieces)
+            sources = [searching.source_of(workspace, dataset, piece) for piece in pieces]
         except KeyError:
             raise BadRequest(f"There is no clip called “{hit.clip}” in this index.", 404) from None
         except MotionscapeError as error:
@@ -50,7 +52,7 @@ def search_blueprint(workspace: Workspace) -> Blueprint:
     @routes.get("/hits.csv")
     def hits_csv() -> Response:
         dataset, found = _found(workspace)
-        labels = searching.labels_by_clip(dataset)
+        labels = labels_by_clip(dataset)
         rows = [(hit, searching.label_of(labels, hit.segment)) for hit in found.hits]
         return _attachment(figures.hits_csv(dataset, rows), "text/csv", f"{dataset.name}-hits.csv")
 

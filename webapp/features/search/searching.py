@@ -8,6 +8,7 @@ import time
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from typing import Any
 
 from core import analyses
 from core.caching import RecentCache
@@ -22,6 +23,7 @@ from core.workspace import Workspace, WorkspaceError
 from webapp.features.search.queries import Piece, read_query, read_weights
 from webapp.shell import settings
 from webapp.shell.virtual import open_any
+from webapp.ui.tables import labels_by_clip
 
 PAGE = "search"
 KEYS = ("query", "parts", "level", "route", "label", "named", "lasting", "top")
@@ -64,7 +66,7 @@ class Found:
 
 def asked_of(view: Mapping[str, str] | None) -> dict[str, str]:
     """What of a view says which search it is."""
-    return {key: view[key] for key in KEYS if (view or {}).get(key)}
+    return {key: text for key in KEYS if (text := (view or {}).get(key))}
 
 
 def read(view: Mapping[str, str] | None) -> Asked | None:
@@ -138,6 +140,8 @@ def warm(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None)
         query = whole_query(clip, 0, min(clip.n_frames, round(2 * clip.fps)))
         with suppress(MotionscapeError):
             index = index_of(workspace, dataset.name, view)
+            if index is None:
+                return
             for level in ("clip", "interval"):
                 index.explain(query, index.search(query, level=level, top=1)[0])
 
@@ -168,16 +172,8 @@ def doubt(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None
         return ""
 
 
-def labels_by_clip(dataset: Dataset) -> dict[str, list[Label]]:
-    """The labels of each clip that has any."""
-    found: dict[str, list[Label]] = {}
-    for label in dataset.labels:
-        found.setdefault(label.clip, []).append(label)
-    return found
-
-
 def label_of(labels: Mapping[str, Sequence[Label]], segment: Segment) -> str:
-    """The label that covers most of a stretch's frames, "" where none covers any; labels: :func:`labels_by_clip`."""
+    """The label that covers most of a stretch's frames, "" where none covers any; labels: of each clip."""
     covered: dict[str, int] = {}
     for label in labels.get(segment.clip, ()):
         common = min(label.end, segment.end) - max(label.start, segment.start)
@@ -192,7 +188,7 @@ def _search(index: SearchIndex, dataset: Dataset, asked: Asked, query: Query) ->
     only = _clips_that_may(dataset, asked, level)
     if level == "clip":
         own = {piece.clip for piece in asked.pieces if not piece.dataset}
-        options = {"only": [name for name in only if name not in own]}
+        options: dict[str, Any] = {"only": [name for name in only if name not in own]}
     else:
         options = {"only": only, "top": MOST}
     hits = index.search(query, weights=asked.weights, level=level, root_path=asked.route, **options)

@@ -23,6 +23,7 @@ from webapp.features.search.figures import agreement as figures
 from webapp.features.search.queries import write_hit
 from webapp.jobs.names import JOBS_FINISHED
 from webapp.shell import settings
+from webapp.shell.attributes import attributes
 from webapp.shell.errors import sentence
 from webapp.shell.icons import icon
 from webapp.shell.messages import empty_state, notice
@@ -46,7 +47,7 @@ def layout() -> Component:
         value="rate",
         size="xs",
         attributes={"root": {"data-key": "study"}},
-        **{"aria-label": "What to do"},
+        **attributes(aria_label="What to do"),
     )
     panels = [
         _panel("rate", html.Div(id=names.STUDY_RATE, className="card study-card")),
@@ -69,7 +70,7 @@ def layout() -> Component:
 
 def _panel(value: str, child: Component) -> Component:
     hidden = "" if value == "rate" else " hidden"
-    return html.Div(child, className=f"view-panel{hidden}", **{"data-key": "study", "data-value": value})
+    return html.Div(child, className=f"view-panel{hidden}", **attributes(data_key="study", data_value=value))
 
 
 def register(app: Dash, workspace: Workspace) -> None:
@@ -224,7 +225,7 @@ def results(workspace: Workspace, name: str, scheme: str | None) -> list[Compone
     ratings, votes = workspace.ratings.list_ratings(store), workspace.ratings.list_votes(store)
     if not ratings and not votes:
         return [html.Div(empty_state("person", "No answers yet", "Rate some pairs first."), className="card")]
-    people = len({answer.person for answer in (*ratings, *votes)})
+    people = len({rating.person for rating in ratings} | {vote.person for vote in votes})
     count = f"{len(ratings):,} ratings and {len(votes):,} votes of {people} {'person' if people == 1 else 'people'}"
     query = urlencode({"dataset": name})
     head = html.Div(
@@ -239,7 +240,9 @@ def results(workspace: Workspace, name: str, scheme: str | None) -> list[Compone
             html.A(
                 [icon("download", 14), "Votes (CSV)"], href=f"/api/search/votes.csv?{query}", className="search-button"
             ),
-            html.Button("Forget all answers", type="button", className="search-button", **{"data-study": "clear"}),
+            html.Button(
+                "Forget all answers", type="button", className="search-button", **attributes(data_study="clear")
+            ),
         ],
         className="section-head",
     )

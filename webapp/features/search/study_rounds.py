@@ -158,7 +158,7 @@ def shown_pairs(dataset: Dataset, found: list[Pair], person: str, mine: Mapping[
     return rows
 
 
-def shown_duels(dataset: Dataset, found: list[Duel], person: str, mine: Mapping[tuple[Segment, ...], str]):
+def shown_duels(dataset: Dataset, found: list[Duel], person: str, mine: Mapping[tuple[Segment, Segment, Segment], str]):
     """Duels for the browser, as :func:`shown_pairs`; the query stands in the middle."""
     rows = [
         {

@@ -26,6 +26,7 @@ from webapp.features.search.callbacks import found_data
 from webapp.features.search.figures import hits as figures
 from webapp.features.search.queries import Piece, read_hit, write_query
 from webapp.shell import settings
+from webapp.ui.tables import labels_by_clip
 
 NAMES = ("walk", "stroll", "rush", "turn", "dash")
 
@@ -86,7 +87,7 @@ def test_filters_leave_only_what_was_asked_for(workspace, dataset):
     assert clips(lasting="3.4-4.1") == {"rush", "turn"}
     assert clips(label="fast", named="x") == set()
     moments = searching.find(workspace, dataset, view("dash", 60, 150, label="slow", level="interval")).hits
-    labels = searching.labels_by_clip(dataset)
+    labels = labels_by_clip(dataset)
     assert all(searching.label_of(labels, hit.segment) == "slow" for hit in moments)
 
 

@@ -8,11 +8,11 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 from urllib.parse import quote, urlencode
 
-from core.mocap.clip import Label, Segment
+from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.workspace import MotifNote
 from webapp.ui.brief_names import brief_names
-from webapp.ui.tables import majority_label, strip_address
+from webapp.ui.tables import labels_by_clip, majority_label, strip_address
 from webapp.ui.timeline import motif_colour
 
 action_colour = motif_colour
@@ -51,9 +51,7 @@ def actions_data(
 
     segments: those of each action; medoids: the most typical one of each.
     """
-    by_clip: dict[str, list[Label]] = {}
-    for label in dataset.labels:
-        by_clip.setdefault(label.clip, []).append(label)
+    by_clip = labels_by_clip(dataset)
     rates = {clip.name: clip.fps for clip in dataset.clips}
     found = []
     for action, (own, typical) in enumerate(zip(segments, medoids, strict=True)):
@@ -131,9 +129,7 @@ def spans(segments: Sequence[Sequence[Segment]], notes: Notes, within: Segment) 
 
 def segments_csv(dataset: Dataset, segments: Sequence[Sequence[Segment]], notes: Notes) -> str:
     """One line a segment: its action, what people call it, its frames (end exclusive), seconds and main label."""
-    by_clip: dict[str, list[Label]] = {}
-    for label in dataset.labels:
-        by_clip.setdefault(label.clip, []).append(label)
+    by_clip = labels_by_clip(dataset)
     text = io.StringIO()
     lines = csv.writer(text, lineterminator="\n")
     lines.writerow(["action", "name", "clip", "start_frame", "end_frame", "seconds", "label"])

@@ -120,7 +120,7 @@ def _box(
     width = LEAF if leaf else min(max(LEAF - 8, _width(text)), room)
     here = one.path == marked or (leaf and node.start == picked)
     edge, pen = (colours["text"], 2.4) if here else (colours["line"], 1.2)
-    tone = tones.get(node.symbol, "#888888") if leaf else ""
+    tone = tones.get(int(node.symbol), "#888888") if leaf else ""
     fill, ink = (tone, ink_on(tone)) if leaf else (colours["surface"], colours["text"])
     path = ".".join(map(str, one.path))
     kind = "tree-leaf" if leaf else "tree-phrase"

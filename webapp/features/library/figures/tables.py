@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable
 from pathlib import PurePath
+from typing import Any
 from urllib.parse import quote, urlencode
 
 from core.mocap.clip import Segment
@@ -28,12 +29,17 @@ REPORT_COLUMNS = [
         "name", "File", 200, flex=2, minWidth=150, maxWidth=320, tooltipField="path", cellClass="wrapped-cell", **TEXT
     ),
     column(
-        *("messages", "What was found", 240),
-        **{"flex": 3, "wrapText": True, "autoHeight": True, "cellClass": "wrapped-cell wrapped-lines"},
+        "messages",
+        "What was found",
+        240,
+        flex=3,
+        wrapText=True,
+        autoHeight=True,
+        cellClass="wrapped-cell wrapped-lines",
         **TEXT,
     ),
 ]
-CHOICE = {  # clips are chosen by their boxes; a click on the row plays the clip
+CHOICE: dict[str, Any] = {  # clips are chosen by their boxes; a click on the row plays the clip
     "rowSelection": {
         "mode": "multiRow",
         "checkboxes": True,

@@ -32,9 +32,9 @@ COLOURINGS = {  # value -> name, what it shows
 ACTIONS = (  # as the timeline colours labels (assets/motifs/timeline.mjs)
     "#4e79a7", "#f28e2b", "#59a14f", "#e15759", "#b07aa1", "#9c755f", "#76b7b2", "#d4a720", "#ff9da7", "#79706e",
 )  # fmt: skip
-SCALES = {
-    "light": [[0, "#f7f9fc"], [0.35, "#d5deeb"], [0.7, "#9fb2cd"], [1, "#62799c"]],
-    "dark": [[0, "#181e27"], [0.35, "#27313f"], [0.7, "#47576e"], [1, "#8396b3"]],
+SCALES: dict[str, list[tuple[float, str]]] = {
+    "light": [(0, "#f7f9fc"), (0.35, "#d5deeb"), (0.7, "#9fb2cd"), (1, "#62799c")],
+    "dark": [(0, "#181e27"), (0.35, "#27313f"), (0.7, "#47576e"), (1, "#8396b3")],
 }
 MOST_NAMED = 24  # categories that stand in the legend
 
@@ -123,19 +123,19 @@ def legend(layer: Layer) -> list[dict[str, Any]]:
     """The categories that lead on some node, by how many nodes, at most MOST_NAMED: name, colour, nodes."""
     if not layer.names:
         return []
-    there = layer.values[~np.isnan(layer.values)].astype(int)
-    counts = np.bincount(there, minlength=len(layer.names))
+    numbers = layer.values[~np.isnan(layer.values)].astype(int)
+    counts = np.bincount(numbers, minlength=len(layer.names))
     order = [int(k) for k in np.argsort(-counts, kind="stable") if counts[k]]
     return [{"name": layer.names[k], "colour": layer.colours[k], "nodes": int(counts[k])} for k in order[:MOST_NAMED]]
 
 
 def scale_of(layer: Layer, scheme: str | None) -> dict[str, str] | None:
     """What the colours of numbers mean: least, most with its unit, and the colours as CSS; None for categories."""
-    there = layer.values[~np.isnan(layer.values)]
-    if layer.names or not len(there):
+    numbers = layer.values[~np.isnan(layer.values)]
+    if layer.names or not len(numbers):
         return None
     colours = ", ".join(f"{colour} {100 * at:g}%" for at, colour in SCALES["dark" if scheme == "dark" else "light"])
-    return {"least": f"{there.min():.2g}", "most": f"{there.max():.2g} {layer.unit}", "colours": colours}
+    return {"least": f"{numbers.min():.2g}", "most": f"{numbers.max():.2g} {layer.unit}", "colours": colours}
 
 
 def icon_sizes(icons: np.ndarray, regions: np.ndarray) -> np.ndarray:

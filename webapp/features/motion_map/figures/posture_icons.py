@@ -7,7 +7,6 @@ core.poses.postures).
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -81,7 +80,7 @@ def _side(body: Body, joint: int) -> str:
     return "centre" if in_trunk else body.sides[joint]
 
 
-def _at(point: Sequence[float]) -> str:
+def _at(point: np.ndarray) -> str:
     return f"{point[0]:.3f} {-point[1]:.3f}"
 
 

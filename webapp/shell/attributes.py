@@ -1,0 +1,10 @@
+"""Attributes whose names have hyphens, which Python's keywords cannot have."""
+
+from __future__ import annotations
+
+from typing import Any
+
+
+def attributes(**values: str | float) -> dict[str, Any]:
+    """``attributes(aria_label="Pages")`` is ``{"aria-label": "Pages"}``, to be handed on with ``**`` to a component."""
+    return {name.replace("_", "-"): value for name, value in values.items()}
