@@ -11,6 +11,7 @@ import re
 import shlex
 import sys
 from collections.abc import Iterator
+from dataclasses import fields
 from pathlib import Path
 from types import ModuleType
 from typing import NamedTuple
@@ -22,7 +23,7 @@ from core.analyses import METHODS, parameters
 from core.demo import write_demo
 from core.errors import ParameterError
 from webapp.cli.main import _parser
-from webapp.shell.feature import features, unregister
+from webapp.shell.feature import Feature, features, unregister
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
@@ -105,6 +106,13 @@ def test_environment_variables_are_documented_and_exist():
     table = (ROOT / "docs" / "reference" / "commands.md").read_text(encoding="utf-8")
     assert set(re.findall(rf"^\| `({VARIABLE.pattern})` \|", table, re.MULTILINE)) == used
     assert set(VARIABLE.findall("".join(page.read_text(encoding="utf-8") for page in PAGES))) <= used
+
+
+def test_all_that_a_feature_can_bring_is_described():
+    text = (ROOT / "docs" / "extend" / "add_a_page.md").read_text(encoding="utf-8")
+    table = text.partition("## What a feature can bring")[2].partition("\n## ")[0]
+    cells = "".join(re.findall(r"^\| (`.*?) \|", table, re.MULTILINE))
+    assert set(re.findall(r"`(\w+)`", cells)) - {"Feature"} == {field.name for field in fields(Feature)}
 
 
 def test_values_of_settings_can_be_used():

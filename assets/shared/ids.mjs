@@ -51,7 +51,7 @@
  */
 
 /**
- * What the Stage plays: see "The Stage's data" in docs/architecture.md.
+ * What the Stage plays; docs/reference/stage.md describes it.
  * @typedef {object} StageRequest
  * @property {string | null} dataset
  * @property {Array<Figure>} items

@@ -48,7 +48,7 @@ function readHeader(buffer) {
 }
 
 /**
- * float32 positions (frames, joints, 3) after their header: see docs/architecture.md.
+ * float32 positions (frames, joints, 3) after their header: see docs/reference/stage.md.
  * @param {ArrayBuffer} buffer
  */
 function decode(buffer) {

@@ -1,4 +1,4 @@
-// The page's stage and what others may ask of it: docs/architecture.md, "The Stage's data".
+// The page's stage, and what other rooms may ask of it: docs/reference/stage.md.
 import { register } from "../shared/dash.mjs";
 import { find, whenParsed } from "../shared/dom.mjs";
 import * as ids from "./ids.mjs";

@@ -70,7 +70,7 @@ class Figure(TypedDict):
 
 
 class StageRequest(TypedDict):
-    """What the Stage plays: see "The Stage's data" in docs/architecture.md."""
+    """What the Stage plays; docs/reference/stage.md describes it."""
 
     dataset: str | None
     items: list[Figure]
