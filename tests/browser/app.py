@@ -5,6 +5,7 @@ from __future__ import annotations
 import fcntl
 import os
 import shutil
+import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from urllib.parse import parse_qs
@@ -73,6 +74,14 @@ def show(address: str, open_page: Callable[..., Page]) -> Callable[..., Page]:
 def setting(page: Page, name: str) -> Locator:
     """The control of a parameter; the settings must be open."""
     return page.locator(f"""input[id*='"name":"{name}"']""")
+
+
+def wait_until(page: Page, condition: Callable[[], object]) -> None:
+    """Until a condition on this side holds, while the page goes on."""
+    deadline = time.monotonic() + PATIENCE / 1000
+    while not condition():
+        assert time.monotonic() < deadline, "waited in vain"
+        page.wait_for_timeout(50)
 
 
 def wait_for_graph(page: Page) -> None:

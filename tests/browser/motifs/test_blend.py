@@ -42,6 +42,7 @@ def act(page: Page, action: str) -> None:
 
 def test_motions_are_mixed_live(show):
     page = show("/motifs?dataset=demo&motif=3&side=blend")
+    wait_for_graph(page)
     wait_for_stage(page, "mixture of 3")
     on_stage(page, "~blend~.*~3~0:0.33,1:0.33,2:0.33$")
     wait_until_moved(page, canvas_sum(page))

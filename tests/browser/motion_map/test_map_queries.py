@@ -31,6 +31,7 @@ def test_a_posture_is_shaped_by_dragging_and_bones_keep_their_lengths(mapped, sh
     page.locator(".map-key-card").nth(1).get_by_role("button", name="Change the posture").click()
     hand = mapped.roles.index("left_wrist")
     handle = page.locator(f"#map-editor [data-view=front] .map-joint[data-joint='{hand}']")
+    handle.scroll_into_view_if_needed()  # and stands still
     box = handle.bounding_box()
     before = page.evaluate("Array.from(motionscape.map.edited().posture)")
     page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
@@ -84,6 +85,7 @@ def test_equal_postures_are_told_apart_by_pace(mapped, show):
     page = open_map(show, f"&keys={key[0]}-{key[1]}&pace=0-0.25")
     wanted = mapped.search([key], 0.0, Pace(0, 0.25))
     assert 0 < len(wanted) < len(mapped.search([key]))
+    page.wait_for_function("n => motionscape.map.state.hits.length === n", arg=len(wanted))
     assert sorted(hits_of(page)) == sorted(tuple(segment) for segment, _ in wanted)
     page.click("#map-way")
     page.get_by_role("option", name="Backward").click()

@@ -21,6 +21,7 @@ from tests.browser.app import (
     wait_for_graph,
     wait_for_link,
     wait_for_stage,
+    wait_until,
     workspace,
 )
 
@@ -192,7 +193,7 @@ def test_a_file_of_ones_own_is_looked_for(show, indexed, tmp_path: Path) -> None
     page.route("**/api/uploads", lambda route: asked.append(route))
     for name in ("bad.bvh", "mine.bvh"):  # the second while the first is on its way: the last one counts
         upload(name)
-    page.wait_for_timeout(300)
+    wait_until(page, lambda: len(asked) == 2)
     asked[1].continue_()
     page.wait_for_url(re.compile("query=mine:0-150:"), timeout=PATIENCE)
     asked[0].abort()
@@ -230,7 +231,9 @@ def test_filters_options_and_exports(show, indexed) -> None:
     page.wait_for_url(re.compile("route=40"))
     page.wait_for_function("motionscape.search.now.found?.asked.route === '40'", timeout=PATIENCE)
     page.get_by_role("button", name="Download").click()
-    place = page.get_by_role("menuitem", name="Hits (CSV)").get_attribute("href")
+    item = page.get_by_role("menuitem", name="Hits (CSV)")
+    expect(item).to_have_attribute("href", re.compile("route=40"))
+    place = item.get_attribute("href")
     parts = urlsplit(page.url)
     answer = page.request.get(f"{parts.scheme}://{parts.netloc}{place}")
     names = [line.split(",")[1] for line in answer.text().splitlines()[1:]]

@@ -8,7 +8,7 @@ from playwright.sync_api import Page, expect
 
 from core import analyses
 from core.workspace import Workspace
-from tests.browser.app import PATIENCE, address, demo_workspace, show, wait_for_stage, workspace
+from tests.browser.app import PATIENCE, address, demo_workspace, show, wait_for_stage, wait_until, workspace
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
 
@@ -58,13 +58,11 @@ def test_pairs_are_rated_duels_are_won_and_results_are_shown(show, workspace) ->
 def _wait_for_values(page: Page, workspace: Workspace, wanted: list[int]) -> None:
     """Until Ann's ratings are these: an answer reaches the workspace a moment after its key."""
     store = workspace.info("demo").id
-    values: list[int] = []
-    for _ in range(300):
-        values = sorted(rating.value for rating in workspace.ratings.list_ratings(store, person="Ann"))
-        if values == wanted:
-            return
-        page.wait_for_timeout(100)
-    raise AssertionError(f"kept {values}, not {wanted}")
+
+    def values() -> list[int]:
+        return sorted(rating.value for rating in workspace.ratings.list_ratings(store, person="Ann"))
+
+    wait_until(page, lambda: values() == wanted)
 
 
 def test_the_query_of_the_search_can_be_studied(show, workspace) -> None:
