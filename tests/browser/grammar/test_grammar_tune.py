@@ -10,7 +10,7 @@ from tests.browser.grammar.app import LINK, PATIENCE, grammar_workspace, wait_fo
 __all__ = ["address", "demo_workspace", "grammar_workspace", "show", "workspace"]
 
 
-POINTS = """() => {  // the numbers of actions that the chart of the score shows
+POINTS = """() => {
     const plot = document.querySelector('#tune-quality .js-plotly-plot');
     const line = plot?._fullData?.find((trace) => trace.name === 'Score F');
     return line ? [...(line.x._inputArray || line.x)] : [];
@@ -18,9 +18,8 @@ POINTS = """() => {  // the numbers of actions that the chart of the score shows
 
 
 def wait_for_points(page: Page, numbers: list[int]) -> None:
-    page.wait_for_function(
-        f"numbers => ({POINTS})().join() === numbers.join()".replace("\n", " "), arg=numbers, timeout=PATIENCE
-    )
+    """Until the chart of the score shows these numbers of actions."""
+    page.wait_for_function(f"(numbers) => ({POINTS})().join() === numbers.join()", arg=numbers, timeout=PATIENCE)
 
 
 def test_numbers_are_compared_and_one_is_chosen(show):
