@@ -719,10 +719,6 @@
     /** @type {StoreId<Record<string, string>>} */
     "view"
   );
-  var VIEW_CHANGE = (
-    /** @type {StoreId<Record<string, string | number | boolean | null>>} */
-    "view-change"
-  );
   var DATASET_CHOICE = (
     /** @type {StoreId<DatasetChoice>} */
     "dataset-choice"
@@ -743,7 +739,15 @@
     clientside[namespace] = functions;
   }
   var setStore = (store, data2) => clientside.set_props(store, { data: data2 });
-  var changeView = (values) => setStore(VIEW_CHANGE, values);
+  function changeView(values) {
+    const view4 = globalThis.dash_component_api.getLayout(VIEW).props.data || {};
+    const next2 = { ...view4 };
+    for (const [key, value] of Object.entries(values)) {
+      if (value === null || value === void 0 || value === "") delete next2[key];
+      else next2[key] = String(value);
+    }
+    if (JSON.stringify(next2) !== JSON.stringify(view4)) setStore(VIEW, next2);
+  }
   function notify(title, message2, color = "orange") {
     clientside.set_props(NOTICES, { sendNotifications: [{ action: "show", title, message: message2, color }] });
   }
@@ -3501,16 +3505,10 @@
       Object.assign(shown2, { dataset: dataset2, parameters, selection, view: view4, keys, chosen: chosen3 });
       return writeAddress();
     },
-    // What a page shows is changed key by key.
-    /** @param {Record<string, any> | null} change @param {View | null} view */
-    change(change, view4) {
-      const next2 = { ...view4 || {} };
-      for (const [key, value] of Object.entries(change || {})) {
-        if (key === "at") continue;
-        if (value === null || value === "") delete next2[key];
-        else next2[key] = String(value);
-      }
-      if (JSON.stringify(next2) !== JSON.stringify(view4 || {})) setStore(VIEW, next2);
+    // What the server changes of the view.
+    /** @param {Record<string, string | number | boolean | null> | null} change */
+    change(change) {
+      changeView({ ...change, at: null });
       return clientside.no_update;
     },
     // What a link says of the Stage; it is taken up when the motion has arrived.
@@ -3527,7 +3525,7 @@
       if (!choice2) return clientside.no_update;
       if (choice2.dataset !== shown2.dataset) {
         setStore(SELECTION, {});
-        setStore(VIEW_CHANGE, Object.fromEntries((cleared || []).map((key) => [key, ""])));
+        changeView(Object.fromEntries((cleared || []).map((key) => [key, ""])));
         setStore(STAGE_REQUEST, { dataset: choice2.dataset, items: [] });
         setStore(DATASET, choice2.dataset);
       }
@@ -3733,7 +3731,7 @@
   gridFunctions.chooseRow = (params) => {
     const at3 = params.event && params.event.type === "click" && params.event.target;
     if (at3 && at3.closest && at3.closest(".choice-cell")) return;
-    if (params.data && params.data.view) put(VIEW_CHANGE, params.data.view, false);
+    if (params.data && params.data.view) changeView(params.data.view);
     if (params.data && params.data.selection) put(SELECTION, params.data.selection, false);
   };
   gridFunctions.leaveTable = () => false;
@@ -4517,7 +4515,7 @@
       const step3 = trigger.startsWith(CLIP_PREVIOUS) ? -1 : trigger.startsWith(CLIP_NEXT) ? 1 : 0;
       const clip = step3 ? names2[names2.indexOf(shown7 ? shown7.clip : value) + step3] : value;
       if (clip && (!shown7 || clip !== shown7.clip)) {
-        setStore(VIEW_CHANGE, { span: "" });
+        changeView({ span: "" });
         setStore(SELECTION, { clip });
       }
       return clientside.no_update;
@@ -4544,7 +4542,7 @@
       if (trigger.startsWith(CLIP_CHANNELS) && same4(channels, choice2 && choice2.channels)) return clientside.no_update;
       if (trigger.startsWith(CLIP_CHART) && (now6.chart || "angles") === chart2) return clientside.no_update;
       if (trigger.startsWith(CLIP_KIND) && (now6.angles || "body") === kind) return clientside.no_update;
-      setStore(VIEW_CHANGE, change);
+      changeView(change);
       return clientside.no_update;
     },
     /** @param {{ clip: string, frame: number } | null} to */

@@ -1,7 +1,7 @@
 /* The cursor of the Clip page: it follows the Stage frame by frame, shows the values under it, and moves the Stage. */
-import { clientside, register, setStore } from "../shared/dash.mjs";
+import { changeView, clientside, register, setStore } from "../shared/dash.mjs";
 import { allWithin, find, need } from "../shared/dom.mjs";
-import { SELECTION, VIEW_CHANGE } from "../shared/ids.mjs";
+import { SELECTION } from "../shared/ids.mjs";
 import { nearest } from "../shared/numbers.mjs";
 import { player } from "../stage/player.mjs";
 import * as ids from "./ids.mjs";
@@ -236,7 +236,7 @@ register("clip", {
     const step = trigger.startsWith(ids.CLIP_PREVIOUS) ? -1 : trigger.startsWith(ids.CLIP_NEXT) ? 1 : 0;
     const clip = step ? names[names.indexOf(shown ? shown.clip : value) + step] : value;
     if (clip && (!shown || clip !== shown.clip)) {
-      setStore(VIEW_CHANGE, { span: "" });
+      changeView({ span: "" });
       setStore(SELECTION, { clip });
     }
     return clientside.no_update;
@@ -265,7 +265,7 @@ register("clip", {
     if (trigger.startsWith(ids.CLIP_CHANNELS) && same(channels, choice && choice.channels)) return clientside.no_update;
     if (trigger.startsWith(ids.CLIP_CHART) && (now.chart || "angles") === chart) return clientside.no_update;
     if (trigger.startsWith(ids.CLIP_KIND) && (now.angles || "body") === kind) return clientside.no_update;
-    setStore(VIEW_CHANGE, change);
+    changeView(change);
     return clientside.no_update;
   },
   /** @param {{ clip: string, frame: number } | null} to */

@@ -1,5 +1,5 @@
 // What Dash gives to the browser: functions it may call, the stores it keeps, and its notices.
-import { NOTICES, VIEW_CHANGE } from "./ids.mjs";
+import { NOTICES, VIEW } from "./ids.mjs";
 /** @import { StoreId } from "./ids.mjs" */
 
 /** Dash's own object: `set_props`, `no_update`, `callback_context`, and the functions of our callbacks by namespace. */
@@ -23,10 +23,19 @@ export function register(namespace, functions) {
 export const setStore = (store, data) => clientside.set_props(store, { data });
 
 /**
- * Change keys of the store "view", and so of the link; an empty value takes the key away.
- * @param {Record<string, string | number | boolean | null>} values
+ * Change keys of the store "view", and so of the link; an empty value takes the key away. The store has changed when
+ * this returns: neither a second change nor the answer to an earlier one can come in between.
+ * @param {Record<string, string | number | boolean | null | undefined>} values
  */
-export const changeView = (values) => setStore(VIEW_CHANGE, values);
+export function changeView(values) {
+  const view = globalThis.dash_component_api.getLayout(VIEW).props.data || {};
+  const next = { ...view };
+  for (const [key, value] of Object.entries(values)) {
+    if (value === null || value === undefined || value === "") delete next[key];
+    else next[key] = String(value);
+  }
+  if (JSON.stringify(next) !== JSON.stringify(view)) setStore(VIEW, next);
+}
 
 /**
  * Show a notice in the header.

@@ -10,6 +10,7 @@ interface DashClientside {
 
 declare global {
   var dash_clientside: DashClientside;
+  var dash_component_api: { getLayout(id: string): { props: { data?: any } } };
   var dashAgGridFunctions: Record<string, (params: any) => any>;
   var dashAgGridComponentFunctions: Record<string, (props: any) => any>;
   var dash_ag_grid: { getApiAsync(id: string): Promise<any> };

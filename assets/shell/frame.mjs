@@ -1,7 +1,7 @@
 /* The frame: state into the URL, theme to the canvases, the splitter, the share button. */
-import { clientside, notify, register, setStore } from "../shared/dash.mjs";
+import { changeView, clientside, notify, register, setStore } from "../shared/dash.mjs";
 import { allWithin, closest, find, hasClass, targetOf, whenParsed, within } from "../shared/dom.mjs";
-import { DATASET, DATASET_CHOICE, NAV, SELECTION, SHELL, STAGE_REQUEST, THEME, VIEW, VIEW_CHANGE } from "../shared/ids.mjs";
+import { DATASET, DATASET_CHOICE, NAV, SELECTION, SHELL, STAGE_REQUEST, THEME } from "../shared/ids.mjs";
 import { STAGE_CANVAS } from "../stage/ids.mjs";
 import { player } from "../stage/player.mjs";
 import { addressOf, pageOf, stageOfLink, stateOfLink } from "./address.mjs";
@@ -50,16 +50,10 @@ register("shell", {
     Object.assign(shown, { dataset, parameters, selection, view, keys, chosen });
     return writeAddress();
   },
-  // What a page shows is changed key by key.
-  /** @param {Record<string, any> | null} change @param {View | null} view */
-  change(change, view) {
-    const next = { ...(view || {}) };
-    for (const [key, value] of Object.entries(change || {})) {
-      if (key === "at") continue;
-      if (value === null || value === "") delete next[key];
-      else next[key] = String(value);
-    }
-    if (JSON.stringify(next) !== JSON.stringify(view || {})) setStore(VIEW, next);
+  // What the server changes of the view.
+  /** @param {Record<string, string | number | boolean | null> | null} change */
+  change(change) {
+    changeView({ ...change, at: null }); // "at" only tells equal changes apart
     return clientside.no_update;
   },
   // What a link says of the Stage; it is taken up when the motion has arrived.
@@ -76,7 +70,7 @@ register("shell", {
     if (!choice) return clientside.no_update;
     if (choice.dataset !== shown.dataset) {
       setStore(SELECTION, {});
-      setStore(VIEW_CHANGE, Object.fromEntries((cleared || []).map((key) => [key, ""])));
+      changeView(Object.fromEntries((cleared || []).map((key) => [key, ""])));
       setStore(STAGE_REQUEST, { dataset: choice.dataset, items: [] });
       setStore(DATASET, choice.dataset);
     }

@@ -1,8 +1,8 @@
 /* Buttons and table rows that put a value into a store. */
-import { clientside, register, setStore } from "../shared/dash.mjs";
+import { changeView, clientside, register, setStore } from "../shared/dash.mjs";
 import { allWithin, closest, find } from "../shared/dom.mjs";
 import { cellRenderers, gridApi, gridFunctions, reactElement } from "../shared/grid.mjs";
-import { SELECTION, URL as PAGE_URL, VIEW_CHANGE } from "../shared/ids.mjs";
+import { SELECTION, URL as PAGE_URL } from "../shared/ids.mjs";
 import { ahead } from "../stage/ahead.mjs";
 /** @import { Selection } from "../shared/types.d.ts" */
 
@@ -23,7 +23,7 @@ document.addEventListener("click", (event) => {
 gridFunctions.chooseRow = (params) => {
   const at = params.event && params.event.type === "click" && params.event.target;
   if (at && at.closest && at.closest(".choice-cell")) return; // its box was meant
-  if (params.data && params.data.view) put(VIEW_CHANGE, params.data.view, false);
+  if (params.data && params.data.view) changeView(params.data.view);
   if (params.data && params.data.selection) put(SELECTION, params.data.selection, false);
 };
 gridFunctions.leaveTable = () => false; // the browser goes to what comes after the table

@@ -90,7 +90,7 @@ def register(app: dash.Dash, workspace: Workspace) -> None:
         Input("view", "data"),
         State("view-keys", "data"),
     )
-    app.clientside_callback(ClientsideFunction("shell", "change"), Input("view-change", "data"), State("view", "data"))
+    app.clientside_callback(ClientsideFunction("shell", "change"), Input("view-change", "data"))
     app.clientside_callback(ClientsideFunction("shell", "restore"), Input("stage-restore", "data"))
     app.clientside_callback(ClientsideFunction("shell", "current"), Input("url", "pathname"))
     app.clientside_callback(

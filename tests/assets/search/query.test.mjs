@@ -10,6 +10,7 @@ const BODY = {
 };
 const changes = [];
 globalThis.dash_clientside.set_props = (store, { data }) => changes.push([store, data]);
+globalThis.dash_component_api = { getLayout: () => ({ props: { data: now.view } }) };
 
 beforeEach(() => {
   changes.length = 0;
@@ -36,11 +37,11 @@ test("a query has its parts only where they are not the whole body, and drops pi
 test("a change of the query is remembered and can be taken back", () => {
   now.view = { query: "a:0-9", parts: "head:1" };
   searchFor([{ clip: "b", dataset: "", start: 1, end: 2, leaves: [...BODY.leaves] }]);
-  assert.deepEqual(changes.pop(), ["view-change", { hit: "", query: "b:1-2" }]);
+  assert.deepEqual(changes.pop(), ["view", { query: "b:1-2", parts: "head:1" }]);
   now.view = { query: "b:1-2" };
   assert.ok(canGoBack());
   goBack();
-  assert.deepEqual(changes.pop(), ["view-change", { hit: "", query: "a:0-9", parts: "head:1" }]);
+  assert.deepEqual(changes.pop(), ["view", { query: "a:0-9", parts: "head:1" }]);
   remember();
 });
 
