@@ -175,6 +175,7 @@ export const GRAMMAR_RESULT = "grammar-result";
 export const GRAMMAR_STRING = "grammar-string";
 export const GRAMMAR_SHOW = "grammar-show";
 export const GRAMMAR_RULES = "grammar-rules";
+export const PHRASE = "phrase-";
 export const GRAMMAR_DATA = /** @type {StoreId<GrammarData>} */ ("grammar-data");
 export const GRAMMAR_NAMES = /** @type {StoreId<string>} */ ("grammar-names");
 export const GRAMMAR_DRAWN = /** @type {StoreId<any>} */ ("grammar-drawn");

@@ -41,7 +41,7 @@ function way({ parts: symbols, count }, seen) {
 /** @param {Phrase} phrase @param {boolean} start */
 function card(phrase, start) {
   const box = element("section", "phrase-card");
-  box.id = `phrase-${phrase.id}`;
+  box.id = ids.PHRASE + phrase.id;
   box.tabIndex = -1;
   const head = element("div", "phrase-head");
   head.append(element("h3", "", start ? "A routine" : phrase.name));
@@ -62,7 +62,7 @@ function card(phrase, start) {
     more.addEventListener("click", () => {
       open.add(phrase.id);
       box.replaceWith(card(phrase, start));
-      allWithin(need(`phrase-${phrase.id}`), ".way")[FIRST]?.querySelector("button")?.focus();
+      allWithin(need(ids.PHRASE + phrase.id), ".way")[FIRST]?.querySelector("button")?.focus();
     });
     box.append(more);
   }
@@ -79,7 +79,7 @@ export const drawRules = (data) => {
 
 document.addEventListener("click", (event) => {
   const chip = closest(event, ".phrase-chip");
-  const phraseCard = chip && find(`phrase-${chip.dataset.phrase}`);
+  const phraseCard = chip && find(ids.PHRASE + chip.dataset.phrase);
   if (!phraseCard || !phraseCard.offsetParent) return;
   phraseCard.scrollIntoView({ block: "center", behavior: "smooth" });
   phraseCard.focus({ preventScroll: true });

@@ -3,6 +3,7 @@ import { allWithin, closest, element, need, svgElement, within } from "../shared
 import { SHELL } from "../shared/ids.mjs";
 import { dragJoint } from "./bones.mjs";
 import { drawFigure, figurePicture, jointOf, VIEWS } from "./figure.mjs";
+import * as ids from "./ids.mjs";
 import { state } from "./state.mjs";
 /** @import { MapData } from "./data.mjs" */
 /** @import { Point, Posture } from "./types.d.ts" */
@@ -24,13 +25,13 @@ const viewOf = (svg) => /** @type {HTMLElement} */ (svg.parentNode).dataset.view
 const NAMES = (role, name) => (role || name).replace(/_/g, " ");
 
 function dialog() {
-  const there = /** @type {HTMLDialogElement | null} */ (document.getElementById("map-editor"));
+  const there = /** @type {HTMLDialogElement | null} */ (document.getElementById(ids.MAP_EDITOR));
   if (there) return there;
   const box = element("dialog", "map-editor card");
-  box.id = "map-editor";
-  box.setAttribute("aria-labelledby", "map-editor-title");
+  box.id = ids.MAP_EDITOR;
+  box.setAttribute("aria-labelledby", ids.MAP_EDITOR_TITLE);
   const title = element("h2", "", "Shape a posture");
-  title.id = "map-editor-title";
+  title.id = ids.MAP_EDITOR_TITLE;
   const hint = element("p", "muted", "Drag a joint in any view, or choose one and use the arrow keys; bones keep their lengths.");
   const views = element("div", "map-editor-views");
   for (const view of Object.keys(AXES)) {

@@ -106,7 +106,7 @@ function slider(leaf) {
 /** @param {HTMLElement} box */
 function build(box) {
   const presets = element("select", "search-select");
-  presets.id = "search-preset";
+  presets.id = ids.SEARCH_PRESET;
   presets.setAttribute("aria-label", "Ready-made weights");
   const names = Object.keys(now.presets);
   presets.append(...names.map((name) => {
@@ -173,7 +173,7 @@ function paint() {
     row.style.setProperty("--tone", several && own >= 0 ? pieces[own].colour : "var(--accent)");
   }
   const named = Object.entries(now.presets).find(([, weights]) => sameWeights(weights, raw, now.body));
-  within(box, "#search-preset").value = named ? named[0] : "";
+  within(box, `#${ids.SEARCH_PRESET}`).value = named ? named[0] : "";
   within(box, ".search-body-hint").textContent = total() === 0 ? "All parts are off: switch on at least one."
     : assigning() ? `Click parts to take them from ${"ABCDEF"[now.active]}. Shift + click: the whole limb.`
     : "Click a part to switch it on or off, Shift + click for this one alone; arrow keys change its weight.";
@@ -273,7 +273,7 @@ document.addEventListener("input", (event) => {
 });
 
 document.addEventListener("change", (event) => {
-  if (targetOf(event).id !== "search-preset" || !targetOf(event).value) return;
+  if (targetOf(event).id !== ids.SEARCH_PRESET || !targetOf(event).value) return;
   const weights = now.presets[targetOf(event).value];
   const scale = targetOf(event).value === "whole body" ? 100 : Math.min(100, MOST / Math.max(...Object.values(weights)));
   raw = Object.fromEntries(now.body.leaves.map((leaf) => [leaf, scale * (weights[leaf] || 0)]));

@@ -23,25 +23,25 @@ function input(id, attributes) {
 /** @param {HTMLElement} box */
 function build(box) {
   const engine = element("select", "search-select", ...now.engines.map(({ value, label }) => option(value, label)));
-  engine.id = "search-engine";
+  engine.id = ids.SEARCH_ENGINE;
   const level = element("select", "search-select", option("clip", "Whole clips"), option("interval", "Moments of clips"));
-  level.id = "search-level";
-  const route = Object.assign(element("input", "search-route"), { id: "search-route", type: "range", min: 0, max: 100, step: 5 });
+  level.id = ids.SEARCH_LEVEL;
+  const route = Object.assign(element("input", "search-route"), { id: ids.SEARCH_ROUTE, type: "range", min: 0, max: 100, step: 5 });
   const says = element("span", "search-route-says number");
   const label = element("select", "search-select");
-  label.id = "search-label";
-  const shortest = input("search-shortest", { type: "number", min: 0, step: 0.1, placeholder: "from" });
-  const longest = input("search-longest", { type: "number", min: 0, step: 0.1, placeholder: "any" });
+  label.id = ids.SEARCH_LABEL;
+  const shortest = input(ids.SEARCH_SHORTEST, { type: "number", min: 0, step: 0.1, placeholder: "from" });
+  const longest = input(ids.SEARCH_LONGEST, { type: "number", min: 0, step: 0.1, placeholder: "any" });
   longest.setAttribute("aria-label", "At most this many seconds");
-  const path = labelled("Path counts", "search-route", route, says);
+  const path = labelled("Path counts", ids.SEARCH_ROUTE, route, says);
   path.title = "How much the way over the ground counts: turning left or right, forwards or backwards";
   box.replaceChildren(
-    labelled("Engine", "search-engine", engine),
-    labelled("Hits are", "search-level", level),
+    labelled("Engine", ids.SEARCH_ENGINE, engine),
+    labelled("Hits are", ids.SEARCH_LEVEL, level),
     path,
-    labelled("Label", "search-label", label),
-    labelled("Name has", "search-named", input("search-named", { type: "search", placeholder: "any clip" })),
-    labelled("Seconds", "search-shortest", shortest, element("span", "muted", "to"), longest),
+    labelled("Label", ids.SEARCH_LABEL, label),
+    labelled("Name has", ids.SEARCH_NAMED, input(ids.SEARCH_NAMED, { type: "search", placeholder: "any clip" })),
+    labelled("Seconds", ids.SEARCH_SHORTEST, shortest, element("span", "muted", "to"), longest),
   );
 }
 
@@ -51,7 +51,7 @@ export const drawOptions = () => {
   if (!box.firstChild) build(box);
   const { view, found, clips } = now;
   const actions = (clips && clips.actions) || [];
-  const label = need("search-label");
+  const label = need(ids.SEARCH_LABEL);
   const mark = JSON.stringify(actions);
   if (label.dataset.mark !== mark) {
     label.dataset.mark = mark;
@@ -60,9 +60,9 @@ export const drawOptions = () => {
   around(label, ".search-option").classList.toggle("hidden", !actions.length);
   const [shortest, longest] = (view.lasting || "-").split("-");
   const values = {
-    "search-engine": view["search-method"] || "bounded-edit", "search-level": view.level || (found && found.level) || "clip",
-    "search-route": view.route || "0", "search-label": view.label || "", "search-named": view.named || "",
-    "search-shortest": shortest, "search-longest": longest,
+    [ids.SEARCH_ENGINE]: view["search-method"] || "bounded-edit", [ids.SEARCH_LEVEL]: view.level || (found && found.level) || "clip",
+    [ids.SEARCH_ROUTE]: view.route || "0", [ids.SEARCH_LABEL]: view.label || "", [ids.SEARCH_NAMED]: view.named || "",
+    [ids.SEARCH_SHORTEST]: shortest, [ids.SEARCH_LONGEST]: longest,
   };
   if (!waiting) for (const [id, value] of Object.entries(values)) if (find(id) !== document.activeElement || need(id).tagName === "SELECT") need(id).value = value;
   sayRoute();
@@ -81,7 +81,7 @@ function fold() {
   /** @param {string} id */
   const chosen = (id) => /** @type {any} */ (need(id)).selectedOptions[0]?.textContent;
   const { view } = now;
-  const summary = [find("search-preset") && chosen("search-preset"), chosen("search-engine"), chosen("search-level"),
+  const summary = [find(ids.SEARCH_PRESET) && chosen(ids.SEARCH_PRESET), chosen(ids.SEARCH_ENGINE), chosen(ids.SEARCH_LEVEL),
     view.route && `path ${view.route} %`, view.label, view.named && `“${view.named}”`, view.lasting && `${view.lasting} s`];
   need(ids.SEARCH_COUNTS_SAYS).textContent = summary.filter(Boolean).join(" · ");
 }
@@ -93,24 +93,24 @@ document.addEventListener("click", (event) => {
 });
 
 function sayRoute() {
-  const { value, style } = need("search-route");
+  const { value, style } = need(ids.SEARCH_ROUTE);
   style.setProperty("--share", `${value}%`);
   within(document, ".search-route-says").textContent = `${value} %`;
 }
 
 function lasting() {
-  const [low, high] = ["search-shortest", "search-longest"].map((id) => need(id).value.trim());
+  const [low, high] = [ids.SEARCH_SHORTEST, ids.SEARCH_LONGEST].map((id) => need(id).value.trim());
   return low || high ? `${low}-${high}` : "";
 }
 
 /** @param {string} id */
 function take(id) {
   const value = find(id) ? need(id).value : "";
-  if (id === "search-engine") changeSearch({ "search-method": value === "bounded-edit" ? "" : value });
-  else if (id === "search-level") changeSearch({ level: value, top: "" });
-  else if (id === "search-route") changeSearch({ route: value === "0" ? "" : value });
-  else if (id === "search-label") changeSearch({ label: value, top: "" });
-  else if (id === "search-named") changeSearch({ named: value.trim(), top: "" });
+  if (id === ids.SEARCH_ENGINE) changeSearch({ "search-method": value === "bounded-edit" ? "" : value });
+  else if (id === ids.SEARCH_LEVEL) changeSearch({ level: value, top: "" });
+  else if (id === ids.SEARCH_ROUTE) changeSearch({ route: value === "0" ? "" : value });
+  else if (id === ids.SEARCH_LABEL) changeSearch({ label: value, top: "" });
+  else if (id === ids.SEARCH_NAMED) changeSearch({ named: value.trim(), top: "" });
   else changeSearch({ lasting: lasting(), top: "" });
 }
 
@@ -119,7 +119,7 @@ const mine = (target) => target.closest && target.closest(`#${ids.SEARCH_OPTIONS
 document.addEventListener("change", (event) => { if (mine(targetOf(event)) && targetOf(event).tagName === "SELECT") take(targetOf(event).id); });
 document.addEventListener("input", (event) => {
   if (!mine(targetOf(event)) || targetOf(event).tagName === "SELECT") return;
-  if (targetOf(event).id === "search-route") sayRoute();
+  if (targetOf(event).id === ids.SEARCH_ROUTE) sayRoute();
   clearTimeout(waiting);
   const { id } = targetOf(event);
   waiting = setTimeout(() => {

@@ -53,9 +53,9 @@ function setup() {
     return build;
   });
   const name = element("input", "search-text");
-  Object.assign(name, { id: "study-name", placeholder: "optional", maxLength: 60, value: person.name || "", autocomplete: "off" });
+  Object.assign(name, { id: ids.STUDY_NAME, placeholder: "optional", maxLength: 60, value: person.name || "", autocomplete: "off" });
   const label = element("label", "search-label", "Your name");
-  label.htmlFor = "study-name";
+  label.htmlFor = ids.STUDY_NAME;
   const add = button([icon("plus", 13), "The query of the search"], "add");
   add.disabled = !whole();
   add.title = whole() ? "" : "Choose a query of this dataset, for the whole body, under Search first";
@@ -278,7 +278,7 @@ document.addEventListener("click", (event) => {
   if (on && !on.disabled) ACTS[on.dataset.study ?? ""](on);
 });
 document.addEventListener("change", (event) => {
-  if (targetOf(event).id !== "study-name") return;
+  if (targetOf(event).id !== ids.STUDY_NAME) return;
   who({ ...person, name: targetOf(event).value.trim() });
   setStore(ids.STUDY_PERSON, person);
   draw();

@@ -63,6 +63,9 @@
  * @property {any} [at]
  */
 
+export const LOADING = "loading";
+export const FIRST_LAYOUT = "first-layout";
+export const FIRST_DEPENDENCIES = "first-dependencies";
 export const MANTINE = "mantine";
 export const SHELL = "shell";
 export const PAGE = "page";

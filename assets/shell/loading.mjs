@@ -1,17 +1,18 @@
 // Heavy component libraries and Plotly are loaded when they are first needed; what the page brought along (layout, list
 // of callbacks) is not asked for again. What a page says of them is written by webapp/shell/loading.py.
 import { closest, find } from "../shared/dom.mjs";
+import { FIRST_DEPENDENCIES, FIRST_LAYOUT, LOADING } from "../shared/ids.mjs";
 
 /** @typedef {{ source: string, components: string[] }} Suite */
 
 /** @type {{ suites?: Record<string, Suite>, plotly?: string, pages?: Record<string, string[]> }} */
-const { suites = {}, plotly = "", pages = {} } = JSON.parse(find("loading")?.textContent || "{}");
+const { suites = {}, plotly = "", pages = {} } = JSON.parse(find(LOADING)?.textContent || "{}");
 
 /** Answers from the page for the two requests that Dash's renderer makes when it starts. */
 function answerFirstRequests() {
   const answers = new Map([
-    ["_dash-layout", find("first-layout")?.textContent],
-    ["_dash-dependencies", find("first-dependencies")?.textContent],
+    ["_dash-layout", find(FIRST_LAYOUT)?.textContent],
+    ["_dash-dependencies", find(FIRST_DEPENDENCIES)?.textContent],
   ]);
   const send = window.fetch;
   window.fetch = (address, options) => {

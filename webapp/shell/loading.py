@@ -18,6 +18,7 @@ import dash
 from flask import request
 
 from webapp.shell import links
+from webapp.shell.names import FIRST_DEPENDENCIES, FIRST_LAYOUT, LOADING
 from webapp.shell.stores import CheckedDash
 
 UNUSED = ("/dash_table/", "/dash/deps/polyfill@")  # no page has a DataTable; no supported browser needs the polyfill
@@ -47,9 +48,9 @@ class LoadingDash(CheckedDash):
         loading = {"suites": _suites(later), "plotly": addresses["chart"][-1], "pages": pages}
         parts["scripts"] = "\n".join(
             [
-                _data("first-layout", self.serve_layout().get_data(as_text=True)),
-                _data("first-dependencies", self.dependencies().get_data(as_text=True)),
-                _data("loading", json.dumps(loading)),
+                _data(FIRST_LAYOUT, self.serve_layout().get_data(as_text=True)),
+                _data(FIRST_DEPENDENCIES, self.dependencies().get_data(as_text=True)),
+                _data(LOADING, json.dumps(loading)),
                 *scripts,
             ]
         )

@@ -98,6 +98,11 @@ class MethodNames(Group):
         self.again = Store(f"{page}-again", dict[str, bool | float])
 
 
+# what comes with the page itself, see loading.py
+LOADING = Id("loading")
+FIRST_LAYOUT = Id("first-layout")
+FIRST_DEPENDENCIES = Id("first-dependencies")
+
 MANTINE = Id("mantine")
 SHELL = Id("shell")
 PAGE = Id("page")

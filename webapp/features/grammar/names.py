@@ -3,7 +3,7 @@
 from typing import Annotated, Any, NotRequired, TypedDict
 
 from webapp.shell.feature import LinkKey
-from webapp.shell.identifiers import Family, Id, Store
+from webapp.shell.identifiers import Family, Id, Prefix, Store
 from webapp.shell.names import Colour, MethodNames, Name
 from webapp.shell.shapes import Most
 
@@ -176,6 +176,7 @@ GRAMMAR_RESULT = Id("grammar-result")
 GRAMMAR_STRING = Id("grammar-string")
 GRAMMAR_SHOW = Id("grammar-show")
 GRAMMAR_RULES = Id("grammar-rules")
+PHRASE = Prefix("phrase-")  # made in the browser
 GRAMMAR_DATA = Store("grammar-data", GrammarData)
 GRAMMAR_NAMES = Store("grammar-names", Name)
 GRAMMAR_DRAWN = Store("grammar-drawn", Any)

@@ -81,6 +81,9 @@ MAP_COUNT = Id("map-count")
 MAP_PLAY_ALL = Id("map-play-all")
 MAP_HITS = Id("map-hits")
 
+MAP_EDITOR = Id("map-editor")  # made in the browser
+MAP_EDITOR_TITLE = Id("map-editor-title")
+
 MAP_MULTIPLES = Id("map-multiples")
 MAP_MULTIPLES_GRAPH = Id("map-multiples-graph")
 MAP_CLIPS_PLACE = Id("map-clips-place")
