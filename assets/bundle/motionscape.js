@@ -30,9 +30,9 @@
     mod
   ));
 
-  // node_modules/regenerator-runtime/runtime.js
+  // ../../names/assets/node_modules/regenerator-runtime/runtime.js
   var require_runtime = __commonJS({
-    "node_modules/regenerator-runtime/runtime.js"(exports, module) {
+    "../../names/assets/node_modules/regenerator-runtime/runtime.js"(exports, module) {
       var runtime = (function(exports2) {
         "use strict";
         var Op = Object.prototype;
@@ -628,12 +628,47 @@
     else start3();
   }
 
+  // shared/ids.mjs
+  var LOADING = "loading";
+  var FIRST_LAYOUT = "first-layout";
+  var FIRST_DEPENDENCIES = "first-dependencies";
+  var SHELL = "shell";
+  var PAGE = "page";
+  var NAV = "nav-";
+  var DATASET_PICKER = "dataset-picker";
+  var NOTICES = "notices";
+  var URL2 = "url";
+  var DATASET = (
+    /** @type {StoreId<string>} */
+    "dataset"
+  );
+  var SELECTION = (
+    /** @type {StoreId<Selection>} */
+    "selection"
+  );
+  var VIEW = (
+    /** @type {StoreId<Record<string, string>>} */
+    "view"
+  );
+  var DATASET_CHOICE = (
+    /** @type {StoreId<DatasetChoice>} */
+    "dataset-choice"
+  );
+  var STAGE_REQUEST = (
+    /** @type {StoreId<StageRequest>} */
+    "stage-request"
+  );
+  var THEME = (
+    /** @type {StoreId<"light" | "dark">} */
+    "theme"
+  );
+
   // shell/loading.mjs
-  var { suites = {}, plotly = "", pages = {} } = JSON.parse(find("loading")?.textContent || "{}");
+  var { suites = {}, plotly = "", pages = {} } = JSON.parse(find(LOADING)?.textContent || "{}");
   function answerFirstRequests() {
     const answers = /* @__PURE__ */ new Map([
-      ["_dash-layout", find("first-layout")?.textContent],
-      ["_dash-dependencies", find("first-dependencies")?.textContent]
+      ["_dash-layout", find(FIRST_LAYOUT)?.textContent],
+      ["_dash-dependencies", find(FIRST_DEPENDENCIES)?.textContent]
     ]);
     const send4 = window.fetch;
     window.fetch = (address2, options) => {
@@ -699,38 +734,6 @@
   if (plotly) Object.defineProperty(window, "_dashPlotlyJSURL", { get: () => plotly, set() {
   } });
   for (const kind of ["pointerover", "focusin"]) document.addEventListener(kind, fetchAhead, { passive: true });
-
-  // shared/ids.mjs
-  var SHELL = "shell";
-  var PAGE = "page";
-  var NAV = "nav-";
-  var DATASET_PICKER = "dataset-picker";
-  var NOTICES = "notices";
-  var URL2 = "url";
-  var DATASET = (
-    /** @type {StoreId<string>} */
-    "dataset"
-  );
-  var SELECTION = (
-    /** @type {StoreId<Selection>} */
-    "selection"
-  );
-  var VIEW = (
-    /** @type {StoreId<Record<string, string>>} */
-    "view"
-  );
-  var DATASET_CHOICE = (
-    /** @type {StoreId<DatasetChoice>} */
-    "dataset-choice"
-  );
-  var STAGE_REQUEST = (
-    /** @type {StoreId<StageRequest>} */
-    "stage-request"
-  );
-  var THEME = (
-    /** @type {StoreId<"light" | "dark">} */
-    "theme"
-  );
 
   // shared/dash.mjs
   var clientside = globalThis.dash_clientside ||= /** @type {any} */
@@ -6293,6 +6296,14 @@
   var SEARCH_WANTED = "search-wanted";
   var SEARCH_BODY = "search-body";
   var SEARCH_OPTIONS = "search-options";
+  var SEARCH_PRESET = "search-preset";
+  var SEARCH_ENGINE = "search-engine";
+  var SEARCH_LEVEL = "search-level";
+  var SEARCH_ROUTE = "search-route";
+  var SEARCH_LABEL = "search-label";
+  var SEARCH_NAMED = "search-named";
+  var SEARCH_SHORTEST = "search-shortest";
+  var SEARCH_LONGEST = "search-longest";
   var SEARCH_UPLOAD = (
     /** @type {StoreId<Upload>} */
     "search-upload"
@@ -6301,6 +6312,7 @@
   var STUDY_SETUP = "study-setup";
   var STUDY_RATE = "study-rate";
   var STUDY_VOTE = "study-vote";
+  var STUDY_NAME = "study-name";
   var STUDY_ANSWER = (
     /** @type {StoreId<Answers>} */
     "study-answer"
@@ -6353,9 +6365,9 @@
       return build3;
     });
     const name = element("input", "search-text");
-    Object.assign(name, { id: "study-name", placeholder: "optional", maxLength: 60, value: person.name || "", autocomplete: "off" });
+    Object.assign(name, { id: STUDY_NAME, placeholder: "optional", maxLength: 60, value: person.name || "", autocomplete: "off" });
     const label = element("label", "search-label", "Your name");
-    label.htmlFor = "study-name";
+    label.htmlFor = STUDY_NAME;
     const add3 = button2([icon("plus", 13), "The query of the search"], "add");
     add3.disabled = !whole();
     add3.title = whole() ? "" : "Choose a query of this dataset, for the whole body, under Search first";
@@ -6539,7 +6551,7 @@
     if (on2 && !on2.disabled) ACTS[on2.dataset.study ?? ""](on2);
   });
   document.addEventListener("change", (event) => {
-    if (targetOf(event).id !== "study-name") return;
+    if (targetOf(event).id !== STUDY_NAME) return;
     who({ ...person, name: targetOf(event).value.trim() });
     setStore(STUDY_PERSON, person);
     draw4();
@@ -6605,6 +6617,7 @@
   // grammar/ids.mjs
   var GRAMMAR_STRING = "grammar-string";
   var GRAMMAR_RULES = "grammar-rules";
+  var PHRASE = "phrase-";
   var ACTION_CARDS = "action-cards";
   var ACTION_HINT = "action-hint";
   var ACTION_DETAIL = "action-detail";
@@ -7209,7 +7222,7 @@
   }
   function card3(phrase, start3) {
     const box2 = element("section", "phrase-card");
-    box2.id = `phrase-${phrase.id}`;
+    box2.id = PHRASE + phrase.id;
     box2.tabIndex = -1;
     const head3 = element("div", "phrase-head");
     head3.append(element("h3", "", start3 ? "A routine" : phrase.name));
@@ -7230,7 +7243,7 @@
       more2.addEventListener("click", () => {
         open3.add(phrase.id);
         box2.replaceWith(card3(phrase, start3));
-        allWithin(need(`phrase-${phrase.id}`), ".way")[FIRST]?.querySelector("button")?.focus();
+        allWithin(need(PHRASE + phrase.id), ".way")[FIRST]?.querySelector("button")?.focus();
       });
       box2.append(more2);
     }
@@ -7244,7 +7257,7 @@
   };
   document.addEventListener("click", (event) => {
     const chip2 = closest(event, ".phrase-chip");
-    const phraseCard = chip2 && find(`phrase-${chip2.dataset.phrase}`);
+    const phraseCard = chip2 && find(PHRASE + chip2.dataset.phrase);
     if (!phraseCard || !phraseCard.offsetParent) return;
     phraseCard.scrollIntoView({ block: "center", behavior: "smooth" });
     phraseCard.focus({ preventScroll: true });
@@ -7679,6 +7692,8 @@
   var MAP_COUNT = "map-count";
   var MAP_PLAY_ALL = "map-play-all";
   var MAP_HITS = "map-hits";
+  var MAP_EDITOR = "map-editor";
+  var MAP_EDITOR_TITLE = "map-editor-title";
 
   // motion_map/figure.mjs
   var HEAD2 = 0.105;
@@ -7819,14 +7834,14 @@
   function dialog() {
     const there = (
       /** @type {HTMLDialogElement | null} */
-      document.getElementById("map-editor")
+      document.getElementById(MAP_EDITOR)
     );
     if (there) return there;
     const box2 = element("dialog", "map-editor card");
-    box2.id = "map-editor";
-    box2.setAttribute("aria-labelledby", "map-editor-title");
+    box2.id = MAP_EDITOR;
+    box2.setAttribute("aria-labelledby", MAP_EDITOR_TITLE);
     const title = element("h2", "", "Shape a posture");
-    title.id = "map-editor-title";
+    title.id = MAP_EDITOR_TITLE;
     const hint = element("p", "muted", "Drag a joint in any view, or choose one and use the arrow keys; bones keep their lengths.");
     const views = element("div", "map-editor-views");
     for (const view4 of Object.keys(AXES)) {
@@ -8822,7 +8837,7 @@
   }
   function build(box2) {
     const presets = element("select", "search-select");
-    presets.id = "search-preset";
+    presets.id = SEARCH_PRESET;
     presets.setAttribute("aria-label", "Ready-made weights");
     const names2 = Object.keys(now5.presets);
     presets.append(...names2.map((name) => {
@@ -8887,7 +8902,7 @@
       row8.style.setProperty("--tone", several && own2 >= 0 ? pieces[own2].colour : "var(--accent)");
     }
     const named3 = Object.entries(now5.presets).find(([, weights]) => sameWeights(weights, raw, now5.body));
-    within(box2, "#search-preset").value = named3 ? named3[0] : "";
+    within(box2, `#${SEARCH_PRESET}`).value = named3 ? named3[0] : "";
     within(box2, ".search-body-hint").textContent = total2() === 0 ? "All parts are off: switch on at least one." : assigning() ? `Click parts to take them from ${"ABCDEF"[now5.active]}. Shift + click: the whole limb.` : "Click a part to switch it on or off, Shift + click for this one alone; arrow keys change its weight.";
   }
   var drawBody = () => {
@@ -8963,7 +8978,7 @@
     if (dataset2?.weight) put3(dataset2.weight, Number(value));
   });
   document.addEventListener("change", (event) => {
-    if (targetOf(event).id !== "search-preset" || !targetOf(event).value) return;
+    if (targetOf(event).id !== SEARCH_PRESET || !targetOf(event).value) return;
     const weights = now5.presets[targetOf(event).value];
     const scale3 = targetOf(event).value === "whole body" ? 100 : Math.min(100, MOST3 / Math.max(...Object.values(weights)));
     raw = Object.fromEntries(now5.body.leaves.map((leaf) => [leaf, scale3 * (weights[leaf] || 0)]));
@@ -9283,25 +9298,25 @@
   }
   function build2(box2) {
     const engine = element("select", "search-select", ...now5.engines.map(({ value, label: label2 }) => option(value, label2)));
-    engine.id = "search-engine";
+    engine.id = SEARCH_ENGINE;
     const level = element("select", "search-select", option("clip", "Whole clips"), option("interval", "Moments of clips"));
-    level.id = "search-level";
-    const route = Object.assign(element("input", "search-route"), { id: "search-route", type: "range", min: 0, max: 100, step: 5 });
+    level.id = SEARCH_LEVEL;
+    const route = Object.assign(element("input", "search-route"), { id: SEARCH_ROUTE, type: "range", min: 0, max: 100, step: 5 });
     const says = element("span", "search-route-says number");
     const label = element("select", "search-select");
-    label.id = "search-label";
-    const shortest = input("search-shortest", { type: "number", min: 0, step: 0.1, placeholder: "from" });
-    const longest2 = input("search-longest", { type: "number", min: 0, step: 0.1, placeholder: "any" });
+    label.id = SEARCH_LABEL;
+    const shortest = input(SEARCH_SHORTEST, { type: "number", min: 0, step: 0.1, placeholder: "from" });
+    const longest2 = input(SEARCH_LONGEST, { type: "number", min: 0, step: 0.1, placeholder: "any" });
     longest2.setAttribute("aria-label", "At most this many seconds");
-    const path2 = labelled("Path counts", "search-route", route, says);
+    const path2 = labelled("Path counts", SEARCH_ROUTE, route, says);
     path2.title = "How much the way over the ground counts: turning left or right, forwards or backwards";
     box2.replaceChildren(
-      labelled("Engine", "search-engine", engine),
-      labelled("Hits are", "search-level", level),
+      labelled("Engine", SEARCH_ENGINE, engine),
+      labelled("Hits are", SEARCH_LEVEL, level),
       path2,
-      labelled("Label", "search-label", label),
-      labelled("Name has", "search-named", input("search-named", { type: "search", placeholder: "any clip" })),
-      labelled("Seconds", "search-shortest", shortest, element("span", "muted", "to"), longest2)
+      labelled("Label", SEARCH_LABEL, label),
+      labelled("Name has", SEARCH_NAMED, input(SEARCH_NAMED, { type: "search", placeholder: "any clip" })),
+      labelled("Seconds", SEARCH_SHORTEST, shortest, element("span", "muted", "to"), longest2)
     );
   }
   var drawOptions = () => {
@@ -9310,7 +9325,7 @@
     if (!box2.firstChild) build2(box2);
     const { view: view4, found, clips } = now5;
     const actions4 = clips && clips.actions || [];
-    const label = need("search-label");
+    const label = need(SEARCH_LABEL);
     const mark3 = JSON.stringify(actions4);
     if (label.dataset.mark !== mark3) {
       label.dataset.mark = mark3;
@@ -9319,13 +9334,13 @@
     around(label, ".search-option").classList.toggle("hidden", !actions4.length);
     const [shortest, longest2] = (view4.lasting || "-").split("-");
     const values = {
-      "search-engine": view4["search-method"] || "bounded-edit",
-      "search-level": view4.level || found && found.level || "clip",
-      "search-route": view4.route || "0",
-      "search-label": view4.label || "",
-      "search-named": view4.named || "",
-      "search-shortest": shortest,
-      "search-longest": longest2
+      [SEARCH_ENGINE]: view4["search-method"] || "bounded-edit",
+      [SEARCH_LEVEL]: view4.level || found && found.level || "clip",
+      [SEARCH_ROUTE]: view4.route || "0",
+      [SEARCH_LABEL]: view4.label || "",
+      [SEARCH_NAMED]: view4.named || "",
+      [SEARCH_SHORTEST]: shortest,
+      [SEARCH_LONGEST]: longest2
     };
     if (!waiting2) {
       for (const [id, value] of Object.entries(values)) if (find(id) !== document.activeElement || need(id).tagName === "SELECT") need(id).value = value;
@@ -9346,9 +9361,9 @@
     );
     const { view: view4 } = now5;
     const summary2 = [
-      find("search-preset") && chosen3("search-preset"),
-      chosen3("search-engine"),
-      chosen3("search-level"),
+      find(SEARCH_PRESET) && chosen3(SEARCH_PRESET),
+      chosen3(SEARCH_ENGINE),
+      chosen3(SEARCH_LEVEL),
       view4.route && `path ${view4.route} %`,
       view4.label,
       view4.named && `“${view4.named}”`,
@@ -9363,21 +9378,21 @@
     fold();
   });
   function sayRoute() {
-    const { value, style } = need("search-route");
+    const { value, style } = need(SEARCH_ROUTE);
     style.setProperty("--share", `${value}%`);
     within(document, ".search-route-says").textContent = `${value} %`;
   }
   function lasting() {
-    const [low, high] = ["search-shortest", "search-longest"].map((id) => need(id).value.trim());
+    const [low, high] = [SEARCH_SHORTEST, SEARCH_LONGEST].map((id) => need(id).value.trim());
     return low || high ? `${low}-${high}` : "";
   }
   function take2(id) {
     const value = find(id) ? need(id).value : "";
-    if (id === "search-engine") changeSearch({ "search-method": value === "bounded-edit" ? "" : value });
-    else if (id === "search-level") changeSearch({ level: value, top: "" });
-    else if (id === "search-route") changeSearch({ route: value === "0" ? "" : value });
-    else if (id === "search-label") changeSearch({ label: value, top: "" });
-    else if (id === "search-named") changeSearch({ named: value.trim(), top: "" });
+    if (id === SEARCH_ENGINE) changeSearch({ "search-method": value === "bounded-edit" ? "" : value });
+    else if (id === SEARCH_LEVEL) changeSearch({ level: value, top: "" });
+    else if (id === SEARCH_ROUTE) changeSearch({ route: value === "0" ? "" : value });
+    else if (id === SEARCH_LABEL) changeSearch({ label: value, top: "" });
+    else if (id === SEARCH_NAMED) changeSearch({ named: value.trim(), top: "" });
     else changeSearch({ lasting: lasting(), top: "" });
   }
   var mine = (target2) => target2.closest && target2.closest(`#${SEARCH_OPTIONS}`);
@@ -9386,7 +9401,7 @@
   });
   document.addEventListener("input", (event) => {
     if (!mine(targetOf(event)) || targetOf(event).tagName === "SELECT") return;
-    if (targetOf(event).id === "search-route") sayRoute();
+    if (targetOf(event).id === SEARCH_ROUTE) sayRoute();
     clearTimeout(waiting2);
     const { id } = targetOf(event);
     waiting2 = setTimeout(() => {
