@@ -92,6 +92,13 @@ class Parameter:
         return math.isfinite(value) and low <= value <= high
 
 
+def write_value(value: Any) -> str:
+    """A value as people write it, without losing a digit: :meth:`Parameter.parse` reads exactly the same back."""
+    if isinstance(value, bool):
+        return str(value).lower()
+    return repr(value).removesuffix(".0") if isinstance(value, float) else str(value)
+
+
 def parameters_of(kind: type) -> tuple[Parameter, ...]:
     """The parameters that the dataclass ``kind`` describes, in its order. Raises TypeError for other annotations."""
     hints = get_type_hints(kind)
@@ -166,7 +173,15 @@ def _as_kind(value: Any, kind: type) -> Any:
     try:
         number = float(value)
         if kind is float:
-            return number
-        return int(value) if isinstance(value, int) else int(number) if number.is_integer() else None
+            return number + 0.0  # so that minus zero is zero
+        return _exact_int(value, number) if number.is_integer() else None
     except (ValueError, OverflowError):
         return None
+
+
+def _exact_int(value: int | float | str, number: float) -> int:
+    """``value``, whose nearest float is ``number``, with all its digits."""
+    try:
+        return int(value)
+    except ValueError:  # text such as "3.0" or "1e3"
+        return int(number)

@@ -3439,13 +3439,12 @@
 
   // shell/address.mjs
   var pageOf = (pathname) => pathname.replace(/\//g, "") || "library";
-  function addressOf(pathname, { dataset: dataset2, parameters, selection, view: view4, keys, chosen: chosen3, stage: stage2 }) {
+  function addressOf(pathname, { dataset: dataset2, selection, view: view4, keys, chosen: chosen3, stage: stage2 }) {
     const ofPage = (keys[pageOf(pathname)] || []).map((key) => [key, view4?.[key]]);
     const onStage4 = chosen3 !== "{}" || view4?.walk || view4?.sentence;
     const pairs = new URLSearchParams();
     for (const [key, value] of [
       ["dataset", dataset2],
-      ...Object.entries(parameters || {}),
       ...ofPage,
       ...Object.entries(selection || {}),
       ...Object.entries(onStage4 ? stage2 : {})
@@ -3472,7 +3471,7 @@
 
   // shell/frame.mjs
   var WIDTH_KEY = "motionscape-stage-width";
-  var shown2 = { dataset: null, parameters: {}, selection: {}, view: {}, keys: {}, chosen: "{}", stage: {} };
+  var shown2 = { dataset: null, selection: {}, view: {}, keys: {}, chosen: "{}", stage: {} };
   var handled = false;
   function writeAddress() {
     if (!shown2.dataset) return clientside.no_update;
@@ -3494,18 +3493,17 @@
     /**
      * @param {string} pathname
      * @param {string | null} dataset
-     * @param {Record<string, string>} parameters
      * @param {Selection | null} selection
      * @param {View | null} view
      * @param {Record<string, string[]>} keys
      */
-    address(pathname, dataset2, parameters, selection, view4, keys) {
+    address(pathname, dataset2, selection, view4, keys) {
       const chosen3 = JSON.stringify(selection || {});
       if (shown2.dataset && (chosen3 !== shown2.chosen || dataset2 !== shown2.dataset)) {
         shown2.stage = {};
         handled = false;
       }
-      Object.assign(shown2, { dataset: dataset2, parameters, selection, view: view4, keys, chosen: chosen3 });
+      Object.assign(shown2, { dataset: dataset2, selection, view: view4, keys, chosen: chosen3 });
       return writeAddress();
     },
     // What the server changes of the view.
@@ -3772,14 +3770,22 @@
     }
   });
 
+  // shared/settings.mjs
+  var keysOf = {};
+  function setSettingsKeys(keys) {
+    keysOf = keys;
+  }
+  var changeOfSettings = (name, values) => Object.fromEntries((keysOf[name] || []).map((key) => [key, values[key] ?? ""]));
+
   // shell/settings.mjs
   var inOrder = (text, of2) => of2.names.filter((name) => text.split(",").includes(name));
   register("settings", {
     // Those keys of the view that are settings of the page; its store is called PAGE-settings.
-    /** @param {View | null} view @param {View | null} current @param {string} id */
-    pick(view4, current2, id) {
-      const page2 = id.slice(0, -"settings".length);
-      const own2 = Object.entries(view4 || {}).filter(([key]) => key.startsWith(page2)).sort();
+    /** @param {View | null} view @param {View | null} current @param {string} id @param {Record<string, string[]>} keys */
+    pick(view4, current2, id, keys) {
+      setSettingsKeys(keys);
+      const mine2 = keys[id.slice(0, -"-settings".length)] || [];
+      const own2 = Object.entries(view4 || {}).filter(([key]) => mine2.includes(key)).sort();
       const next2 = Object.fromEntries(own2);
       return current2 && JSON.stringify(next2) === JSON.stringify(current2) ? clientside.no_update : next2;
     },
@@ -5928,7 +5934,7 @@
   var played = "";
   var added = false;
   var lit = -1;
-  var keysOf = (shown7) => Object.fromEntries(KEYS4.filter((key) => shown7?.[key]).map((key) => [key, shown7?.[key]]));
+  var keysOf2 = (shown7) => Object.fromEntries(KEYS4.filter((key) => shown7?.[key]).map((key) => [key, shown7?.[key]]));
   var same2 = (a, b) => KEYS4.every((key) => (a?.[key] || "") === (b?.[key] || ""));
   var onStage2 = () => Boolean(player.frameOf(0)?.dataset?.startsWith(OURS2));
   var motifs = () => now2.path || [];
@@ -6021,7 +6027,7 @@
     return words2.join(" ");
   }
   function show3() {
-    const busy = !same2(now2.asked, keysOf(view));
+    const busy = !same2(now2.asked, keysOf2(view));
     need(WALK_PATH).classList.toggle("busy", busy);
     if (busy) {
       need(WALK_HINT).textContent = view.walk ? "Making the walk …" : "";
@@ -6162,7 +6168,7 @@
       const before2 = now2;
       now2 = data2;
       show3();
-      if (!now2.name || !same2(now2.asked, keysOf(view))) return clientside.no_update;
+      if (!now2.name || !same2(now2.asked, keysOf2(view))) return clientside.no_update;
       const chosen3 = selection && Object.keys(selection).length > 0;
       if (entered && chosen3 && !before2.key) return clientside.no_update;
       if (entered && chosen3) setStore(SELECTION, {});
@@ -6577,9 +6583,8 @@
   // sweeps/sweeps.mjs
   function open2(address2) {
     const { pathname, searchParams } = new URL(address2, location.origin);
-    searchParams.delete("dataset");
     setStore(SELECTION, {});
-    openPage(pathname, { parameters: Object.fromEntries(searchParams) });
+    openPage(pathname, { [VIEW_CHANGE]: changeOfSettings("motifs", Object.fromEntries(searchParams)) });
     need(PAGE).scrollTo(0, 0);
   }
   var plain2 = (event) => !(event.button || event.metaKey || event.ctrlKey || event.shiftKey || event.altKey);
@@ -6856,9 +6861,9 @@
   var played2 = "";
   var lit2 = -1;
   var past = { key: "", list: [], at: -1 };
-  var keysOf2 = (shown7) => Object.fromEntries(KEYS5.filter((key) => shown7?.[key]).map((key) => [key, shown7?.[key]]));
+  var keysOf3 = (shown7) => Object.fromEntries(KEYS5.filter((key) => shown7?.[key]).map((key) => [key, shown7?.[key]]));
   var same3 = (a, b) => KEYS5.every((key) => (a?.[key] || "") === (b?.[key] || ""));
-  var ready = () => Boolean(now3.name) && same3(now3.asked, keysOf2(view3));
+  var ready = () => Boolean(now3.name) && same3(now3.asked, keysOf3(view3));
   var here2 = () => on && Boolean(find(COMPOSE_TREE)?.offsetParent);
   var onStage3 = () => String(player.frameOf(0)?.dataset || "").startsWith("~derive~");
   var goTo = (sentence, more2 = {}) => changeView({ sentence, pick: "", up: "", alt: "", ...more2 });
@@ -6938,7 +6943,7 @@
     return `${chosen3.name}: ${span}, ${ways}`;
   }
   function show4() {
-    const busy = Boolean(view3.sentence) && !same3(now3.asked, keysOf2(view3));
+    const busy = Boolean(view3.sentence) && !same3(now3.asked, keysOf3(view3));
     need(COMPOSE_STRING).classList.toggle("busy", busy);
     const error = !busy && now3.error;
     need(COMPOSE_ERROR).classList.toggle("hidden", !error);

@@ -6,7 +6,6 @@
  * What the address says: `keys` of the view that a page's links have, by page; `chosen` the selection as text.
  * @typedef {{
  *   dataset: string | null,
- *   parameters: Record<string, string>,
  *   selection: Selection | null,
  *   view: View | null,
  *   keys: Record<string, string[]>,
@@ -23,12 +22,12 @@ export const pageOf = (pathname) => pathname.replace(/\//g, "") || "library";
  * @param {string} pathname
  * @param {Shown} shown
  */
-export function addressOf(pathname, { dataset, parameters, selection, view, keys, chosen, stage }) {
+export function addressOf(pathname, { dataset, selection, view, keys, chosen, stage }) {
   const ofPage = (keys[pageOf(pathname)] || []).map((key) => [key, view?.[key]]);
   const onStage = chosen !== "{}" || view?.walk || view?.sentence;
   const pairs = new URLSearchParams();
   for (const [key, value] of [
-    ["dataset", dataset], ...Object.entries(parameters || {}), ...ofPage, ...Object.entries(selection || {}), ...Object.entries(onStage ? stage : {}),
+    ["dataset", dataset], ...ofPage, ...Object.entries(selection || {}), ...Object.entries(onStage ? stage : {}),
   ]) if (value !== null && value !== undefined && value !== "") pairs.set(String(key), String(value));
   return `${pathname}?${pairs.toString().replace(/%2C/g, ",").replace(/%3A/g, ":")}`;
 }

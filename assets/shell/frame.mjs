@@ -11,7 +11,7 @@ import { addressOf, pageOf, stageOfLink, stateOfLink } from "./address.mjs";
 const WIDTH_KEY = "motionscape-stage-width";
 
 /** What the address says. @type {Shown} */
-const shown = { dataset: null, parameters: {}, selection: {}, view: {}, keys: {}, chosen: "{}", stage: {} };
+const shown = { dataset: null, selection: {}, view: {}, keys: {}, chosen: "{}", stage: {} };
 let handled = false; // the view was turned by hand: then it is worth a place in the link
 
 /** The link of what is shown, in the address line and for the store "address"; nothing while no data set is shown. */
@@ -36,18 +36,17 @@ register("shell", {
   /**
    * @param {string} pathname
    * @param {string | null} dataset
-   * @param {Record<string, string>} parameters
    * @param {Selection | null} selection
    * @param {View | null} view
    * @param {Record<string, string[]>} keys
    */
-  address(pathname, dataset, parameters, selection, view, keys) {
+  address(pathname, dataset, selection, view, keys) {
     const chosen = JSON.stringify(selection || {});
     if (shown.dataset && (chosen !== shown.chosen || dataset !== shown.dataset)) {
       shown.stage = {};
       handled = false;
     }
-    Object.assign(shown, { dataset, parameters, selection, view, keys, chosen });
+    Object.assign(shown, { dataset, selection, view, keys, chosen });
     return writeAddress();
   },
   // What the server changes of the view.

@@ -1,5 +1,6 @@
 /* The settings of a page among what it shows: other views change without the form being drawn anew. */
 import { changeView, clientside, register } from "../shared/dash.mjs";
+import { setSettingsKeys } from "../shared/settings.mjs";
 /** @import { View } from "../shared/types.d.ts" */
 
 /**
@@ -12,10 +13,11 @@ const inOrder = (text, of) => of.names.filter((name) => text.split(",").includes
 
 register("settings", {
   // Those keys of the view that are settings of the page; its store is called PAGE-settings.
-  /** @param {View | null} view @param {View | null} current @param {string} id */
-  pick(view, current, id) {
-    const page = id.slice(0, -"settings".length);
-    const own = Object.entries(view || {}).filter(([key]) => key.startsWith(page)).sort();
+  /** @param {View | null} view @param {View | null} current @param {string} id @param {Record<string, string[]>} keys */
+  pick(view, current, id, keys) {
+    setSettingsKeys(keys);
+    const mine = keys[id.slice(0, -"-settings".length)] || [];
+    const own = Object.entries(view || {}).filter(([key]) => mine.includes(key)).sort();
     const next = Object.fromEntries(own);
     return current && JSON.stringify(next) === JSON.stringify(current) ? clientside.no_update : next;
   },

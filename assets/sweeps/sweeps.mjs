@@ -2,16 +2,16 @@
 import { clientside, openPage, register, setStore } from "../shared/dash.mjs";
 import { closest, need } from "../shared/dom.mjs";
 import { cellRenderers, reactElement } from "../shared/grid.mjs";
-import { PAGE, SELECTION } from "../shared/ids.mjs";
+import { PAGE, SELECTION, VIEW_CHANGE } from "../shared/ids.mjs";
+import { changeOfSettings } from "../shared/settings.mjs";
 import * as ids from "./ids.mjs";
 
-// Like dcc.Link: another page without loading the app again. The link's parameters become those that are shown.
+// Like dcc.Link: another page without loading the app again. The link's settings become those that are shown.
 /** @param {string} address */
 function open(address) {
   const { pathname, searchParams } = new URL(address, location.origin);
-  searchParams.delete("dataset"); // it stays the same
   setStore(SELECTION, {});
-  openPage(pathname, { parameters: Object.fromEntries(searchParams) });
+  openPage(pathname, { [VIEW_CHANGE]: changeOfSettings("motifs", Object.fromEntries(searchParams)) });
   need(PAGE).scrollTo(0, 0);
 }
 

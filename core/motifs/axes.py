@@ -10,7 +10,7 @@ from typing import Any
 
 from core.errors import ParameterError
 from core.motifs.parameters import MotifParameters
-from core.parameters import Parameter, build, parameters_of
+from core.parameters import Parameter, build, parameters_of, write_value
 
 Axes = Mapping[str, Sequence[Any]]
 """Name of a parameter -> the values it takes, in the order in which they are shown."""
@@ -73,11 +73,6 @@ def read_axis(text: str) -> tuple[str, tuple[Any, ...]]:
 def write_axis(name: str, values: Sequence[Any]) -> str:
     """An axis as text that :func:`read_axis` reads back."""
     return f"{name}:{','.join(map(write_value, values))}"
-
-
-def write_value(value: Any) -> str:
-    """A value as people write it, without losing a digit."""
-    return repr(value).removesuffix(".0") if isinstance(value, float) else str(value)
 
 
 def points_of(base: MotifParameters, axes: Axes, seeds: int = 1) -> tuple[MotifParameters, ...]:

@@ -14,9 +14,9 @@ from typing import Any
 
 import numpy as np
 
-from core.motifs.axes import write_value
 from core.motifs.parameters import MotifParameters
 from core.motifs.sweep_table import SweepTable
+from core.parameters import write_value
 
 CLEAR, UNSURE, NONE = "clear", "unsure", "none"
 _MATTERS = 4.0  # standard errors by which an axis must change the motion explained to count

@@ -74,12 +74,12 @@ def test_a_new_feature_has_page_link_route_and_command(dances, workspace):
 
 
 def test_its_selections_play_and_say_what_is_missing(dances, workspace):
-    request = playback.selected_request(workspace, "demo", {}, {"dance": 1}, {})
+    request = playback.selected_request(workspace, "demo", {"dance": 1}, {})
     assert request["title"] == "Dance" and request["items"][0]["clip"] == "a"
-    assert playback.missing(workspace, "demo", {}, {"dance": 9}) == "There is no such dance."
+    assert playback.missing(workspace, "demo", {"dance": 9}) == "There is no such dance."
     assert virtual.open_any(workspace, "~dance~c").names == ("c",)
 
 
 def test_without_it_nothing_of_it_is_known(workspace):
     assert "dances" not in links.view_keys() and "dance" not in commands()
-    assert playback.selected_request(workspace, "demo", {}, {"dance": 1}, {}) is None
+    assert playback.selected_request(workspace, "demo", {"dance": 1}, {}) is None

@@ -108,6 +108,7 @@ class Feature:
     page: makes the page before it knows what there is to show. register: adds its callbacks to the app.
     shows: what it begins with, of "table", "chart" and "graph": their libraries are fetched with the page (loading.py).
     keys: of its links. methods: name of the settings in the link -> the method they belong to; ``<name>-<parameter>``.
+    on_every_page: those of these names whose settings stand in the links of all pages, as ``<parameter>`` alone.
     routes: the blueprints it serves. stores: components that stay when one goes to another page.
     commands: its commands. recipes: method -> the commands that compute a result again.
     selections: what can be selected on it; clip_colours: values of "as" in the selection of a clip that it answers.
@@ -124,6 +125,7 @@ class Feature:
     shows: tuple[str, ...] = ()
     keys: LinkKeys = LinkKeys()
     methods: Mapping[str, str] = field(default_factory=lambda: NOTHING)
+    on_every_page: tuple[str, ...] = ()
     routes: Callable[[Workspace], Sequence[Blueprint]] = lambda workspace: ()
     stores: Callable[[], list[Component]] = lambda: []
     commands: Mapping[str, Command] = field(default_factory=lambda: NOTHING)

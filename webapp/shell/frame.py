@@ -8,7 +8,7 @@ import dash_mantine_components as dmc
 from dash import dcc, html
 from dash.development.base_component import Component
 
-from webapp.shell import links, names, theme
+from webapp.shell import links, names, settings, theme
 from webapp.shell.attributes import attributes
 from webapp.shell.feature import features
 from webapp.shell.icons import icon
@@ -55,11 +55,11 @@ def _stores() -> list[Component]:
     return [
         dcc.Location(id=names.URL, refresh=False),
         dcc.Store(id=names.DATASET),  # its name
-        dcc.Store(id=names.PARAMETERS, data={}),  # the method's, as text, defaults left out
         dcc.Store(id=names.SELECTION, data={}),  # see links.View.selection
-        dcc.Store(id=names.VIEW, data={}),  # what a page shows beside that, see links.view_keys
+        dcc.Store(id=names.VIEW, data={}),  # what a page shows beside that, and the settings: see links.view_keys
         dcc.Store(id=names.VIEW_CHANGE),  # merged into "view"; null or "" takes a key out
         dcc.Store(id=names.VIEW_KEYS, data=links.view_keys()),
+        dcc.Store(id=names.SETTINGS_KEYS, data={name: settings.keys(name) for name in settings.methods()}),
         dcc.Store(id=names.VIEW_OF_DATASET, data=links.keys_of_dataset()),
         dcc.Store(id=names.STAGE_RESTORE, data={}),  # moment and camera a link asked for
         dcc.Store(id=names.DATASET_CHOICE),  # {"dataset": name}: someone chose another one

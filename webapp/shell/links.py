@@ -12,7 +12,7 @@ from dataclasses import dataclass, field, replace
 from urllib.parse import parse_qsl, quote, urlencode
 
 from webapp.shell import settings
-from webapp.shell.feature import LinkKeys, SelectionKind, features
+from webapp.shell.feature import Feature, LinkKeys, SelectionKind, features
 
 MAX_QUERY = 4000
 _CLIP_KEYS = ("clip", "start", "end", "as")  # of the selection of a clip, which every page has
@@ -21,20 +21,19 @@ _MAX_NUMBER = 10**7
 
 @dataclass(frozen=True)
 class View:
-    """What the link shows. ``parameters`` are the method's, as text; ``selection`` is one of
+    """What the link shows. ``selection`` is one of
 
     {"motif": int[, "motion": int]}, {"motifs": "3-7-9"} (marked together),
     {"edge": "SOURCE-TARGET"[, "transition": int]},
     {"action": int[, "segment": int]} (of the Grammar page),
     {"clip": name[, "start": frame, "end": frame][, "as": "actions"]} (frames of the clip's own rate, end exclusive;
     as: coloured by its actions).
-    ``stage`` is the Stage's own business (moment, camera ...), ``view`` the page's (see view_keys): short strings
-    handed back as they came.
+    ``stage`` is the Stage's own business (moment, camera ...), ``view`` the page's and the settings (see view_keys):
+    short strings handed back as they came.
     """
 
     page: str = "library"
     dataset: str | None = None
-    parameters: Mapping[str, str] = field(default_factory=dict)
     selection: Mapping[str, int | str] = field(default_factory=dict)
     stage: Mapping[str, str] = field(default_factory=dict)
     view: Mapping[str, str] = field(default_factory=dict)
@@ -44,11 +43,16 @@ STAGE_KEYS = ("time", "speed", "layout", "camera")
 
 
 def view_keys() -> dict[str, tuple[str, ...]]:
-    """What each page shows beside the selection, kept in the store "view": page -> its keys in a link."""
+    """What each page shows beside the selection, kept in the store "view": page -> its keys in a link, each once."""
+    everywhere = settings.keys_on_every_page()
     return {
-        feature.path: feature.keys.names + tuple(key for name in feature.methods for key in settings.keys(name))
+        feature.path: tuple(dict.fromkeys([*everywhere, *feature.keys.names, *_settings_keys(feature)]))
         for feature in features()
     }
+
+
+def _settings_keys(feature: Feature) -> Iterator[str]:
+    return (key for name in feature.methods for key in settings.keys(name))
 
 
 def keys_of_dataset() -> list[str]:
@@ -62,9 +66,7 @@ def page_of(pathname: str | None) -> str | None:
     return "library" if not name else name if name in {feature.path for feature in features()} else None
 
 
-def parse(
-    pathname: str | None, search: str | None, parameter_names: tuple[str, ...] = ()
-) -> tuple[View, tuple[str, ...]]:
+def parse(pathname: str | None, search: str | None) -> tuple[View, tuple[str, ...]]:
     """The view a URL asks for, and what in it could not be understood (plain sentences)."""
     problems: list[str] = []
     page = page_of(pathname)
@@ -77,14 +79,13 @@ def parse(
     selection = _selection(values, problems)
     shown = _view(page or "library", values, problems)
     selectable = {key for kind in _selection_kinds() for key in (kind.key, *kind.numbers)} | {*_CLIP_KEYS}
-    known = {"dataset", *STAGE_KEYS, *selectable, *parameter_names, *view_keys()[page or "library"]}
+    known = {"dataset", *STAGE_KEYS, *selectable, *view_keys()[page or "library"]}
     unknown = [name for name in values if name not in known]
     if unknown:
         problems.append("The link has parts we do not know: " + ", ".join(_shorten(name) for name in unknown[:5]) + ".")
     view = View(
         page or "library",
         values.get("dataset") or None,
-        {name: values[name] for name in parameter_names if name in values},
         selection,
         {key: values[key] for key in STAGE_KEYS if _stage_value(values.get(key, ""))},
         shown,
@@ -94,15 +95,15 @@ def parse(
 
 def format_link(view: View) -> str:
     """The relative URL of ``view``; :func:`parse` gives the view back."""
-    pairs = {**({"dataset": view.dataset} if view.dataset else {}), **view.parameters, **view.view}
-    pairs |= {**view.selection, **view.stage}
+    pairs = {**({"dataset": view.dataset} if view.dataset else {}), **view.view, **view.selection, **view.stage}
     query = urlencode({key: str(value) for key, value in pairs.items()}, quote_via=quote, safe="/-,:")
     return f"/{view.page}" + (f"?{query}" if query else "")
 
 
 def without_selection(view: View) -> View:
-    """The same view with nothing selected."""
-    return replace(view, selection={}, stage={}, view={})
+    """The same view with nothing selected; the settings that all pages share stay."""
+    shared = {key: text for key, text in view.view.items() if key in settings.keys_on_every_page()}
+    return replace(view, selection={}, stage={}, view=shared)
 
 
 def _first_values(query: str, problems: list[str]) -> dict[str, str]:
@@ -178,7 +179,7 @@ def _view(page: str, values: Mapping[str, str], problems: list[str]) -> dict[str
 def _view_value(keys: LinkKeys, key: str, text: str) -> bool:
     if key in keys.free_text:
         return len(text) <= 1000 and text.isprintable()
-    return bool(re.fullmatch(r"[-0-9A-Za-z.,:_~ ]{1,300}", text) and re.fullmatch(keys.patterns.get(key, ".*"), text))
+    return bool(re.fullmatch(r"[-+0-9A-Za-z.,:_~ ]{1,300}", text) and re.fullmatch(keys.patterns.get(key, ".*"), text))
 
 
 def _stage_value(text: str) -> bool:

@@ -9,10 +9,8 @@ Name = Annotated[str, Most(1000)]
 """Name of a data set, a clip or another thing that people name."""
 
 View = dict[Name, str]
-"""What a page shows beside the selection, text by key of the link; each page's keys stand in its own ``View``."""
-
-Parameters = dict[Name, str]
-"""Settings of the motifs as text, by name, defaults left out."""
+"""What a page shows beside the selection, and the settings, text by key of the link; each page's keys stand in its own
+``View``."""
 
 ViewChange = dict[Name, str | float | bool | None]
 """Keys of the view that change; ``None`` or ``""`` takes a key out."""
@@ -116,11 +114,11 @@ URL = Id("url")
 
 # what is shown; all of it is in the address
 DATASET = Store("dataset", Name)
-PARAMETERS = Store("parameters", Parameters)
 SELECTION = Store("selection", Selection)
 VIEW = Store("view", View)
 VIEW_CHANGE = Store("view-change", ViewChange)  # merged into the view
 VIEW_KEYS = Store("view-keys", dict[str, list[str]])  # page -> its keys in the link
+SETTINGS_KEYS = Store("settings-keys", dict[str, list[str]])  # name of settings, see shell/settings.py -> their keys
 VIEW_OF_DATASET = Store("view-of-dataset", list[str])  # keys that mean nothing with another data set
 ADDRESS = Store("address", str)
 
@@ -132,6 +130,7 @@ THEME = Store("theme", Literal["light", "dark"])
 
 # marks of what the server has: pages look again when they change
 REVISION = Store("revision", Name)  # of the list of data sets
-GRAPH_KEY = Store("graph-key", Name)  # key of the motif graph that is shown
+MOTIFS_SETTINGS = Store("motifs-settings", View)  # those of the motifs in the view
+MOTIFS_RESULT_KEY = Store("motifs-result-key", Name)  # key of the motif graph that is shown
 JOB_STARTED = Store("job-started", int)
 JOB_ENDED = Store("job-ended", str)

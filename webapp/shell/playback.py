@@ -22,7 +22,6 @@ class Shown(NamedTuple):
     """What is on the screen when something is selected: name of the dataset, and the rest as a link has it."""
 
     dataset: str
-    parameters: Mapping[str, Any]
     selection: Mapping[str, Any]
     view: Mapping[str, str]
 
@@ -30,7 +29,6 @@ class Shown(NamedTuple):
 def selected_request(
     workspace: Workspace,
     dataset_name: str | None,
-    parameters: Mapping[str, Any] | None,
     selection: Mapping[str, Any] | None,
     view: Mapping[str, str] | None,
 ) -> StageRequest | None:
@@ -41,7 +39,7 @@ def selected_request(
     try:
         dataset = workspace.open(dataset_name)
         if feature:
-            return feature.plays(workspace, dataset, Shown(dataset_name, parameters or {}, selection, view or {}))
+            return feature.plays(workspace, dataset, Shown(dataset_name, selection, view or {}))
         return clip_request(dataset, selection) if "clip" in selection else None
     except WorkspaceError:
         return None
@@ -50,7 +48,6 @@ def selected_request(
 def missing(
     workspace: Workspace,
     dataset_name: str | None,
-    parameters: Mapping[str, Any] | None,
     selection: Mapping[str, Any],
     view: Mapping[str, str] | None = None,
 ) -> str | None:
@@ -62,7 +59,7 @@ def missing(
             known = selection["clip"] in workspace.open(dataset_name).names
             return None if known else f"“{dataset_name}” has no clip called “{selection['clip']}”."
         feature = _feature_of(selection)
-        shown = Shown(dataset_name, parameters or {}, selection, view or {})
+        shown = Shown(dataset_name, selection, view or {})
         return feature.missing(workspace, shown) if feature else None
     except WorkspaceError:
         return None
@@ -99,15 +96,14 @@ def register(app: Dash, workspace: Workspace) -> None:
         {store: Input(store, "data") for feature in features() for store in feature.replay_on},
         State("view", "data"),
         State("dataset", "data"),
-        State("parameters", "data"),
         prevent_initial_call=True,
     )
-    def play(selection, _stores, view, dataset_name, parameters):
-        gone = missing(workspace, dataset_name, parameters, selection, view)
+    def play(selection, _stores, view, dataset_name):
+        gone = missing(workspace, dataset_name, selection, view)
         if gone:
             set_props("notices", {"sendNotifications": [notice("That is not there", gone, "orange", id="not-there")]})
             set_props("selection", {"data": {}})
-        return selected_request(workspace, dataset_name, parameters, selection, view) or no_update
+        return selected_request(workspace, dataset_name, selection, view) or no_update
 
 
 def _feature_of(selection: Mapping[str, Any]) -> Feature | None:

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import dash
 from dash import Input, Output, State, no_update, set_props
 from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
-from core import analyses
 from core.workspace import Workspace
-from webapp.shell import links, results, settings
+from webapp.shell import links, settings
 from webapp.shell.messages import notice, unknown_page
 
 
@@ -24,11 +25,9 @@ def register_pages(app: dash.Dash, pages: dict[str, Component]) -> None:
 
 def register(app: dash.Dash, workspace: Workspace) -> None:
     """Links open what they name, the address follows what is shown, and datasets can be chosen."""
-    names = tuple(parameter.name for parameter in analyses.parameters(results.MOTIFS))
 
     @app.callback(
         Output("dataset", "data"),
-        Output("parameters", "data"),
         Output("selection", "data"),
         Output("view", "data"),
         Output("stage-restore", "data"),
@@ -39,21 +38,22 @@ def register(app: dash.Dash, workspace: Workspace) -> None:
     )
     def open_link(pathname, search, current, shown):
         if current and not search:  # a click on the navigation: what is shown stays
-            return (no_update,) * 5
-        view, problems = links.parse(pathname, search, names)
+            return (no_update,) * 4
+        view, problems = links.parse(pathname, search)
         known = [info.name for info in workspace.datasets()]
         dataset, more = choose_dataset(view.dataset, known)
         if links.page_of(pathname) is None:
             problems = problems[1:]  # the page itself says so
-        problems = (*more, *problems, *results.refused(view.parameters), *settings.refused(view.page, view.view))
+        usable, refused = settings.usable(view.page, view.view)
+        view = replace(view, view=usable)
+        problems = (*more, *problems, *refused)
         if problems:
             message = " ".join(problems)
             set_props("notices", {"sendNotifications": [notice("Part of the link was left out", message, "orange")]})
-        usable = results.not_default(results.motif_request("", view.parameters).parameters)
         if more:
             view = links.without_selection(view)
         others = settings.of_other_pages(view.page, shown) if dataset == current else {}
-        return dataset, usable, dict(view.selection), others | view.view, dict(view.stage)
+        return dataset, dict(view.selection), others | view.view, dict(view.stage)
 
     @app.callback(
         Output("dataset-picker", "data"),
@@ -85,7 +85,6 @@ def register(app: dash.Dash, workspace: Workspace) -> None:
         Output("address", "data"),
         Input("url", "pathname"),
         Input("dataset", "data"),
-        Input("parameters", "data"),
         Input("selection", "data"),
         Input("view", "data"),
         State("view-keys", "data"),

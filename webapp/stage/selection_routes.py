@@ -10,9 +10,8 @@ import json
 
 from flask import Blueprint, Response, request
 
-from core import analyses
 from core.workspace import Workspace
-from webapp.shell import links, playback, results
+from webapp.shell import links, playback
 from webapp.shell.routes import answer_errors
 
 
@@ -20,13 +19,12 @@ def stage_blueprint(workspace: Workspace) -> Blueprint:
     """The one route, for the data sets and results of ``workspace``."""
     blueprint = Blueprint("stage", __name__, url_prefix="/api")
     answer_errors(blueprint)
-    names = tuple(parameter.name for parameter in analyses.parameters(results.MOTIFS))
 
     @blueprint.get("/stage/<page>")
     def stage(page: str) -> Response:
-        view, _ = links.parse(page, request.query_string.decode("utf-8", "replace"), names)
-        asked = playback.selected_request(workspace, view.dataset, view.parameters, view.selection, view.view)
+        view, _ = links.parse(page, request.query_string.decode("utf-8", "replace"))
+        played = playback.selected_request(workspace, view.dataset, view.selection, view.view)
         # null where nothing plays; in the order of the callback's answer, because the Stage compares the two
-        return Response(json.dumps(asked), mimetype="application/json", headers={"Cache-Control": "no-store"})
+        return Response(json.dumps(played), mimetype="application/json", headers={"Cache-Control": "no-store"})
 
     return blueprint

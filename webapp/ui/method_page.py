@@ -2,7 +2,8 @@
 
 A page P has in its layout :func:`settings_fold` and :func:`status_place`; :func:`register` gives them life. From then
 on the store ``P-settings`` says when the settings changed (``{"P-grid": "31x31"}``, defaults left out), and
-``P-result-key`` holds the key of the result that they stand for, None where it has not been computed.
+``P-result-key`` holds the key of the result that they stand for, None where it has not been computed. These two stand
+in the frame of the app (:func:`stores`) where other pages show the result too.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ from webapp.shell import recipes, settings
 from webapp.shell.buttons import copies, sends
 from webapp.shell.icons import icon
 from webapp.shell.messages import empty_state, notice
-from webapp.shell.names import DATASET, JOB_STARTED, NOTICES, REVISION, VIEW, VIEW_CHANGE, MethodNames
+from webapp.shell.names import DATASET, JOB_STARTED, NOTICES, REVISION, SETTINGS_KEYS, VIEW, VIEW_CHANGE, MethodNames
 from webapp.ui.parameter_form import parameter_form, read_form, summary
 
 
@@ -34,9 +35,11 @@ from webapp.ui.parameter_form import parameter_form, read_form, summary
 class MethodPage:
     """How a page speaks of its method.
 
-    page: its name, as in settings.METHOD_OF; title: what the result is called ("Motion map"); action: what the button
+    page: its name, as in Feature.methods; title: what the result is called ("Motion map"); action: what the button
     says ("Build map"); doing: what the job does ("Building the map"); hint: what the result shows, one sentence;
-    labels: everyday names of parameters; without: parameters that the page sets in another way.
+    labels: everyday names of parameters; without: parameters that the page sets in another way; refused: title of the
+    notice where the job cannot start; run_symbol: the button's icon where it is not ``symbol``; everywhere: whether
+    other pages show the result too (see :func:`stores`).
     """
 
     page: str
@@ -47,6 +50,9 @@ class MethodPage:
     hint: str
     labels: Mapping[str, str] = field(default_factory=dict)
     without: Collection[str] = ()
+    refused: str = ""
+    run_symbol: str = ""
+    everywhere: bool = False
 
     @property
     def names(self) -> MethodNames:
@@ -61,7 +67,7 @@ class MethodPage:
 
 def run_button(of: MethodPage) -> Component:
     """The button in the page's head that computes the result."""
-    return dmc.Button(of.action, id=of.names.run, leftSection=icon(of.symbol, 16))
+    return dmc.Button(of.action, id=of.names.run, leftSection=icon(of.run_symbol or of.symbol, 16))
 
 
 def settings_fold(of: MethodPage) -> Component:
@@ -81,8 +87,13 @@ def settings_fold(of: MethodPage) -> Component:
 
 def status_place(of: MethodPage) -> Component:
     """Progress, an ending, or what to do, in place of a result that is not there; and the page's stores."""
-    stores = (of.names.settings, of.names.result_key, of.names.status_of, of.names.again)
-    return html.Div([html.Div(id=of.names.status), *(dcc.Store(id=store) for store in stores)])
+    own = [dcc.Store(id=store) for store in (of.names.status_of, of.names.again)]
+    return html.Div([html.Div(id=of.names.status), *own, *([] if of.everywhere else stores(of))])
+
+
+def stores(of: MethodPage) -> list[Component]:
+    """What other pages know of the settings and the result: for the frame of the app, where ``of.everywhere``."""
+    return [dcc.Store(id=store) for store in (of.names.settings, of.names.result_key)]
 
 
 def register(app: Dash, workspace: Workspace, of: MethodPage) -> None:
@@ -99,6 +110,7 @@ def _form(app: Dash, of: MethodPage) -> None:
         Input(VIEW, "data"),
         State(of.names.settings, "data"),
         State(of.names.settings, "id"),
+        State(SETTINGS_KEYS, "data"),
     )
 
     @app.callback(
@@ -136,7 +148,8 @@ def _run(app: Dash, workspace: Workspace, of: MethodPage) -> None:
         try:
             ask(workspace, of.page, dataset, taken)
         except (ParameterError, WorkspaceError) as error:
-            set_props(NOTICES, {"sendNotifications": [notice(f"Cannot do that: {of.title}", str(error), "red")]})
+            title = of.refused or f"Cannot do that: {of.title}"
+            set_props(NOTICES, {"sendNotifications": [notice(title, str(error), "red")]})
         return [None] * len(ids)
 
 

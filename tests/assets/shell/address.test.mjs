@@ -3,21 +3,21 @@ import { test } from "node:test";
 import { addressOf, pageOf, stageOfLink, stateOfLink } from "../../../assets/shell/address.mjs";
 
 const SHOWN = {
-  dataset: "demo", parameters: { rho: "2" }, selection: { motif: 3 }, view: { side: "walk", other: "x" },
-  keys: { motifs: ["side"] }, chosen: '{"motif":3}', stage: { time: 1.5, speed: "" },
+  dataset: "demo", selection: { motif: 3 }, view: { side: "walk", other: "x", rho: "2" },
+  keys: { motifs: ["rho", "side"], library: ["rho"] }, chosen: '{"motif":3}', stage: { time: 1.5, speed: "" },
 };
 
-test("a link has the data set, parameters, the page's part of the view, the selection and the Stage", () => {
+test("a link has the data set, the page's part of the view, the selection and the Stage", () => {
   assert.equal(addressOf("/motifs", SHOWN), "/motifs?dataset=demo&rho=2&side=walk&motif=3&time=1.5");
   assert.equal(addressOf("/library", SHOWN), "/library?dataset=demo&rho=2&motif=3&time=1.5");
 });
 
 test("without a selection the Stage has no place in the link", () => {
-  assert.equal(addressOf("/motifs", { ...SHOWN, selection: {}, chosen: "{}", view: {} }), "/motifs?dataset=demo&rho=2");
+  assert.equal(addressOf("/motifs", { ...SHOWN, selection: {}, chosen: "{}", view: { rho: "2" } }), "/motifs?dataset=demo&rho=2");
 });
 
 test("commas and colons stay readable, all else is escaped", () => {
-  const address = addressOf("/search", { ...SHOWN, parameters: {}, selection: null, keys: { search: ["query"] }, view: { query: "a:1-2,b & c" } });
+  const address = addressOf("/search", { ...SHOWN, selection: null, keys: { search: ["query"] }, view: { query: "a:1-2,b & c" } });
   assert.equal(address, "/search?dataset=demo&query=a:1-2,b+%26+c&time=1.5");
   assert.equal(new URL(address, "http://here").searchParams.get("query"), "a:1-2,b & c");
 });

@@ -27,7 +27,7 @@ def find_anew(page: Page, seed: int = 7) -> None:
     """Asks for a graph that is not there yet."""
     page.get_by_role("button", name="Settings").click()
     setting(page, "seed").fill(str(seed))
-    page.click("#find-motifs")
+    page.click("#motifs-run")
 
 
 def slow_job(workspace):
@@ -100,7 +100,7 @@ def test_the_button_works_after_a_reload_in_the_middle_of_a_search(show, workspa
     wait_for_link(page, seed="11")
     page.reload()
     wait_for_graph(page)
-    expect(page.locator("#find-motifs")).to_be_enabled()
+    expect(page.locator("#motifs-run")).to_be_enabled()
     wait_for_link(page, seed="11")
 
 

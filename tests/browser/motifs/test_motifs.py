@@ -102,7 +102,7 @@ def test_settings_are_checked_before_anything_runs(show, workspace):
     page.get_by_role("button", name="Settings").click()
     setting(page, "gamma").fill("99")
     before = len(workspace.jobs.list())
-    page.click("#find-motifs")
+    page.click("#motifs-run")
     expect(page.get_by_text("Expected a number from 1 to 4")).to_be_visible()
     assert len(workspace.jobs.list()) == before
 
@@ -114,6 +114,6 @@ def test_no_motif_is_no_dead_end(show):
     setting(page, "gamma").fill("1")
     setting(page, "min_letters").fill("100")
     setting(page, "max_letters").fill("101")
-    page.click("#find-motifs")
+    page.click("#motifs-run")
     expect(page.get_by_text("No motif found")).to_be_visible(timeout=PATIENCE)
-    expect(page.locator("#find-motifs")).to_be_enabled()
+    expect(page.locator("#motifs-run")).to_be_enabled()

@@ -100,7 +100,7 @@ def test_from_the_form_to_the_result(show, workspace):
     wait_for_graph(page)
     wait_for_link(page, kappa="40")
     assert page.url.endswith(point["address"])
-    expect(page.locator("#motif-status")).to_be_empty()
+    expect(page.locator("#motifs-status")).to_be_empty()
     page.go_back()
     wait_for_points(page, "sweep-lines-x", 12)
 
@@ -163,7 +163,7 @@ def test_cancel_keeps_points_and_a_link_shows_them(show, workspace):
     page.go_back()
     page.click("#sweep-suggestion a:has-text('Open it')")
     wait_for_graph(page)
-    expect(page.locator("#motif-status")).to_be_empty()
+    expect(page.locator("#motifs-status")).to_be_empty()
 
 
 def test_links_that_mean_no_sweep_say_why(show):
@@ -172,3 +172,19 @@ def test_links_that_mean_no_sweep_say_why(show):
     expect(page.locator(".sweep-form")).to_contain_text("Choose another setting than the first.")
     page.click("#sweep-run")
     expect(page.locator(".mantine-Notification-root")).to_contain_text("Cannot run the sweep")
+
+
+def test_a_point_opens_its_own_result_whatever_its_numbers(show, workspace):
+    axes = "rho:0.30000000000000004,1.2345678;kappa:20"
+    sweep = {"axes": axes, "seeds": 1, "base": '{"analysis_fps": 29.97}'}
+    analyses.run(workspace, analyses.Request("demo", "sweep", sweep))
+    x, y = axes.split(";")
+    page = show(f"/sweeps?dataset=demo&x={x}&y={y}&seeds=1&analysis_fps=29.97")
+    wait_for_points(page, "sweep-lines-x", 4)
+    point = points(page, "sweep-lines-x")[-1]
+    assert point["address"] == "/motifs?dataset=demo&kappa=20&rho=1.2345678&analysis_fps=29.97"
+    click_in_chart(page, "#sweep-lines-x", point["x"], point["y"])
+    wait_for_graph(page)
+    expect(page.locator("#motifs-status")).to_be_empty()
+    expect(page.locator("#motifs-summary")).to_have_text("kappa 20, rho 1.2345678, analysis fps 29.97")
+    assert page.url.endswith(point["address"])

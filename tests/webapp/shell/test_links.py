@@ -7,9 +7,11 @@ from hypothesis import strategies as st
 
 import webapp.features  # noqa: F401  registers the pages
 from core import analyses
+from webapp.shell import settings
+from webapp.shell.feature import features
 from webapp.shell.links import STAGE_KEYS, View, format_link, page_of, parse, view_keys, without_selection
 
-PARAMETERS = ("kappa", "rho", "adjacency")
+SETTINGS = ("kappa", "rho", "adjacency")
 NAMES = st.text(st.characters(exclude_categories=("Cs", "Cc")), min_size=1, max_size=40)
 NUMBERS = st.integers(0, 10**6)
 SELECTIONS = st.one_of(
@@ -25,9 +27,9 @@ VIEWS = st.builds(
     View,
     st.sampled_from(sorted(view_keys())),
     NAMES,
-    st.dictionaries(st.sampled_from(PARAMETERS), st.sampled_from(["200", "0.5", "spheres"])),
     SELECTIONS,
     st.dictionaries(st.sampled_from(["time", "camera"]), st.sampled_from(["1.5", "0.6,-0.2,3,0,1,0,1"])),
+    st.dictionaries(st.sampled_from(SETTINGS), st.sampled_from(["200", "0.5", "spheres"])),
 )
 
 
@@ -38,12 +40,12 @@ def split(link: str) -> tuple[str, str]:
 
 @given(VIEWS)
 def test_a_link_gives_its_view_back(view: View):
-    assert parse(*split(format_link(view)), PARAMETERS) == (view, ())
+    assert parse(*split(format_link(view))) == (view, ())
 
 
 @given(st.text(max_size=60), st.text(max_size=300))
 def test_any_text_is_read_without_raising(path: str, query: str):
-    view, problems = parse(path, query, PARAMETERS)
+    view, problems = parse(path, query)
     assert view.page in view_keys()
     assert all(isinstance(problem, str) and problem.endswith(".") for problem in problems)
 
@@ -54,8 +56,8 @@ def test_the_root_is_the_library_and_unknown_pages_are_named():
 
 
 def test_what_cannot_be_understood_is_left_out_and_said():
-    view, problems = parse("/motifs", "?dataset=demo&motif=three&kappa=200&colour=red", PARAMETERS)
-    assert view == View("motifs", "demo", {"kappa": "200"})
+    view, problems = parse("/motifs", "?dataset=demo&motif=three&kappa=200&colour=red")
+    assert view == View("motifs", "demo", view={"kappa": "200"})
     assert any("motif" in problem for problem in problems) and any("colour" in problem for problem in problems)
     view, problems = parse("/map", "?keys=3-4,a-b&drawn=1.5-2,3&region=x&within=0.5")
     assert view.view == {"within": "0.5"} and len(problems) == 3
@@ -87,11 +89,15 @@ def test_a_flood_is_refused():
 
 
 def test_nothing_selected_keeps_the_rest():
-    view = View("motifs", "demo", {"rho": "2"}, {"motif": 3}, {"time": "1"})
-    assert without_selection(view) == View("motifs", "demo", {"rho": "2"})
+    view = View("motifs", "demo", {"motif": 3}, {"time": "1"}, {"rho": "2", "view": "compare", "other": "rho:3"})
+    assert without_selection(view) == View("motifs", "demo", view={"rho": "2"})
 
 
 def test_a_key_of_a_link_means_one_thing():
     """The parameters of the motifs stand in the links of all pages, so no page may call anything the same."""
-    taken = {"dataset", *STAGE_KEYS, *(parameter.name for parameter in analyses.parameters("motifs"))}
-    assert {page: taken & set(keys) for page, keys in view_keys().items()} == {page: set() for page in view_keys()}
+    everywhere = tuple(parameter.name for parameter in analyses.parameters("motifs"))
+    taken = {"dataset", *STAGE_KEYS, *everywhere}
+    for feature in features():
+        assert view_keys()[feature.path][: len(everywhere)] == everywhere
+        assert not taken & set(feature.keys.names)
+        assert not taken & {key for name in feature.methods if name != "motifs" for key in settings.keys(name)}

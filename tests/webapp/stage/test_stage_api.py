@@ -35,7 +35,7 @@ def test_a_link_gives_what_its_selection_plays(client, workspace, selection):
     answer = client.get(
         "/api/stage/motifs", query_string={"dataset": "demo", "analysis_fps": 15, "time": 1, **selection}
     )
-    expected = playback.selected_request(workspace, "demo", {"analysis_fps": "15"}, selection, {})
+    expected = playback.selected_request(workspace, "demo", selection, {"analysis_fps": "15"})
     assert expected["items"]
     assert answer.text == json.dumps(expected), "in the same order, because the Stage compares the two"
 
@@ -50,11 +50,11 @@ def test_where_nothing_plays_there_is_null(client, query):
 
 def test_what_is_not_there_is_named(workspace):
     def said(**selection):
-        return playback.missing(workspace, "demo", {"analysis_fps": "15"}, selection)
+        return playback.missing(workspace, "demo", selection, {"analysis_fps": "15"})
 
     assert said(motif=0) is None and said() is None
     assert "no motif 999" in said(motif=999)
     assert "leads from motif 998 to 999" in said(edge="998-999")
     assert "no clip called “swim”" in said(clip="swim")
-    assert playback.missing(workspace, "demo", {"kappa": "77"}, {"motif": 999}) is None, "nobody has looked yet"
-    assert playback.missing(workspace, "nix", {}, {"motif": 0}) is None
+    assert playback.missing(workspace, "demo", {"motif": 999}, {"kappa": "77"}) is None, "nobody has looked yet"
+    assert playback.missing(workspace, "nix", {"motif": 0}) is None

@@ -17,7 +17,7 @@ from webapp.features.clip.figures import curves as figures
 from webapp.features.clip.figures.gait import gait_table
 from webapp.features.clip.figures.path import path_chart, selected_part
 from webapp.shell import results
-from webapp.shell.names import DATASET, GRAPH_KEY, PARAMETERS, REVISION, SELECTION, THEME, VIEW
+from webapp.shell.names import DATASET, MOTIFS_RESULT_KEY, REVISION, SELECTION, THEME, VIEW
 from webapp.shell.results import find_edge, find_motif
 from webapp.ui.charts import tall
 from webapp.ui.timeline import motif_colour, motif_name
@@ -55,20 +55,20 @@ def _choose(app: Dash, workspace: Workspace) -> None:
         Input(DATASET, "data"),
         Input(SELECTION, "data"),
         Input(REVISION, "data"),
-        Input(GRAPH_KEY, "data"),
-        State(PARAMETERS, "data"),
+        Input(MOTIFS_RESULT_KEY, "data"),
+        State(VIEW, "data"),
         State(names.CLIP_SHOWN, "data"),
     )
-    def choose(name, selection, _revision, _key, parameters, before):
+    def choose(name, selection, _revision, _key, view, before):
         try:
             dataset = workspace.open(name) if name else None
         except WorkspaceError:
             dataset = None
         if dataset is None or not dataset.clips:
             return None, [], None, layout.nothing(dataset, None), "hidden"
-        graph = results.motif_graph(workspace, name, parameters)
+        graph = results.motif_graph(workspace, name, view)
         clip = clip_of(dataset, graph, selection or {})
-        if clip is None and ctx.triggered_id == GRAPH_KEY and before and before["clip"] in dataset.names:
+        if clip is None and ctx.triggered_id == MOTIFS_RESULT_KEY and before and before["clip"] in dataset.names:
             return (no_update,) * 5
         if clip is None:
             clip = dataset.names[0]
@@ -171,11 +171,10 @@ def _draw(app: Dash, workspace: Workspace) -> None:
         Input(names.CLIP_SHOWN, "data"),
         Input(VIEW, "data"),
         Input(THEME, "data"),
-        Input(GRAPH_KEY, "data"),
-        State(PARAMETERS, "data"),
+        Input(MOTIFS_RESULT_KEY, "data"),
         State(SELECTION, "data"),
     )
-    def draw(shown, view, scheme, _key, parameters, selection):
+    def draw(shown, view, scheme, _key, selection):
         curves = curves_of(workspace, shown)
         if curves is None:
             return no_update, no_update, no_update
@@ -184,7 +183,7 @@ def _draw(app: Dash, workspace: Workspace) -> None:
             document = path_chart(curves, selection or {}, scheme)
             return document, tall(document), None
         panels = figures.panels_of(clips.chosen_curves(curves, chosen), chosen, scheme)
-        bands = [*figures.foot_bands(curves, scheme), *_spans(workspace, shown, parameters)]
+        bands = [*figures.foot_bands(curves, scheme), *_spans(workspace, shown, view)]
         document = figures.time_chart(curves, panels, bands, chosen, scheme)
         return document, tall(document), layout.legend(panels)
 
@@ -215,7 +214,7 @@ def curves_of(workspace: Workspace, shown: Mapping[str, Any] | None) -> ClipCurv
         return None
 
 
-def _spans(workspace: Workspace, shown: Mapping[str, Any], parameters: Mapping[str, Any]) -> list[figures.Band]:
+def _spans(workspace: Workspace, shown: Mapping[str, Any], view: Mapping[str, Any] | None) -> list[figures.Band]:
     """Bands of what people labelled and of the motifs that were found in this clip."""
     dataset = workspace.open(shown["dataset"])
     actions = sorted({label.action for label in dataset.labels})
@@ -225,9 +224,9 @@ def _spans(workspace: Workspace, shown: Mapping[str, Any], parameters: Mapping[s
         if label.clip == shown["clip"]
     ]
     bands = figures.lanes("Labels", labels)
-    graph = results.motif_graph(workspace, dataset.name, parameters)
+    graph = results.motif_graph(workspace, dataset.name, view)
     if graph is not None:
-        notes = results.motif_notes(workspace, dataset.name, parameters)
+        notes = results.motif_notes(workspace, dataset.name, view)
         motions = [
             figures.Block(s.start, s.end, motif_name(m.id, notes), motif_colour(m.id))
             for m in graph.motifs

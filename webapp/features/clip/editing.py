@@ -18,11 +18,12 @@ from core.mocap.dataset import Dataset
 from core.workspace import Workspace, WorkspaceError, check_name
 from webapp.features.clip import names
 from webapp.jobs import changes
-from webapp.shell import results
+from webapp.shell import settings
 from webapp.shell.buttons import sends
 from webapp.shell.icons import icon
 from webapp.shell.messages import notice
 from webapp.shell.names import NOTICES, SELECTION
+from webapp.shell.results import MOTIFS
 
 ACTIONS = {  # name: what the menu says, what the dialog says, what its button says
     "trim": ("Make the selected range a clip", "A new clip of the selected frames.", "Make the clip"),
@@ -111,7 +112,7 @@ def effect(workspace: Workspace, name: str, where: str) -> str:
     """What the edit means for results that are there already."""
     if where == NEW:
         return f"{name} and its results stay as they are."
-    if not results.earlier(workspace, name):
+    if not settings.earlier(workspace, MOTIFS, name):
         return f"{name} gets the new clip; nothing else changes, and it can be undone."
     return (
         f"{name} gets the new clip. Its motif graphs belong to what it holds now: with the new clip in it they must be "

@@ -19,6 +19,8 @@ FEATURE = Feature(
         ),
         of_dataset=("walk", "weights", "other", "gained"),
     ),
+    methods={"motifs": "motifs"},
+    on_every_page=("motifs",),
     routes=later("webapp.features.motifs.routes:blueprints"),
     stores=later("webapp.features.motifs.layout:stores"),
     commands={
@@ -55,7 +57,7 @@ FEATURE = Feature(
     ),
     plays=later("webapp.features.motifs.playing:plays"),
     missing=later("webapp.features.motifs.playing:missing"),
-    replay_on=("graph-key",),
+    replay_on=("motifs-result-key",),
     motion_kinds={
         "walk": later("webapp.features.motifs.walks:open_walk"),
         "blend": later("webapp.features.motifs.mixtures:open_blend"),

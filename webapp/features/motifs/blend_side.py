@@ -77,25 +77,26 @@ def register(app: Dash, workspace: Workspace) -> None:
         Input("selection", "data"),
         Input("view", "data"),
         Input("blend-controls", "id"),
-        State("graph-key", "data"),
+        State("motifs-result-key", "data"),
         State("dataset", "data"),
-        State("parameters", "data"),
         State("blend-data", "data"),
     )
-    def gather(selection, view, _controls, key, name, parameters, before):
+    def gather(selection, view, _controls, key, name, before):
         if not mixing(view) or not key or not name:
             return no_update
         number = (selection or {}).get("motif")
         if before and (before.get("key"), before.get("motif")) == (key, number):
             return no_update
-        graph = results.motif_graph(workspace, name, parameters)
-        motif = find_motif(graph, number) if graph else None
+        graph = results.shown_graph(workspace, key, name, view)
+        if graph is None:
+            return no_update
+        motif = find_motif(graph, number)
         if motif is None:
             return {"key": key, "motif": number}
         try:
             dataset = workspace.open(name)
-            said = results.motif_notes(workspace, name, parameters).get(motif.id)
-            called = (said.name if said else "") or f"Motif {motif.id}"
+            note = results.motif_notes(workspace, name, view).get(motif.id)
+            called = (note.name if note else "") or f"Motif {motif.id}"
             return blend_data(workspace, key, dataset, motif, called) | {
                 "together": stage_request(dataset, graph, {"motif": motif.id})
             }

@@ -22,7 +22,7 @@ from webapp.features.motifs.figures import compare as figure
 from webapp.features.motifs.playing import comparing, mixing, stage_request
 from webapp.features.motifs.recipes import compare_commands, compare_script
 from webapp.jobs.running import running
-from webapp.shell import results
+from webapp.shell import results, settings
 from webapp.shell.buttons import copies, sends
 from webapp.shell.messages import empty_state, notice
 from webapp.ui import tables
@@ -106,17 +106,17 @@ def _choose(app: Dash, workspace: Workspace) -> None:
         Output("compare-other", "value"),
         Input("view", "data"),
         Input("compare-other", "id"),
-        Input("graph-key", "data"),
+        Input("motifs-result-key", "data"),
         Input("jobs-finished", "data"),
         State("dataset", "data"),
-        State("parameters", "data"),
         State("compare-other", "data"),
     )
-    def offer(view, _id, key, _finished, name, parameters, before):
-        if not _shown(view) or not key or not name:
+    def offer(view, _id, key, _finished, name, before):
+        graph = results.shown_graph(workspace, key, name, view) if _shown(view) else None
+        if graph is None:
             return no_update, no_update
-        graph, other = results.motif_graph(workspace, name, parameters), (view or {}).get("other")
-        offered = choices(workspace, name, parameters, graph, other) if graph else []
+        other = view.get("other")
+        offered = choices(workspace, name, view, graph, other)
         return (no_update if offered == before else offered), other
 
     @app.callback(
@@ -147,8 +147,8 @@ def _choose(app: Dash, workspace: Workspace) -> None:
 def _start(workspace: Workspace, name: str, other: str) -> None:
     """Has the other result computed where it is not there."""
     try:
-        if results.motif_graph_key(workspace, name, read_parameters(other)) is None:
-            job = jobs.start(workspace, results.motif_request(name, read_parameters(other)))
+        if results.motif_graph_key(workspace, name, read_other(other)) is None:
+            job = jobs.start(workspace, settings.request_of(results.MOTIFS, name, read_other(other)))
             set_props("job-started", {"data": job.id})
     except MotionscapeError as error:
         set_props("notices", {"sendNotifications": [notice("Cannot find the other motifs", str(error), "red")]})
@@ -162,21 +162,20 @@ def _show(app: Dash, workspace: Workspace) -> None:
         Output("compare-status-of", "data"),
         Input("view", "data"),
         Input("jobs-seen", "data"),
-        Input("graph-key", "data"),
+        Input("motifs-result-key", "data"),
         Input("compare-status", "id"),
         State("dataset", "data"),
-        State("parameters", "data"),
         State("compare-status-of", "data"),
     )
-    def show_status(view, _seen, key, _id, name, parameters, before):
-        if not _shown(view) or not key or not name:
+    def show_status(view, _seen, key, _id, name, before):
+        if not _shown(view) or results.shown_graph(workspace, key, name, view) is None:
             return (no_update,) * 4
-        other = (view or {}).get("other")
-        if other == write_parameters(results.motif_request(name, parameters).parameters):
+        other = view.get("other")
+        if other and read_other(other) == _settings_shown(view):
             other = None  # a result is not compared with itself
-        wanted = read_parameters(other) if other else None
+        wanted = read_other(other) if other else None
         there = results.motif_graph_key(workspace, name, wanted) if other else None
-        job = results.latest_job(workspace, name, wanted) if other and not there else None
+        job = settings.latest_job(workspace, results.MOTIFS, name, wanted) if other and not there else None
         of = [key, other, there, job and [job.id, job.state, job.error]]
         if of == before:
             return (no_update,) * 4
@@ -192,14 +191,13 @@ def _show(app: Dash, workspace: Workspace) -> None:
         Input("compare-keys", "data"),
         State("view", "data"),
         State("dataset", "data"),
-        State("parameters", "data"),
     )
-    def show_result(keys, view, name, parameters):
-        found = _compared(workspace, name, parameters, view) if keys else None
-        if found is None:
+    def show_result(keys, view, name):
+        compared = _compared(workspace, name, view) if keys else None
+        if compared is None:
             return (no_update,) * 5
-        comparison, names = found[2], _names(workspace, name, parameters)
-        again = _again(workspace, name, parameters, view["other"])
+        comparison, names = compared[2], _names(workspace, name, view)
+        again = _again(workspace, name, view)
         return figure.sentence(comparison), figure.flow(comparison, names), figure.filters(comparison), "all", again
 
     @app.callback(
@@ -208,14 +206,13 @@ def _show(app: Dash, workspace: Workspace) -> None:
         Input("compare-filter", "data"),
         State("view", "data"),
         State("dataset", "data"),
-        State("parameters", "data"),
     )
-    def list_rows(change, _counts, view, name, parameters):
-        found = _compared(workspace, name, parameters, view) if _shown(view) and name else None
-        if found is None:
+    def list_rows(change, _counts, view, name):
+        compared = _compared(workspace, name, view) if _shown(view) and name else None
+        if compared is None:
             return no_update
-        a, b, comparison = found
-        listed = figure.rows(comparison, a, b, workspace.open(name), _names(workspace, name, parameters))
+        a, b, comparison = compared
+        listed = figure.rows(comparison, a, b, workspace.open(name), _names(workspace, name, view))
         return [row for row in listed if change in ("all", row["change"])]
 
     app.clientside_callback(
@@ -247,29 +244,28 @@ def _play(app: Dash, workspace: Workspace) -> None:
         Input("view", "data"),
         Input("compare-keys", "data"),
         State("dataset", "data"),
-        State("parameters", "data"),
     )
-    def play(selection, view, keys, name, parameters):
+    def play(selection, view, keys, name):
         selection = selection or {}
         if not name or not comparing(view) or ("motif" not in selection and not (view or {}).get("gained")):
             return no_update
         if mixing(view) or "motion" in selection or "edge" in selection or "clip" in selection:
             return no_update  # the blend side plays its mixture, playback.py the rest
         try:
-            dataset, found = workspace.open(name), _compared(workspace, name, parameters, view)
-            if found is None:  # the other is not there yet
-                graph = results.motif_graph(workspace, name, parameters)
+            dataset, compared = workspace.open(name), _compared(workspace, name, view)
+            if compared is None:  # the other is not there yet
+                graph = results.motif_graph(workspace, name, view)
                 return stage_request(dataset, graph, selection) or no_update
-            return figure.pair_request(dataset, *found, selection, view.get("gained", "")) or no_update
+            return figure.pair_request(dataset, *compared, selection, view.get("gained", "")) or no_update
         except WorkspaceError:
             return no_update
 
     app.clientside_callback(ClientsideFunction("compare", "play"), Input("compare-request", "data"))
 
 
-def _again(workspace: Workspace, name: str, parameters: Mapping[str, Any] | None, other: str) -> list[Component]:
+def _again(workspace: Workspace, name: str, view: Mapping[str, str]) -> list[Component]:
     """Buttons that copy what gives the comparison again."""
-    both = results.motif_request(name, parameters), results.motif_request(name, read_parameters(other))
+    both = [settings.request_of(results.MOTIFS, name, shown) for shown in (view, read_other(view["other"]))]
     made = {
         "Copy as commands": compare_commands(workspace.path, *both),
         "Copy as Python": compare_script(workspace.path, *both),
@@ -281,34 +277,39 @@ def _shown(view: Mapping[str, str] | None) -> bool:
     return (view or {}).get("view") == "compare"
 
 
-def _names(workspace: Workspace, name: str, parameters: Mapping[str, Any] | None) -> dict[int, str]:
-    return {motif: note.name for motif, note in results.motif_notes(workspace, name, parameters).items()}
+def _settings_shown(view: Mapping[str, str] | None) -> dict[str, str]:
+    """The settings of the result that is shown, as :func:`read_other` gives those of the other."""
+    return settings.in_link(results.MOTIFS, settings.request_of(results.MOTIFS, "", view).parameters)
+
+
+def _names(workspace: Workspace, name: str, view: Mapping[str, str] | None) -> dict[int, str]:
+    return {motif: note.name for motif, note in results.motif_notes(workspace, name, view).items()}
 
 
 def _compared(
-    workspace: Workspace, name: str, parameters: Mapping[str, Any] | None, view: Mapping[str, str] | None
+    workspace: Workspace, name: str, view: Mapping[str, str] | None
 ) -> tuple[MotifGraph, MotifGraph, Comparison] | None:
     other = (view or {}).get("other")
-    a = results.motif_graph(workspace, name, parameters)
-    b = results.motif_graph(workspace, name, read_parameters(other)) if other else None
+    a = results.motif_graph(workspace, name, view)
+    b = results.motif_graph(workspace, name, read_other(other)) if other else None
     return None if a is None or b is None else (a, b, compare(a, b))
 
 
 def choices(
-    workspace: Workspace, name: str, parameters: Mapping[str, Any] | None, graph: MotifGraph, chosen: str | None
+    workspace: Workspace, name: str, view: Mapping[str, str] | None, graph: MotifGraph, chosen: str | None
 ) -> list[dict[str, Any]]:
     """What the shown result may be compared with, in groups: earlier results, and settings a step away."""
-    shown = write_parameters(results.motif_request(name, parameters).parameters)
+    own = MotifParameters(**settings.request_of(results.MOTIFS, name, view).parameters)
+    shown = write_other(asdict(own))
     past: dict[str, str] = {}
-    for job in results.earlier(workspace, name):
-        text = write_parameters(job.request["parameters"])
+    for job, texts in settings.earlier(workspace, results.MOTIFS, name):
+        text = write_other(job.request["parameters"])
         if text != shown:
-            past.setdefault(text, summary(results.not_default(job.request["parameters"])))
-    if chosen and chosen != shown:
-        past.setdefault(chosen, summary(read_parameters(chosen)))
-    own = MotifParameters(**results.motif_request(name, parameters).parameters)
+            past.setdefault(text, summary(texts))
+    if chosen and read_other(chosen) != _settings_shown(view):
+        past.setdefault(chosen, summary(read_other(chosen)))
     near = other_seeds(own, 1) | neighbours(own, int(graph.parameters["kappa"]))
-    steps = {write_parameters(asdict(p)): f"Same, {words}" for words, p in near.items()}
+    steps = {write_other(asdict(p)): f"Same, {words}" for words, p in near.items()}
     steps = {text: label for text, label in steps.items() if text not in past and text != shown}
     groups = (("Earlier results", past), ("A step away (computed when chosen)", steps))
     return [
@@ -318,17 +319,14 @@ def choices(
     ]
 
 
-def write_parameters(parameters: Mapping[str, Any]) -> str:
-    """Settings as they stand in a link: ``kappa:250,seed:1``; those with default values left out."""
-    return ",".join(f"{name}:{value}" for name, value in sorted(results.not_default(parameters).items())) or DEFAULT
+def write_other(values: Mapping[str, Any]) -> str:
+    """The settings of the other result as they stand in a link: ``kappa:250,seed:1``, defaults left out."""
+    return settings.write_list(results.MOTIFS, values) or DEFAULT
 
 
-def read_parameters(text: str) -> dict[str, str]:
-    """Settings back from :func:`write_parameters`; what makes no sense is left out."""
-    pairs = (part.partition(":") for part in text.split(",") if ":" in part)
-    return results.not_default(
-        results.motif_request("", {name.strip(): value.strip() for name, _, value in pairs}).parameters
-    )
+def read_other(text: str) -> dict[str, str]:
+    """Settings back from :func:`write_other`, as a view holds them; what makes no sense is left out."""
+    return settings.read_list(results.MOTIFS, text)
 
 
 def status(other: str | None, job: Job | None, ready: bool) -> Component | None:
@@ -341,7 +339,7 @@ def status(other: str | None, job: Job | None, ready: bool) -> Component | None:
     if job is not None and job.alive:
         return html.Div(running(job, "Finding the other motifs", "graph"), className="card")
     again = dmc.Button("Find its motifs", variant="light", **sends("compare-ask", {"other": other}, every_time=True))
-    title, hint = "The other result is not there yet", f"Its settings: {summary(read_parameters(other))}."
+    title, hint = "The other result is not there yet", f"Its settings: {summary(read_other(other))}."
     if job is not None and job.state == "failed":
         title, hint = "Finding the other motifs failed", job.error
     return html.Div(empty_state("graph", title, hint, again), className="card")

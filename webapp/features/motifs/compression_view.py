@@ -150,7 +150,7 @@ def _chart(app: Dash, workspace: Workspace) -> None:
         Input("compression-measure", "value"),
         Input("theme", "data"),
         Input("compression-chart", "id"),
-        State("graph-key", "data"),
+        State("motifs-result-key", "data"),
         State("compression-of", "data"),
     )
     def show(selection, view, measure, scheme, _id, key, before):
@@ -267,7 +267,7 @@ def rebuilt_request(key: str, number: Any, method: str, step: Step, motion: int,
     return {"dataset": name, "items": items, "layout": "overlay", "sync": "start", "title": title}
 
 
-def _whole(found: Compression, name: str, parameters: Mapping[str, Any] | None, scheme: str | None) -> list[Component]:
+def _whole(found: Compression, name: str, view: Mapping[str, Any] | None, scheme: str | None) -> list[Component]:
     """The chart over all of the data set."""
     head = [html.H3("Whole dataset"), html.Div(className="spacer"), chart_menu("compression-all", "compression")]
     return [

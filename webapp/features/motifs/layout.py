@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from datetime import datetime
 from types import MappingProxyType
 from typing import Any
 
@@ -14,18 +13,18 @@ from dash.development.base_component import Component
 
 from core.mocap.dataset import Dataset
 from core.motifs.graph import Motif, MotifGraph
-from core.workspace import Job, MotifNote
+from core.workspace import MotifNote
 from webapp.features.motifs import stability_marks, views
 from webapp.features.motifs.figures import graph as graph_figure
 from webapp.features.motifs.playing import moment, transition_segment
-from webapp.jobs.running import running
-from webapp.shell.buttons import copies, sends, similar
+from webapp.shell.buttons import sends, similar
 from webapp.shell.icons import icon
 from webapp.shell.messages import empty_state
-from webapp.shell.results import find_edge, find_motif, find_motifs
+from webapp.shell.results import MOTIFS, find_edge, find_motif, find_motifs
+from webapp.ui import method_page
 from webapp.ui.brief_names import brief_names
+from webapp.ui.method_page import MethodPage
 from webapp.ui.page_head import page_head
-from webapp.ui.parameter_form import summary
 from webapp.ui.tables import strip_address
 from webapp.ui.tile import metric_tile
 
@@ -33,17 +32,24 @@ ERROR_RATIO = (
     "How far the motions of a motif lie apart, compared with how far poses lie from the average pose. "
     "Lower is tighter; the 2008 paper reports .23."
 )
+METHOD = MethodPage(
+    page=MOTIFS,
+    title="Motif graph",
+    action="Find motifs",
+    doing="Finding motifs",
+    symbol="graph",
+    hint="It shows which movements recur in these recordings, and what follows what.",
+    refused="Cannot find motifs",
+    run_symbol="spark",
+    everywhere=True,
+)
 MANY_TO_FILTER = 20  # successions, from which on it helps to hide the rare ones
 MOST_ROWS = 60  # motions or transitions listed at once
 
 
 def stores() -> list[Component]:
     """For the frame of the app: the graph that is shown stays known on other pages."""
-    return [
-        dcc.Store(id="graph-key"),  # of the motif graph shown, where it has been computed
-        dcc.Store(id="find-again"),
-        dcc.Store(id="graph-tool"),
-    ]
+    return [*method_page.stores(METHOD), dcc.Store(id="graph-tool")]
 
 
 def page() -> Component:
@@ -51,74 +57,22 @@ def page() -> Component:
     return html.Div(
         className="motifs",
         children=[
-            page_head(
-                "Motifs",
-                html.Div(id="motif-menus", className="head-menus"),
-                dmc.Button("Find motifs", id="find-motifs", leftSection=icon("spark", 16)),
-            ),
-            dmc.Accordion(
-                id="settings",
-                variant="contained",
-                className="settings",
-                value=None,
-                children=dmc.AccordionItem(
-                    value="form",
-                    children=[
-                        dmc.AccordionControl(
-                            [
-                                html.Span("Settings", className="settings-title"),
-                                html.Span(id="settings-summary", className="muted"),
-                            ]
-                        ),
-                        dmc.AccordionPanel(html.Div(id="motif-form")),
-                    ],
-                ),
-            ),
-            html.Div(id="motif-status"),
-            dcc.Store(id="motif-status-of"),  # what it speaks of: drawn anew only when that changes
+            page_head("Motifs", html.Div(id="motif-menus", className="head-menus"), method_page.run_button(METHOD)),
+            method_page.settings_fold(METHOD),
+            method_page.status_place(METHOD),
             html.Div(id="motif-result"),
         ],
     )
 
 
-def status(dataset: str | None, job: Job | None, ready: bool) -> Component | None:
-    """What stands in place of a graph that is not there (yet)."""
-    if ready:
-        return None
-    if not dataset:
-        link = dcc.Link("Go to the library", href="/library", className="text-link")
-        return _card(empty_state("person", "No dataset yet", "Add recordings, or make the demo, in the library.", link))
-    if job is not None and job.alive:
-        return _card(running(job, "Finding motifs", "graph"))
-    hint = "It shows which movements recur in these recordings, and what follows what."
-    if job is not None and job.state == "failed":
-        return _card(empty_state("error", "Finding motifs failed", job.error, _find_button("Try again")))
-    if job is not None and job.state == "cancelled":
-        return _card(
-            empty_state("graph", "Finding motifs was cancelled", "Nothing was kept of it.", _find_button("Find motifs"))
-        )
-    return _card(empty_state("graph", "No motif graph yet", f"Press Find motifs. {hint}", _find_button("Find motifs")))
-
-
-def _card(child: Component) -> Component:
-    return html.Div(child, className="card section")
-
-
-def _find_button(label: str) -> Component:
-    return dmc.Button(label, variant="light", **sends("find-again", {"find": True}, every_time=True))
-
-
 def result(graph: MotifGraph, dataset: Dataset, elements: list[dict], scheme: str) -> Component:
     """Metrics, graph, and the views beside and below it; or what to try where no motif was found."""
     if not graph.motifs:
-        return _card(
-            empty_state(
-                "graph",
-                "No motif found",
-                "Nothing recurs under these settings. Try a smaller kappa, a larger speed tolerance, "
-                "or a smaller shortest motion.",
-            )
+        hint = (
+            "Nothing recurs under these settings. Try a smaller kappa, a larger speed tolerance, "
+            "or a smaller shortest motion."
         )
+        return html.Div(empty_state("graph", "No motif found", hint), className="card section")
     return html.Div(
         [
             html.Div([metric_tile(*tile) for tile in metric_tiles(graph, dataset)], className="tiles section"),
@@ -223,69 +177,25 @@ def _tool(symbol: str, label: str, value: dict[str, str]) -> Component:
     )
 
 
-def menus(
-    dataset: str,
-    graph: MotifGraph | None,
-    earlier: Sequence[tuple[Job, Mapping[str, str]]],
-    query: str,
-    recipes: Mapping[str, str],
-) -> list[Component]:
-    """Earlier results, downloads, and ``recipes`` (label -> text to copy) that give this result again."""
-    parts: list[Component] = []
-    if len(earlier) > (1 if graph else 0):
-        parts.append(
-            dmc.Menu(
-                shadow="md",
-                position="bottom-end",
-                children=[
-                    dmc.MenuTarget(dmc.Button("Earlier results", variant="default", rightSection=icon("chevron", 14))),
-                    dmc.MenuDropdown(
-                        [
-                            dmc.MenuItem(
-                                [
-                                    html.Div(summary(parameters), className="menu-title"),
-                                    html.Div(_when(job.finished), className="muted menu-note"),
-                                ],
-                                **sends("parameters", parameters),
-                            )
-                            for job, parameters in earlier[:15]
-                        ],
-                        className="menu-long",
-                    ),
-                ],
-            )
-        )
-    if graph is not None and graph.motifs:
-        parts.append(
-            dmc.Menu(
-                shadow="md",
-                position="bottom-end",
-                children=[
-                    dmc.MenuTarget(dmc.Button("Download", variant="default", leftSection=icon("download", 16))),
-                    dmc.MenuDropdown(
-                        [
-                            _download("Motifs and edges (JSON)", f"/api/motifs.json?{query}"),
-                            _download("All motions (CSV)", f"/api/motifs.csv?{query}"),
-                            _download("Drawing of the graph (SVG)", f"/api/motifs.svg?{query}"),
-                            dmc.MenuItem(
-                                "Picture of the graph (PNG)", **sends("graph-tool", {"graph": "png"}, every_time=True)
-                            ),
-                            dmc.MenuDivider(),
-                            *(dmc.MenuItem(label, **copies(text)) for label, text in recipes.items()),
-                        ]
-                    ),
-                ],
-            )
-        )
-    return parts
+def download_menu(graph: MotifGraph, query: str, copies: Sequence[Component]) -> list[Component]:
+    """Downloads of the graph, whose link is ``query``, and menu items that copy what gives it again."""
+    if not graph.motifs:
+        return []
+    items = [
+        _download("Motifs and edges (JSON)", f"/api/motifs.json?{query}"),
+        _download("All motions (CSV)", f"/api/motifs.csv?{query}"),
+        _download("Drawing of the graph (SVG)", f"/api/motifs.svg?{query}"),
+        dmc.MenuItem("Picture of the graph (PNG)", **sends("graph-tool", {"graph": "png"}, every_time=True)),
+        dmc.MenuDivider(),
+        *copies,
+    ]
+    target = dmc.Button("Download", variant="default", leftSection=icon("download", 16))
+    children = [dmc.MenuTarget(target), dmc.MenuDropdown(items)]
+    return [dmc.Menu(shadow="md", position="bottom-end", children=children)]
 
 
 def _download(label: str, address: str) -> Component:
     return dmc.MenuItem(label, href=address, refresh=True)
-
-
-def _when(moment_: float | None) -> str:
-    return datetime.fromtimestamp(moment_).strftime("%d %b, %H:%M") if moment_ else ""
 
 
 def selection_panel(

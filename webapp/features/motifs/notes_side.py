@@ -70,14 +70,14 @@ def register(app: Dash, workspace: Workspace) -> None:
         Input("selection", "data"),
         Input("notes-form", "id"),
         State("dataset", "data"),
-        State("parameters", "data"),
+        State("view", "data"),
     )
-    def fill(selection, _form, name, parameters):
-        graph = results.motif_graph(workspace, name, parameters) if name else None
+    def fill(selection, _form, name, view):
+        graph = results.motif_graph(workspace, name, view) if name else None
         motif = find_motif(graph, (selection or {}).get("motif")) if graph else None
         if motif is None:
             return "muted", "notes-form hidden", "", "", [], "", None, ""
-        note = results.motif_notes(workspace, name, parameters).get(motif.id, MotifNote())
+        note = results.motif_notes(workspace, name, view).get(motif.id, MotifNote())
         status = CARRIED if note.carried else ""
         return "hidden", "notes-form", f"Motif {motif.id}", note.name, list(note.tags), note.note, motif.id, status
 
@@ -88,21 +88,19 @@ def register(app: Dash, workspace: Workspace) -> None:
         Input("notes-text", "value"),
         State("notes-motif", "data"),
         State("dataset", "data"),
-        State("parameters", "data"),
+        State("view", "data"),
         prevent_initial_call=True,
     )
-    def save(name, tags, text, motif, dataset, parameters):
+    def save(name, tags, text, motif, dataset, view):
         if motif is None or not dataset:
             return no_update
         try:
-            before = results.motif_notes(workspace, dataset, parameters).get(motif, MotifNote())
+            before = results.motif_notes(workspace, dataset, view).get(motif, MotifNote())
             said = (name or "", tuple(tags or ()), text or "")
             if said == (before.name, before.tags, before.note):
                 return no_update
-            graph, key = (
-                results.motif_graph(workspace, dataset, parameters),
-                results.motif_graph_key(workspace, dataset, parameters),
-            )
+            graph = results.motif_graph(workspace, dataset, view)
+            key = results.motif_graph_key(workspace, dataset, view)
             chosen = find_motif(graph, motif)
             home = workspace.info(dataset).id
             workspace.notes.put(home, key, motif, chosen.segments, name=said[0], tags=said[1], note=said[2])
@@ -116,24 +114,24 @@ def register(app: Dash, workspace: Workspace) -> None:
         Input("notes-form", "id"),
         State("notes-names", "data"),
         State("dataset", "data"),
-        State("parameters", "data"),
+        State("view", "data"),
     )
-    def collect(_status, _form, before, name, parameters):
-        now = said(results.motif_notes(workspace, name, parameters)) if name else {}
+    def collect(_status, _form, before, name, view):
+        now = said(results.motif_notes(workspace, name, view)) if name else {}
         return no_update if now == before else now
 
     @app.callback(
         Output("motif-table", "rowData"),
         Input("notes-names", "data"),
         State("dataset", "data"),
-        State("parameters", "data"),
+        State("view", "data"),
         prevent_initial_call=True,
     )
-    def rows(_names, name, parameters):
-        graph = results.motif_graph(workspace, name, parameters) if name else None
+    def rows(_names, name, view):
+        graph = results.motif_graph(workspace, name, view) if name else None
         if graph is None:
             return no_update
-        return motif_rows(graph, workspace.open(name), results.motif_notes(workspace, name, parameters))
+        return motif_rows(graph, workspace.open(name), results.motif_notes(workspace, name, view))
 
     app.clientside_callback(
         ClientsideFunction("names", "draw"),

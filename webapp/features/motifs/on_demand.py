@@ -14,7 +14,7 @@ from core.errors import ParameterError
 from core.workspace import Job, Workspace, WorkspaceError
 from webapp import jobs
 from webapp.jobs.running import running
-from webapp.shell import results
+from webapp.shell import results, settings
 from webapp.shell.buttons import sends
 from webapp.shell.messages import empty_state, notice
 
@@ -33,9 +33,9 @@ class OnDemand(NamedTuple):
     refused: str  # "Cannot make the report"
     frame: Callable[[Component], Any]  # round what stands there until there is a result
 
-    def request(self, dataset: str, parameters: Mapping[str, Any] | None) -> analyses.Request:
-        """The request for it, on the motif graph with these parameters."""
-        return analyses.Request(dataset, self.method, results.motif_request(dataset, parameters).parameters)
+    def request(self, dataset: str, view: Mapping[str, Any] | None) -> analyses.Request:
+        """The request for it, on the motif graph that ``view`` shows."""
+        return analyses.Request(dataset, self.method, settings.request_of(results.MOTIFS, dataset, view).parameters)
 
     def stores(self) -> list[Component]:
         """For the view's skeleton."""
@@ -54,7 +54,7 @@ class OnDemand(NamedTuple):
         return empty_state(self.symbol, title, words, dmc.Button(self.button, variant="light", **asks))
 
 
-Body = Callable[[Any, str, Mapping[str, Any] | None, str | None], Any]  # (result, dataset, parameters, colour scheme)
+Body = Callable[[Any, str, Mapping[str, Any] | None, str | None], Any]  # (result, dataset, view, colour scheme)
 
 
 def register(app: Dash, workspace: Workspace, part: OnDemand, body: Body) -> None:
@@ -64,12 +64,12 @@ def register(app: Dash, workspace: Workspace, part: OnDemand, body: Body) -> Non
         Output(f"{part.name}-asked", "data"),
         Input(f"{part.name}-find", "data"),
         State("dataset", "data"),
-        State("parameters", "data"),
+        State("view", "data"),
         prevent_initial_call=True,
     )
-    def ask(_clicked, name, parameters):
+    def ask(_clicked, name, view):
         try:
-            job = jobs.start(workspace, part.request(name, parameters))
+            job = jobs.start(workspace, part.request(name, view))
         except (ParameterError, WorkspaceError) as error:
             set_props("notices", {"sendNotifications": [notice(part.refused, str(error), "red")]})
             return no_update
@@ -85,17 +85,16 @@ def register(app: Dash, workspace: Workspace, part: OnDemand, body: Body) -> Non
         Input("jobs-finished", "data"),
         Input("theme", "data"),
         State(f"{part.name}-shown", "data"),
-        State("graph-key", "data"),
+        State("motifs-result-key", "data"),
         State("dataset", "data"),
-        State("parameters", "data"),
     )
-    def show(view, _place, _asked, _finished, scheme, shown, graph_key, name, parameters):
-        if (view or {}).get("view") != part.name or not graph_key or not name:
+    def show(view, _place, _asked, _finished, scheme, shown, graph_key, name):
+        if (view or {}).get("view") != part.name or results.shown_graph(workspace, graph_key, name, view) is None:
             return no_update, no_update
-        request = part.request(name, parameters)
+        request = part.request(name, view)
         found = analyses.stored(workspace, request)
         job = None if found else workspace.jobs.latest(analyses.key(workspace, request))
         now = [graph_key, scheme, "there" if found else job.state if job else "", job.id if job else 0]
         if now == shown:
             return no_update, no_update
-        return part.frame(part.waiting(job)) if found is None else body(found, name, parameters, scheme), now
+        return part.frame(part.waiting(job)) if found is None else body(found, name, view, scheme), now

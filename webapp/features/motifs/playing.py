@@ -21,14 +21,14 @@ def plays(workspace: Workspace, dataset: Dataset, shown: Shown) -> StageRequest 
     """What plays for a selection of this page; None where there is nothing, or where a view plays it in its own way."""
     if "motif" in shown.selection and "motion" not in shown.selection and (comparing(shown.view) or mixing(shown.view)):
         return None  # the comparison plays both results (compare_view.py), the mixture itself (assets/motifs/blend)
-    graph = motif_graph(workspace, shown.dataset, shown.parameters)
-    notes = motif_notes(workspace, shown.dataset, shown.parameters) if "motif" in shown.selection else {}
+    graph = motif_graph(workspace, shown.dataset, shown.view)
+    notes = motif_notes(workspace, shown.dataset, shown.view) if "motif" in shown.selection else {}
     return stage_request(dataset, graph, shown.selection, {motif: note.name for motif, note in notes.items()})
 
 
 def missing(workspace: Workspace, shown: Shown) -> str | None:
     """What a selection names that is not there, in plain words; None where it is, or where nobody can tell yet."""
-    graph, selection = motif_graph(workspace, shown.dataset, shown.parameters), shown.selection
+    graph, selection = motif_graph(workspace, shown.dataset, shown.view), shown.selection
     if graph is None:
         return None
     if "motif" in selection and find_motif(graph, selection["motif"]) is None:

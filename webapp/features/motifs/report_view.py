@@ -43,9 +43,9 @@ def layout() -> Component:
 def register(app: Dash, workspace: Workspace) -> None:
     """Ask for the report, follow its job, show it."""
 
-    def shown(report: Redundancy, name: str, parameters: Mapping[str, Any] | None, scheme: str | None) -> Component:
-        recipe = recipes.script(workspace.path, REPORT.request(name, parameters))
-        graph = results.motif_graph(workspace, name, parameters)
+    def shown(report: Redundancy, name: str, view: Mapping[str, Any] | None, scheme: str | None) -> Component:
+        recipe = recipes.script(workspace.path, REPORT.request(name, view))
+        graph = results.motif_graph(workspace, name, view)
         return body(report, graph, workspace.open(name), scheme, recipe)
 
     on_demand.register(app, workspace, REPORT, shown)

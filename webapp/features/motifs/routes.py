@@ -12,15 +12,14 @@ from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
 from core.synthesis import kept_walks
 from core.workspace import Workspace, WorkspaceError
+from webapp.features.motifs import stability_request
 from webapp.features.motifs.figures.drawing import graph_svg
 from webapp.features.motifs.figures.timeline_drawing import timeline_svg
 from webapp.features.motifs.graph_drawing import graph_elements
-from webapp.shell import results
+from webapp.shell import results, settings
 from webapp.shell.routes import Refusal, answer_refusals, attachment
 from webapp.ui.tables import motions_csv
 from webapp.ui.timeline import timeline
-
-NOT_SETTINGS = ("dataset", "stability", "order", "scale", "motif", "scheme")
 
 
 def blueprints(workspace: Workspace) -> list[Blueprint]:
@@ -37,20 +36,20 @@ def export_blueprint(workspace: Workspace) -> Blueprint:
     @routes.get("/motifs.json")
     def motifs_json() -> Response:
         dataset, graph, _ = _asked(workspace)
-        notes = results.motif_notes(workspace, dataset.name, _parameters())
+        notes = results.motif_notes(workspace, dataset.name, request.args)
         text = json.dumps(graph.to_json(dataset, notes), ensure_ascii=False, allow_nan=False)
         return attachment(text, "application/json", f"{dataset.name}-motifs.json")
 
     @routes.get("/motifs.csv")
     def motifs_csv() -> Response:
         dataset, graph, _ = _asked(workspace)
-        notes = results.motif_notes(workspace, dataset.name, _parameters())
+        notes = results.motif_notes(workspace, dataset.name, request.args)
         return attachment(motions_csv(dataset, graph, notes), "text/csv", f"{dataset.name}-motifs.csv")
 
     @routes.get("/stability.json")
     def stability_json() -> Response:
         dataset, _, _ = _asked(workspace)
-        found = results.stability(workspace, dataset.name, _parameters(), request.args.get("stability"))
+        found = stability_request.stored(workspace, dataset.name, request.args, request.args.get("stability"))
         if found is None:
             raise Refusal("The stability of these motifs has not been measured yet.", 404)
         return attachment(json.dumps(found.to_json()), "application/json", f"{dataset.name}-stability.json")
@@ -74,7 +73,7 @@ def export_blueprint(workspace: Workspace) -> Blueprint:
     def timeline_drawing() -> Response:
         dataset, graph, _ = _asked(workspace)
         given, chosen = request.args, request.args.get("motif", "")
-        data = timeline(dataset, graph, results.motif_notes(workspace, dataset.name, _parameters()))
+        data = timeline(dataset, graph, results.motif_notes(workspace, dataset.name, request.args))
         text = timeline_svg(
             data,
             given.get("order", "name"),
@@ -90,22 +89,15 @@ def export_blueprint(workspace: Workspace) -> Blueprint:
 def _asked(workspace: Workspace) -> tuple[Dataset, MotifGraph, str]:
     """Data set, graph and key of the current request; raises Refusal."""
     name = request.args.get("dataset", "")
-    parameters = _parameters()
-    problems = results.refused(parameters)
+    problems = settings.refused(results.MOTIFS, request.args)
     if problems:
         raise Refusal(" ".join(problems), 400)
     try:
         dataset = workspace.open(name)
-        graph, key = (
-            results.motif_graph(workspace, name, parameters),
-            results.motif_graph_key(workspace, name, parameters),
-        )
+        graph = results.motif_graph(workspace, name, request.args)
+        key = results.motif_graph_key(workspace, name, request.args)
     except WorkspaceError as error:
         raise Refusal(str(error), 404) from error
     if graph is None or key is None:
         raise Refusal("This motif graph has not been computed yet.", 404)
     return dataset, graph, key
-
-
-def _parameters() -> dict[str, str]:
-    return {key: value for key, value in request.args.items() if key not in NOT_SETTINGS}

@@ -16,8 +16,9 @@ from core import analyses
 from core.errors import ParameterError
 from core.workspace import Job, Workspace, WorkspaceError
 from webapp import jobs
+from webapp.features.motifs import stability_request
 from webapp.jobs.job_bar import stage_words
-from webapp.shell import recipes, results, theme
+from webapp.shell import recipes, results, settings, theme
 from webapp.shell.buttons import copies, sends
 from webapp.shell.icons import icon
 from webapp.shell.messages import notice
@@ -114,17 +115,17 @@ def register(app: Dash, workspace: Workspace) -> None:
         State("stability-repetitions", "value"),
         State("stability-noise_degrees", "value"),
         State("dataset", "data"),
-        State("parameters", "data"),
+        State("view", "data"),
         prevent_initial_call=True,
     )
-    def ask(shown, hidden, repetitions, degrees, name, parameters):
+    def ask(shown, hidden, repetitions, degrees, name, view):
         if not (shown or hidden) or not name:
             return no_update  # the buttons came with a new graph
         if ctx.triggered_id == "stability-hide":
             return {"stability": ""}
-        text = f"{repetitions},{degrees}"
+        text = stability_request.write(repetitions, degrees)
         try:
-            wanted = results.stability_request(name, parameters, text)
+            wanted = stability_request.request(name, view, text)
             if analyses.stored(workspace, wanted) is None:
                 set_props("job-started", {"data": jobs.start(workspace, wanted).id})
         except (ParameterError, WorkspaceError) as error:
@@ -139,25 +140,26 @@ def register(app: Dash, workspace: Workspace) -> None:
         Output("stability-of", "data"),
         Input("view", "data"),
         Input("jobs-seen", "data"),
-        Input("graph-key", "data"),
+        Input("motifs-result-key", "data"),
         Input("stability-button", "id"),
         State("dataset", "data"),
-        State("parameters", "data"),
         State("stability-of", "data"),
     )
-    def follow(view, _seen, key, _id, name, parameters, before):
+    def follow(view, _seen, key, _id, name, before):
+        if key and results.shown_graph(workspace, key, name, view) is None:
+            return (no_update,) * 4  # the settings have changed, the key follows
         text = (view or {}).get("stability")
-        found = results.stability(workspace, name, parameters, text) if text and key and name else None
-        job = results.stability_job(workspace, name, parameters, text) if text and key and name and not found else None
+        wanted = (workspace, name, view, text)
+        measured = stability_request.stored(*wanted) if text and key else None
+        job = stability_request.latest_job(*wanted) if text and key and not measured else None
         percent = round(100 * job.fraction) if job and job.alive else None
-        of = [key, text, found is not None, job and [job.id, job.state, job.cancelling, percent]]
-        if of == before:
+        now = [key, text, measured is not None, job and [job.id, job.state, job.cancelling, percent]]
+        if now == before:
             return (no_update,) * 4
         words = "Stability" if percent is None else f"Stability {percent} %"
-        query = urlencode({"dataset": name or "", **(parameters or {}), "stability": text or ""})
-        request = results.stability_request(name, parameters, text) if found else None
-        copied = recipes.both(workspace.path, request) if request else {}
-        return shown_values(found), status(text, found, job, query, copied), words, of
+        link = {"dataset": name or "", **settings.texts(results.MOTIFS, view), "stability": text or ""}
+        copied = recipes.both(workspace.path, stability_request.request(name, view, text)) if measured else {}
+        return shown_values(measured), status(text, measured, job, urlencode(link), copied), words, now
 
     app.clientside_callback(
         ClientsideFunction("stability", "draw"),

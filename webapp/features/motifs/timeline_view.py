@@ -10,7 +10,7 @@ from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
 from core.workspace import Workspace
-from webapp.shell import results
+from webapp.shell import results, settings
 from webapp.ui.downloads import drawing_menu
 from webapp.ui.timeline import timeline
 
@@ -61,18 +61,17 @@ def register(app: Dash, workspace: Workspace) -> None:
         Input("view", "data"),
         Input("timeline-rows", "id"),
         Input("notes-names", "data"),
-        State("graph-key", "data"),
+        State("motifs-result-key", "data"),
         State("dataset", "data"),
-        State("parameters", "data"),
     )
-    def gather(view, _rows, _names, key, name, parameters):
+    def gather(view, _rows, _names, key, name):
         if not key or not name or (view or {}).get("view") != "timeline":
             return no_update
-        graph = results.motif_graph(workspace, name, parameters)
+        graph = results.shown_graph(workspace, key, name, view)
         if graph is None:
             return no_update
-        made = timeline(workspace.open(name), graph, results.motif_notes(workspace, name, parameters))
-        address = f"/api/timeline.svg?{urlencode({'dataset': name, **(parameters or {})})}"
+        made = timeline(workspace.open(name), graph, results.motif_notes(workspace, name, view))
+        address = f"/api/timeline.svg?{urlencode({'dataset': name, **settings.texts(results.MOTIFS, view)})}"
         return made | {"drawing": address}
 
     app.clientside_callback(

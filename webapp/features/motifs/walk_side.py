@@ -107,23 +107,22 @@ def register(app: Dash, workspace: Workspace) -> None:
     @app.callback(
         Output("walk-data", "data"),
         Input("view", "data"),
-        Input("graph-key", "data"),
+        Input("motifs-result-key", "data"),
         Input("walk-path", "id"),
         Input("notes-names", "data"),
         State("dataset", "data"),
-        State("parameters", "data"),
         State("walk-data", "data"),
     )
-    def make(view, key, _path, _names, name, parameters, before):
+    def make(view, key, _path, _names, name, before):
         if not walking(view) or not key or not name:
             return no_update
         try:
             dataset = workspace.open(name)
-            graph = results.motif_graph(workspace, name, parameters)
+            graph = results.shown_graph(workspace, key, name, view)
             if graph is None:
                 return no_update
-            said = {m: note.name for m, note in results.motif_notes(workspace, name, parameters).items() if note.name}
-            data = walks.walk_data(workspace, dataset, graph, key, parameters, view, said)
+            names = {m: note.name for m, note in results.motif_notes(workspace, name, view).items() if note.name}
+            data = walks.walk_data(workspace, dataset, graph, key, view, names)
         except WorkspaceError as error:
             data = {"key": key, "asked": walks.asked_of(view), "error": str(error)}
         return no_update if data == before else data

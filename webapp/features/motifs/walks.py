@@ -18,7 +18,7 @@ from core.motifs.graph import MotifGraph
 from core.synthesis import NoWay, Walk, Ways, open_ways
 from core.synthesis.links import FURTHER, SEEN
 from core.workspace import Workspace, WorkspaceError
-from webapp.shell import recipes, results
+from webapp.shell import recipes, results, settings
 from webapp.shell.virtual import virtual_name
 from webapp.ui.timeline import motif_colour
 
@@ -27,13 +27,13 @@ CLIP = "walk"
 KEYS = ("walk", "extra", "gaps", "ends", "feet")  # of the link that say which walk it is
 
 
-def walk_request(dataset: str, parameters: Mapping[str, Any] | None, view: Mapping[str, str]) -> analyses.Request:
-    """The request behind a link: the motif graph's parameters, and the walk's of ``view`` (see KEYS)."""
+def walk_request(dataset: str, view: Mapping[str, str]) -> analyses.Request:
+    """The request behind a link: the motif graph's parameters, and the walk's (see KEYS)."""
     return analyses.Request(
         dataset,
         WALK,
         {
-            **results.motif_request(dataset, parameters).parameters,
+            **settings.request_of(results.MOTIFS, dataset, view).parameters,
             "path": view.get("walk", ""),
             "further": view.get("extra") == "1",
             "gaps": view.get("gaps", "refuse"),
@@ -61,7 +61,6 @@ def walk_data(
     dataset: Dataset,
     graph: MotifGraph,
     graph_key: str,
-    parameters: Mapping[str, Any] | None,
     view: Mapping[str, str],
     names: Mapping[int, str],
 ) -> dict[str, Any]:
@@ -77,7 +76,7 @@ def walk_data(
     if not asked.get("walk"):
         return data
     try:
-        request = analyses.normalise(walk_request(dataset.name, parameters, asked))
+        request = analyses.normalise(walk_request(dataset.name, view))
     except ParameterError as error:
         return data | {"error": _sentence(str(error))}
     try:

@@ -21,7 +21,7 @@ from webapp.features.motion_map.figures import heatmap as figures
 from webapp.features.motion_map.maps import other_maps
 from webapp.shell import results, settings
 from webapp.shell.messages import notice
-from webapp.shell.names import DATASET, GRAPH_KEY, NOTICES, PARAMETERS, REVISION, SELECTION, THEME, VIEW
+from webapp.shell.names import DATASET, MOTIFS_RESULT_KEY, NOTICES, REVISION, SELECTION, THEME, VIEW
 from webapp.shell.results import find_motifs
 from webapp.ui import method_page, tables
 
@@ -110,17 +110,16 @@ def _draw(app: Dash, workspace: Workspace) -> None:
         Input(names.MAP_KNOWN, "data"),
         Input(names.MAP_LOOK, "data"),
         Input(THEME, "data"),
-        Input(GRAPH_KEY, "data"),
+        Input(MOTIFS_RESULT_KEY, "data"),
         State(DATASET, "data"),
         State(VIEW, "data"),
-        State(PARAMETERS, "data"),
     )
-    def draw(known, look, scheme, _graph, name, view, parameters):
+    def draw(known, look, scheme, _graph, name, view):
         shown = opened(workspace, name, view) if known else None
         if shown is None:
             return no_update, [], ""
         colouring = str((look or {}).get("colour") or "")
-        graph = results.motif_graph(workspace, name, parameters) if colouring == "motif" else None
+        graph = results.motif_graph(workspace, name, view) if colouring == "motif" else None
         layer = figures.layer_of(*shown, graph, colouring)
         wanted = colouring in ("label", "motif") and not layer.names
         missing = {"label": "These recordings have no labels.", "motif": "No motifs have been found yet (Motifs page)."}
@@ -135,20 +134,19 @@ def _draw(app: Dash, workspace: Workspace) -> None:
         Output(names.MAP_LIT, "data"),
         Input(SELECTION, "data"),
         Input(names.MAP_KNOWN, "data"),
-        Input(GRAPH_KEY, "data"),
+        Input(MOTIFS_RESULT_KEY, "data"),
         State(DATASET, "data"),
         State(VIEW, "data"),
-        State(PARAMETERS, "data"),
     )
-    def light(selection, known, _graph, name, view, parameters):
+    def light(selection, known, _graph, name, view):
         shown = opened(workspace, name, view) if known else None
         if shown is None or "motif" not in (selection or {}):
             return {"nodes": []}
-        return {"nodes": lit_nodes(shown[0], results.motif_graph(workspace, name, parameters), selection)}
+        return {"nodes": lit_nodes(shown[0], results.motif_graph(workspace, name, view), selection)}
 
 
 def _below(app: Dash, workspace: Workspace) -> None:
-    where = (State(DATASET, "data"), State(VIEW, "data"), State(PARAMETERS, "data"))
+    where = (State(DATASET, "data"), State(VIEW, "data"))
 
     def seen(known: Any, look: Any, panel: str, name: str, view: Any) -> tuple[MotionMap, Dataset] | None:
         return opened(workspace, name, view) if known and (look or {}).get("below") == panel else None
@@ -160,14 +158,14 @@ def _below(app: Dash, workspace: Workspace) -> None:
         Input(THEME, "data"),
         *where,
     )
-    def multiples(known, look, scheme, name, view, _parameters):
+    def multiples(known, look, scheme, name, view):
         shown = seen(known, look, "labels", name, view)
         return panels.multiples(*shown, scheme) if shown else []
 
     @app.callback(
         Output(names.MAP_CLIPS_PLACE, "children"), Input(names.MAP_KNOWN, "data"), Input(names.MAP_LOOK, "data"), *where
     )
-    def clips(known, look, name, view, _parameters):
+    def clips(known, look, name, view):
         shown = seen(known, look, "clips", name, view)
         if not shown:
             return []
@@ -177,14 +175,14 @@ def _below(app: Dash, workspace: Workspace) -> None:
         Output(names.MAP_REGION, "children"),
         Input(names.MAP_KNOWN, "data"),
         Input(names.MAP_LOOK, "data"),
-        Input(GRAPH_KEY, "data"),
+        Input(MOTIFS_RESULT_KEY, "data"),
         *where,
     )
-    def region(known, look, _graph, name, view, parameters):
+    def region(known, look, _graph, name, view):
         shown = seen(known, look, "region", name, view)
         if not shown:
             return []
-        return panels.region(*shown, results.motif_graph(workspace, name, parameters), (look or {}).get("region"))
+        return panels.region(*shown, results.motif_graph(workspace, name, view), (look or {}).get("region"))
 
 
 def _browser(app: Dash) -> None:

@@ -27,9 +27,8 @@ from webapp.shell.errors import sentence
 from webapp.shell.icons import icon
 from webapp.shell.names import (
     DATASET,
-    GRAPH_KEY,
     JOB_STARTED,
-    PARAMETERS,
+    MOTIFS_RESULT_KEY,
     REVISION,
     SELECTION,
     THEME,
@@ -80,15 +79,15 @@ def _choices(app: Dash, workspace: Workspace) -> None:
 
     @app.callback(
         Output(names.SEARCH_MOTIFS, "data"),
-        Input(GRAPH_KEY, "data"),
+        Input(MOTIFS_RESULT_KEY, "data"),
         Input(names.SEARCH_MOTIF, "id"),
         State(DATASET, "data"),
-        State(PARAMETERS, "data"),
+        State(VIEW, "data"),
     )
-    def list_motifs(_key, _place, name, parameters):
+    def list_motifs(_key, _place, name, view):
         try:
-            graph = results.motif_graph(workspace, name, parameters) if name else None
-            notes = results.motif_notes(workspace, name, parameters) if graph else {}
+            graph = results.motif_graph(workspace, name, view) if name else None
+            notes = results.motif_notes(workspace, name, view) if graph else {}
         except WorkspaceError:
             return []
         return [

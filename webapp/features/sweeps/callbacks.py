@@ -10,9 +10,10 @@ from dash.dependencies import ClientsideFunction
 from core import analyses
 from core.errors import ParameterError
 from core.mocap.dataset import Dataset
-from core.motifs.axes import SweepParameters, write_value
+from core.motifs.axes import SweepParameters
 from core.motifs.suggestion import suggest
 from core.motifs.sweep_table import SweepTable
+from core.parameters import write_value
 from core.workspace import Workspace, WorkspaceError
 from webapp import jobs
 from webapp.features.sweeps import layout, reading
@@ -21,9 +22,10 @@ from webapp.features.sweeps.figures import rows as sweep_rows
 from webapp.features.sweeps.figures.drawing import fixed
 from webapp.features.sweeps.figures.measures import MEASURES, PAIRS, pairs_of
 from webapp.features.sweeps.reading import Form
-from webapp.shell import links, results
+from webapp.shell import settings
 from webapp.shell.identifiers import Pattern
 from webapp.shell.messages import notice
+from webapp.shell.results import MOTIFS
 from webapp.ui import tables
 from webapp.ui.parameter_form import parameter_form, read_form, summary
 
@@ -45,8 +47,7 @@ class Shown(NamedTuple):
 
     def link(self, point: Any) -> str:
         """Address of the result of a point, on the Motifs page."""
-        exact = {name: write_value(getattr(point, name)) for name in results.not_default(vars(point))}
-        return links.format_link(links.View("motifs", self.dataset.name, exact))
+        return reading.link_to_point(self.dataset.name, point)
 
 
 def register(app: Dash, workspace: Workspace) -> None:
@@ -59,12 +60,12 @@ def register(app: Dash, workspace: Workspace) -> None:
         app.clientside_callback(ClientsideFunction("sweeps", "open"), Input(graph, "clickData"))
 
 
-def shown_sweep(workspace: Workspace, name: str | None, parameters: Any, view: Any) -> Shown | None:
+def shown_sweep(workspace: Workspace, name: str | None, view: Any) -> Shown | None:
     """What the view shows; None without a dataset. Raises ParameterError, WorkspaceError."""
     if not name:
         return None
     dataset = workspace.open(name)
-    sweep = reading.sweep_of(reading.form_of(dataset, view), parameters)
+    sweep = reading.sweep_of(reading.form_of(dataset, view), view)
     return Shown(dataset, sweep, reading.table_of(workspace, dataset, sweep))
 
 
@@ -91,16 +92,16 @@ def _fill(app: Dash, workspace: Workspace) -> None:
     @app.callback(
         Output("sweep-base", "children"),
         Output("sweep-base-summary", "children"),
-        Input("parameters", "data"),
+        Input("motifs-settings", "data"),
         Input("sweep-x-name", "value"),
         Input("sweep-y-name", "value"),
     )
-    def show_base(parameters, x_name, y_name):
-        values = dict(results.motif_request("", parameters).parameters)
+    def show_base(view, x_name, y_name):
         without = {x_name, y_name, "seed"}
-        said = results.not_default({name: value for name, value in values.items() if name not in without})
-        shown = [parameter for parameter in analyses.parameters(results.MOTIFS) if parameter.name not in without]
-        return parameter_form(shown, values, Pattern("sweep-base", "name")), summary(said)
+        values = settings.request_of(MOTIFS, "", view).parameters
+        texts = {name: text for name, text in settings.not_default(MOTIFS, values).items() if name not in without}
+        shown = [parameter for parameter in settings.parameters(MOTIFS) if parameter.name not in without]
+        return parameter_form(shown, values, Pattern("sweep-base", "name")), summary(texts)
 
     @app.callback(
         Output("sweep-plan", "children"),
@@ -111,9 +112,9 @@ def _fill(app: Dash, workspace: Workspace) -> None:
         *(Input(f"sweep-{control}", "value") for control in _CONTROLS),
         Input("sweep-seen", "data"),
         State("dataset", "data"),
-        State("parameters", "data"),
+        State("view", "data"),
     )
-    def plan(x_name, x_values, y_name, y_values, seeds, _seen, name, parameters):
+    def plan(x_name, x_values, y_name, y_values, seeds, _seen, name, view):
         form = _form(x_name, x_values, y_name, y_values, seeds)
         if form is None:
             return (no_update,) * 5
@@ -122,7 +123,7 @@ def _fill(app: Dash, workspace: Workspace) -> None:
         y = problems.get("y")
         errors = problems.get("x"), None if same else y, y if same else None, problems.get("seeds")
         try:
-            sweep = reading.sweep_of(form, parameters)
+            sweep = reading.sweep_of(form, view)
         except ParameterError as error:
             return "" if problems else str(error), *errors
         dataset = _dataset(workspace, name)
@@ -151,7 +152,7 @@ def _ask(app: Dash, workspace: Workspace) -> None:
         prevent_initial_call=True,
     )
     def run(_clicks, x_name, x_values, y_name, y_values, seeds, base, ids, name):
-        taken, problems = read_form(analyses.parameters(results.MOTIFS), ids, base)
+        taken, problems = read_form(settings.parameters(MOTIFS), ids, base)
         form = _form(x_name, x_values, y_name, y_values, seeds)
         if problems:
             set_props("sweep-base-fold", {"value": "base"})
@@ -159,13 +160,12 @@ def _ask(app: Dash, workspace: Workspace) -> None:
         try:
             if not name or form is None:
                 raise WorkspaceError("Choose a dataset first; the library has none yet.")
-            parameters = results.not_default(taken)
-            request = reading.request_of(name, sweep := reading.sweep_of(form, parameters))
+            change = settings.view_of(MOTIFS, taken)
+            request = reading.request_of(name, sweep := reading.sweep_of(form, change))
             dataset = workspace.open(name)
             if reading.table_of(workspace, dataset, sweep).n_ready < len(sweep.points()):
                 set_props("job-started", {"data": jobs.start(workspace, request).id})
-            set_props("parameters", {"data": parameters})
-            set_props("view-change", {"data": reading.view_of(form)})
+            set_props("view-change", {"data": reading.view_of(form) | change})
         except (ParameterError, WorkspaceError) as error:
             set_props("notices", {"sendNotifications": [notice("Cannot run the sweep", str(error), "red")]})
         return [None] * len(ids)
@@ -178,7 +178,6 @@ def _look(app: Dash, workspace: Workspace) -> None:
         Output("sweep-seen", "data"),
         Output("sweep-result", "className"),
         Input("dataset", "data"),
-        Input("parameters", "data"),
         Input("view", "data"),
         Input("jobs-seen", "data"),
         Input("jobs-finished", "data"),
@@ -186,10 +185,10 @@ def _look(app: Dash, workspace: Workspace) -> None:
         State("sweep-status-of", "data"),
         State("sweep-seen", "data"),
     )
-    def look(name, parameters, view, _seen, _finished, _page, spoken, seen):
+    def look(name, view, _seen, _finished, _page, spoken, seen):
         problem, shown, job = "", None, None
         try:
-            shown = shown_sweep(workspace, name, parameters, view)
+            shown = shown_sweep(workspace, name, view)
             if shown is not None:
                 job = workspace.jobs.latest(analyses.key(workspace, reading.request_of(name, shown.sweep)))
         except (ParameterError, WorkspaceError) as error:
@@ -207,7 +206,7 @@ def _look(app: Dash, workspace: Workspace) -> None:
 
 
 def _draw(app: Dash, workspace: Workspace) -> None:
-    where = (State("dataset", "data"), State("parameters", "data"), State("view", "data"))
+    where = (State("dataset", "data"), State("view", "data"))
 
     @app.callback(
         *(Output(f"sweep-at-{side}", prop) for side in "xy" for prop in ("data", "value")),
@@ -313,10 +312,10 @@ def _usual(table: SweepTable, name: str) -> str | None:
     return next((write_value(value) for value in at.values()), None)
 
 
-def _shown(workspace: Workspace, name: str | None, parameters: Any, view: Any) -> Shown | None:
+def _shown(workspace: Workspace, name: str | None, view: Any) -> Shown | None:
     """The sweep shown where any point of it is there."""
     try:
-        shown = shown_sweep(workspace, name, parameters, view)
+        shown = shown_sweep(workspace, name, view)
     except (ParameterError, WorkspaceError):
         return None
     return shown if shown is not None and shown.table.n_ready else None

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import shlex
 from collections.abc import Mapping
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -12,10 +13,13 @@ from core import analyses
 from core.errors import ParameterError
 from core.figures import read_figures
 from core.mocap.dataset import Dataset
-from core.motifs.axes import USUAL, SweepParameters, read_axis, read_values, write_axis, write_value
+from core.motifs.axes import USUAL, SweepParameters, read_axis, read_values, write_axis
+from core.motifs.parameters import MotifParameters
 from core.motifs.sweep_table import SweepTable
+from core.parameters import write_value
 from core.workspace import Workspace
-from webapp.shell import results
+from webapp.shell import links, settings
+from webapp.shell.results import MOTIFS
 
 NO_AXIS = "none"
 SEEDS = 3
@@ -75,16 +79,21 @@ def problems_of(form: Form) -> dict[str, str]:
     return found
 
 
-def sweep_of(form: Form, parameters: Mapping[str, str] | None) -> SweepParameters:
-    """The sweep that a form asks for, all else as in ``parameters``, seeds from 0. Raises ParameterError."""
+def sweep_of(form: Form, view: Mapping[str, str] | None) -> SweepParameters:
+    """The sweep that a form asks for, all else as the settings in ``view``, seeds from 0. Raises ParameterError."""
     problems = problems_of(form)
     if problems:
         raise ParameterError(" ".join(problems.values()))
-    base = dict(results.motif_request("", parameters).parameters) | {"seed": 0}
+    base = dict(settings.request_of(MOTIFS, "", view).parameters) | {"seed": 0}
     axes = [text for text in (view_of(form)["x"], view_of(form)["y"]) if text != NO_AXIS]
     for name, _ in map(read_axis, axes):
         base.pop(name, None)  # the axis says it, and its old value may not fit the others
     return SweepParameters(";".join(axes), int(form.seeds), json.dumps(base))
+
+
+def link_to_point(dataset: str, point: MotifParameters) -> str:
+    """The address that opens the result of a point on the Motifs page."""
+    return links.format_link(links.View("motifs", dataset, view=settings.in_link(MOTIFS, asdict(point))))
 
 
 def request_of(name: str, sweep: SweepParameters) -> analyses.Request:

@@ -77,7 +77,7 @@ def test_a_selection_plays_all_occurrences_one_or_a_coloured_stretch(workspace, 
     own = found.terminals.segments[action]
 
     def played(selection):
-        return playback.selected_request(workspace, "demo", {}, selection, VIEW)
+        return playback.selected_request(workspace, "demo", selection, VIEW)
 
     together = played({"action": action})
     assert len(together["items"]) == min(len(own), playing.MOST_FIGURES)
@@ -93,8 +93,8 @@ def test_a_selection_plays_all_occurrences_one_or_a_coloured_stretch(workspace, 
     ]
     assert "colours" not in played({"clip": clip.name})["items"][0]
     assert played({"action": 99}) is None
-    assert "no action 99; it has 8" in playback.missing(workspace, "demo", {}, {"action": 99}, VIEW)
-    assert playback.missing(workspace, "demo", {}, {"action": 7}, VIEW) is None
+    assert "no action 99; it has 8" in playback.missing(workspace, "demo", {"action": 99}, VIEW)
+    assert playback.missing(workspace, "demo", {"action": 7}, VIEW) is None
 
 
 def test_what_plays_together_is_spread_over_the_list(found):

@@ -95,12 +95,18 @@ def test_a_motif_plays_beside_its_partners(dataset):
 
 
 @pytest.mark.parametrize(
-    "settings", [{}, {"kappa": 250}, {"rho": 0.5, "seed": 3, "adjacency": "spheres", "reach": 0.001}]
+    "settings",
+    [
+        {},
+        {"kappa": 250},
+        {"rho": 0.5, "seed": 3, "adjacency": "spheres", "reach": 0.001},
+        {"rho": 1.2345678, "analysis_fps": 29.97, "gamma": 3.0000000000000004},
+    ],
 )
 def test_settings_of_the_other_result_stand_in_a_link(settings):
-    text = compare_view.write_parameters(settings)
-    assert compare_view.read_parameters(text) == {name: str(value) for name, value in settings.items()}
-    assert text == compare_view.write_parameters(dict(reversed(settings.items())))
+    text = compare_view.write_other(settings)
+    assert compare_view.read_other(text) == {name: str(value) for name, value in settings.items()}
+    assert text == compare_view.write_other(dict(reversed(settings.items())))
     view, problems = parse("/motifs", f"?view=compare&other={text}&gained=3&stability=2,2")
     assert not problems and dict(view.view) == {"view": "compare", "other": text, "gained": "3", "stability": "2,2"}
     assert set(view.view) <= set(view_keys()["motifs"])
@@ -108,7 +114,7 @@ def test_settings_of_the_other_result_stand_in_a_link(settings):
 
 @pytest.mark.parametrize("text", ["", "default", "kappa", "kappa:", "kappa:lots", "nonsense:4", ":::,,,"])
 def test_settings_that_make_no_sense_are_left_out(text):
-    assert compare_view.read_parameters(text) == {}
+    assert compare_view.read_other(text) == {}
 
 
 def test_earlier_results_and_neighbours_are_offered_but_not_the_result_itself(tmp_path):

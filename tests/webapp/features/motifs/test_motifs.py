@@ -21,6 +21,7 @@ from webapp.features.motifs.figures.drawing import graph_svg
 from webapp.features.motifs.figures.placement import place_boxes, spread
 from webapp.features.motifs.layout import metric_tiles, motion_list, selection_panel
 from webapp.shell import playback, results, theme
+from webapp.shell import settings as page_settings
 from webapp.shell.identifiers import Pattern
 from webapp.ui import tables
 from webapp.ui.parameter_form import parameter_form, read_form, summary
@@ -239,7 +240,7 @@ def test_every_parameter_has_a_control_and_help():
 
 
 def test_links_hold_only_what_differs_from_the_defaults():
-    request = results.motif_request("demo", {"kappa": "200", "rho": "1", "gamma": "fast"})
-    assert results.not_default(request.parameters) == {"kappa": "200"}
-    assert len(results.refused({"gamma": "fast", "kappa": "200"})) == 1
+    request = page_settings.request_of("motifs", "demo", {"kappa": "200", "rho": "1", "gamma": "fast"})
+    assert page_settings.not_default("motifs", request.parameters) == {"kappa": "200"}
+    assert len(page_settings.refused("motifs", {"gamma": "fast", "kappa": "200"})) == 1
     assert summary({}) == "Default settings" and summary({"kappa": "200"}) == "kappa 200"

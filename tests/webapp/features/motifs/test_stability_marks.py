@@ -8,7 +8,7 @@ from core import analyses
 from core.workspace import Workspace
 from tests.core.motifs.recordings import recurring
 from webapp.app import create_app
-from webapp.features.motifs import stability_marks
+from webapp.features.motifs import stability_marks, stability_request
 from webapp.shell import results
 
 SETTINGS = {"kappa": "60", "min_letters": "3"}
@@ -32,17 +32,23 @@ def test_a_link_says_repetitions_and_degrees_of_noise():
         ("", (2, 2.0)),
         (None, (2, 2.0)),
     ):
-        values = analyses.normalise(results.stability_request("r", SETTINGS, text)).parameters
+        values = analyses.normalise(stability_request.request("r", SETTINGS, text)).parameters
         assert (values["repetitions"], values["noise_degrees"], values["kappa"]) == (*wanted, 60)
 
 
+def test_a_link_holds_every_digit():
+    text = stability_request.write(3, 1.2345678)
+    assert text == "3,1.2345678" and stability_request.write(2, 2.0) == "2,2"
+    assert stability_request.request("r", SETTINGS, text).parameters["noise_degrees"] == 1.2345678
+
+
 def test_what_is_measured_is_found_again_and_shown(workspace):
-    assert results.stability(workspace, "r", SETTINGS, "1,1") is None
-    job = results.stability_job(workspace, "r", SETTINGS, "1,1")
+    assert stability_request.stored(workspace, "r", SETTINGS, "1,1") is None
+    job = stability_request.latest_job(workspace, "r", SETTINGS, "1,1")
     assert job is None and stability_marks.status("1,1", None, None, "").children == "Not measured yet for this result."
-    found = analyses.run(workspace, results.stability_request("r", SETTINGS, "1,1"))
-    assert results.stability(workspace, "r", SETTINGS, "1,1") is found
-    assert results.stability_job(workspace, "r", SETTINGS, "1,1").state == "done"
+    found = analyses.run(workspace, stability_request.request("r", SETTINGS, "1,1"))
+    assert stability_request.stored(workspace, "r", SETTINGS, "1,1") is found
+    assert stability_request.latest_job(workspace, "r", SETTINGS, "1,1").state == "done"
     shown = stability_marks.shown_values(found)
     graph = results.motif_graph(workspace, "r", SETTINGS)
     assert set(shown["motifs"]) == {str(motif.id) for motif in graph.motifs} and shown["repeats"] == len(found.repeats)
@@ -63,7 +69,7 @@ def test_the_figures_can_be_saved_once_they_are_there(workspace):
     query = "dataset=r&kappa=60&min_letters=3"
     missing = browser.get(f"/api/stability.json?{query}&stability=2,4")
     assert missing.status_code == 404 and "not been measured" in missing.get_json()["error"]
-    analyses.run(workspace, results.stability_request("r", SETTINGS, "1,1"))
+    analyses.run(workspace, stability_request.request("r", SETTINGS, "1,1"))
     there = browser.get(f"/api/stability.json?{query}&stability=1,1")
     assert there.status_code == 200 and there.get_json()["format"] == "motionscape/stability/1"
     assert "r-stability.json" in there.headers["Content-Disposition"]

@@ -33,7 +33,7 @@ def data_of(workspace: Workspace, **view: str) -> dict:
     """What the browser gets for a link that says this."""
     dataset, graph = workspace.open("demo"), results.motif_graph(workspace, "demo", {})
     key = results.motif_graph_key(workspace, "demo", {})
-    return walks.walk_data(workspace, dataset, graph, key, {}, {"side": "walk", **view}, {0: "first"})
+    return walks.walk_data(workspace, dataset, graph, key, {"side": "walk", **view}, {0: "first"})
 
 
 def test_a_walk_is_shown_played_and_saved(place: Path) -> None:
@@ -110,7 +110,7 @@ def test_links_keep_what_says_which_walk_it_is() -> None:
     link = links.format_link(links.View("motifs", "demo", view=view))
     back, problems = links.parse(*link.split("?"))
     assert dict(back.view) == view and not problems
-    asked = walks.walk_request("demo", {"kappa": "50"}, back.view)
+    asked = walks.walk_request("demo", {"kappa": "50", **back.view})
     assert asked.parameters == {
         **{"kappa": 50, "path": "random:30:7", "further": True, "gaps": "bridge"},
         **{"dead_end": "stop", "keep_feet": False},

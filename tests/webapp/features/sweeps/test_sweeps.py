@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from core import analyses
 from core.errors import ParameterError
 from core.motifs.axes import points_of, sweepable
 from core.motifs.parameters import MotifParameters
@@ -23,7 +24,7 @@ from webapp.features.sweeps.commands import sweep_parameters
 from webapp.features.sweeps.figures import charts
 from webapp.features.sweeps.figures import rows as sweep_rows
 from webapp.features.sweeps.figures.measures import MEASURES, PAIRS, pairs_of
-from webapp.shell import links
+from webapp.shell import links, results, settings
 
 AXES = {"kappa": (50, 100, 200), "rho": (0.2, 1.0)}
 POINTS = points_of(MotifParameters(), AXES, 3)
@@ -60,9 +61,9 @@ def test_a_view_without_a_sweep_means_the_papers_ranges():
 def test_a_view_goes_through_the_form_and_the_link_unchanged(view):
     form = reading.form_of(None, view)
     assert reading.view_of(form) == view and reading.problems_of(form) == {}
-    link = links.format_link(links.View("sweeps", "demo", {"gamma": "2"}, view=view))
-    back, problems = links.parse(*link.split("?", 1), ("gamma",))
-    assert dict(back.view) == view and problems == ()
+    link = links.format_link(links.View("sweeps", "demo", view={"gamma": "2", **view}))
+    back, problems = links.parse(*link.split("?", 1))
+    assert dict(back.view) == {"gamma": "2", **view} and problems == ()
 
 
 @pytest.mark.parametrize(
@@ -128,12 +129,49 @@ def test_the_copied_command_and_script_are_the_same_sweep(tmp_path):
 def test_a_shown_sweep_links_to_the_motifs_page(tmp_path):
     workspace = Workspace(tmp_path / "space")
     workspace.add_dataset("moves", recurring(0))
-    shown = shown_sweep(workspace, "moves", {"gamma": "2"}, {"x": "kappa:20,30", "y": "none", "seeds": "2"})
+    shown = shown_sweep(workspace, "moves", {"gamma": "2", "x": "kappa:20,30", "y": "none", "seeds": "2"})
     assert isinstance(shown, Shown) and (shown.table.n_ready, shown.table.shape) == (0, (2, 2))
     assert shown.link(shown.sweep.points()[1]) == "/motifs?dataset=moves&kappa=20&gamma=2&seed=1"
-    fine = shown_sweep(workspace, "moves", {}, {"x": "rho:0.3333333333333333", "y": "none", "seeds": "1"})
+    fine = shown_sweep(workspace, "moves", {"x": "rho:0.3333333333333333", "y": "none", "seeds": "1"})
     assert fine.link(fine.sweep.points()[0]).endswith("&rho=0.3333333333333333"), "to the very result"
-    assert shown_sweep(workspace, None, {}, {}) is None
+    assert shown_sweep(workspace, None, {}) is None
+
+
+AWKWARD = [
+    {"x": "rho:1.2345678,0.30000000000000004,0.2", "y": "kappa:auto,19999", "seeds": "2", "analysis_fps": "29.97"},
+    {"x": "reach:0.0010000000000000002,0.1", "y": "strictness:0.1,0.7071067811865476", "seeds": "1", "kappa": "12345"},
+    {"x": "min_letters:3,12", "y": "gamma:1.0000000000000002,3.9999999999999996", "seeds": "1", "max_letters": "12"}
+    | {"min_letters": "29"},
+    {"x": "adjacency:radius,spheres", "y": "none", "seeds": "20", "rho": "1.2345678", "hold": "1e-3"},
+]
+
+
+@pytest.mark.parametrize("view", AWKWARD)
+def test_the_link_of_every_point_opens_its_own_result(tmp_path, view):
+    workspace = Workspace(tmp_path / "space")
+    workspace.add_dataset("moves & more", recurring(0))
+    shown = shown_sweep(workspace, "moves & more", view)
+    fingerprint, points = shown.dataset.fingerprint, shown.sweep.points()
+    assert len({shown.link(point) for point in points}) == len(points)
+    for point in points:
+        path, _, query = shown.link(point).partition("?")
+        opened, problems = links.parse(path, query)
+        kept, refused = settings.usable(opened.page, opened.view)
+        assert (problems, refused) == ((), ()) and kept == dict(opened.view)
+        request = settings.request_of("motifs", opened.dataset, kept)
+        assert analyses.key(workspace, request) == analyses.point_key(fingerprint, point)
+
+
+def test_the_link_of_every_point_finds_what_the_sweep_stored(tmp_path):
+    workspace = Workspace(tmp_path / "space")
+    workspace.add_dataset("moves", recurring(0))
+    view = {"x": "rho:1.2345678,0.30000000000000004", "y": "kappa:20,25", "seeds": "1", "analysis_fps": "29.97"}
+    shown = shown_sweep(workspace, "moves", view)
+    analyses.run(workspace, reading.request_of("moves", shown.sweep))
+    for point in shown.sweep.points():
+        opened, _ = links.parse(*shown.link(point).split("?", 1))
+        graph = results.motif_graph(workspace, opened.dataset, opened.view)
+        assert graph is not None and graph.parameters["rho"] == point.rho and graph.parameters["kappa"] == point.kappa
 
 
 def test_lines_hold_every_point_with_its_link_and_the_spread():

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 import plotly.graph_objects as go
 
-from core.motifs.axes import write_value
 from core.motifs.parameters import MotifParameters
 from core.motifs.suggestion import CLEAR, Suggestion
 from core.motifs.sweep_table import SweepTable
+from core.parameters import write_value
 from webapp.features.sweeps.figures.measures import MEASURES, axis_name, is_even, is_log
 from webapp.shell import theme
 from webapp.ui.charts import HEAT, SERIES, themed

@@ -9,11 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from core.motifs.axes import write_value
 from core.motifs.parameters import MotifParameters
 from core.motifs.suggestion import CLEAR, Suggestion, suggest
 from core.motifs.sweep_table import SweepTable
-from core.parameters import parameters_of
+from core.parameters import parameters_of, write_value
 from webapp.features.sweeps.figures.measures import MEASURES, axis_name, is_even, is_log, pairs_of, place
 
 WIDTH, HEIGHT = 680, 420

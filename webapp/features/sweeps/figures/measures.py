@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
-from core.motifs.axes import write_value
 from core.motifs.sweep_table import SweepTable
+from core.parameters import write_value
 
 
 class Measure(NamedTuple):
