@@ -15,8 +15,9 @@ from pathlib import Path
 DOCUMENT = Path(__file__).resolve().parents[1] / "docs" / "benchmarks.md"
 HEAD = """# Benchmarks
 
-Each table was measured in one run on one machine (two shared cores), so compare ratios within a table and never
-times between tables. `python -m benchmarks` writes this file; a section names the command that makes it alone.
+Each table was measured in one run on one machine with two shared cores. Compare ratios within a table, never times
+between tables. `python -m benchmarks` writes this page, and each section names the command that makes it alone.
+Recordings other than the demo are public collections; `MOTIONSCAPE_SHARED` names the folder that holds them.
 """
 
 
