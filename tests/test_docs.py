@@ -22,6 +22,7 @@ from core import Workspace, open_dataset
 from core.analyses import METHODS, parameters
 from core.demo import write_demo
 from core.errors import ParameterError
+from webapp.app import create_app
 from webapp.cli.main import _parser
 from webapp.shell.feature import Feature, features, unregister
 
@@ -113,6 +114,13 @@ def test_all_that_a_feature_can_bring_is_described():
     table = text.partition("## What a feature can bring")[2].partition("\n## ")[0]
     cells = "".join(re.findall(r"^\| (`.*?) \|", table, re.MULTILINE))
     assert set(re.findall(r"`(\w+)`", cells)) - {"Feature"} == {field.name for field in fields(Feature)}
+
+
+def test_all_routes_are_described(tmp_path):
+    rules = {re.sub(r"<\w+:", "<", rule.rule) for rule in create_app(tmp_path).server.url_map.iter_rules()}
+    text = (ROOT / "docs" / "reference" / "pages.md").read_text(encoding="utf-8")
+    described = set(re.findall(r"`(/api/[^`]+)`", text.partition("## Routes")[2]))
+    assert described == {rule for rule in rules if rule.startswith("/api/")}
 
 
 def test_values_of_settings_can_be_used():
