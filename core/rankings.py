@@ -40,9 +40,14 @@ class RankingParameters:
         "bounded-edit,parts,printed", "What is compared, with commas between: " + ", ".join(KNOWN) + "."
     )
     queries: int = parameter(
-        300, "Clips that are searched for, spread evenly over all; each is compared with every other.", 1, 100_000, 1
+        300,
+        "Clips that are searched for, spread evenly over all; each is compared with every other.",
+        1,
+        100_000,
+        1,
+        label="Clips searched for",
     )
-    seed: int = parameter(0, "Number that starts the random choices.", 0, None, 1, advanced=True)
+    seed: int = parameter(0, "Number that starts the random choices.", 0, None, 1, advanced=True, label="Random seed")
 
     def __post_init__(self) -> None:
         if not self.names:

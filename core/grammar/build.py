@@ -36,37 +36,54 @@ class GrammarParameters(TerminalParameters):
         "auto",
         "clips = every recording is one sentence; shortest = cut recordings where that makes the description shortest; "
         "auto = clips where there are eight or more.",
-        choices=("auto", "clips", "shortest"),
+        choices=("auto", "clips", "shortest"), label="A routine is",
     )  # fmt: skip
     repeats: str = parameter(
         "keep",
         "keep = an action done again counts again; join = the same action several times in a row counts as one.",
-        choices=("keep", "join"),
+        choices=("keep", "join"), label="The same action in a row",
     )  # fmt: skip
-    min_sentence: int = parameter(3, "With shortest: actions that a sentence has at least.", 1, 1000, 1, advanced=True)
-    candidates: int = parameter(40, "With shortest: ways to cut that are tried.", 0, 10_000, 10, advanced=True)
+    min_sentence: int = parameter(
+        3,
+        "With shortest: actions that a sentence has at least.",
+        1,
+        1000,
+        1,
+        advanced=True,
+        label="Shortest routine (actions)",
+    )
+    candidates: int = parameter(
+        40,
+        "With shortest: ways to cut that are tried.",
+        0,
+        10_000,
+        10,
+        advanced=True,
+        label="Ways to cut that are tried",
+    )
     align: str = parameter(
         "auto",
         "pairs = every two sentences side by side; contexts = whatever stands between equal actions; auto = what gives "
         "the shorter description.",
-        choices=("auto", "pairs", "contexts"), advanced=True,
+        choices=("auto", "pairs", "contexts"), advanced=True, label="Routines are laid side by side",
     )  # fmt: skip
     select: str = parameter(
         "saving",
         "Which of overlapping phrases is kept: saving = the one that saves most writing; branch = the most usual of "
         "its kind, as in the 2011 paper; leaf = the one whose actions recur most.",
-        choices=("saving", "branch", "leaf"), advanced=True,
+        choices=("saving", "branch", "leaf"), advanced=True, label="Overlapping phrases",
     )  # fmt: skip
     touching: bool = parameter(
         False,
         "Let phrases meet: more new sentences, and neighbours among their actions that were never seen.",
         advanced=True,
+        label="Phrases may meet",
     )
     merge: str = parameter(
         "side",
         "Make phrases one kind where that shortens the description: side = if they also stand beside the same action; "
         "rules = wherever; no = never.",
-        choices=("side", "rules", "no"), advanced=True,
+        choices=("side", "rules", "no"), advanced=True, label="Phrases of one kind",
     )  # fmt: skip
 
     def __post_init__(self) -> None:

@@ -17,23 +17,35 @@ class TerminalParameters:
     Raises ParameterError, in plain words, for a value out of range.
     """
 
-    n_terminals: int = parameter(20, "How many elementary actions to tell apart.", 1, 500, 1)
+    n_terminals: int = parameter(20, "How many elementary actions to tell apart.", 1, 500, 1, label="Number of actions")
     weight: float = parameter(
-        0.02, "Higher: fewer, longer repeats count more; lower: likeness within an action counts more.", 0.0, 1.0, 0.01
+        0.02,
+        "Higher: fewer, longer repeats count more; lower: likeness within an action counts more.",
+        0.0,
+        1.0,
+        0.01,
+        label="Repeated or alike",
     )
-    min_seconds: float = parameter(1.25, "The shortest piece an action may have, in seconds.", 0.1, 10.0, 0.1)
-    max_seconds: float = parameter(4.0, "The longest piece an action may have, in seconds.", 0.2, 30.0, 0.1)
+    min_seconds: float = parameter(
+        1.25, "The shortest piece an action may have, in seconds.", 0.1, 10.0, 0.1, label="Shortest piece (s)"
+    )
+    max_seconds: float = parameter(
+        4.0, "The longest piece an action may have, in seconds.", 0.2, 30.0, 0.1, label="Longest piece (s)"
+    )
     method: str = parameter(
         "alternation",
         "alternation = fast; paper = the 2011 paper's genetic search and fine tuning (slow); annealing = the same, "
         "with true annealing.",
         choices=METHODS,
+        label="How they are found",
     )
-    mirror: bool = parameter(True, "Whether a motion to the left and the same to the right are one action.")
+    mirror: bool = parameter(
+        True, "Whether a motion to the left and the same to the right are one action.", label="Left and right alike"
+    )
     pose: str = parameter(
         "positions",
         "What is compared: positions = where the joints are, seen from the pelvis; angles = how the joints are bent.",
-        choices=("positions", "angles"), advanced=True,
+        choices=("positions", "angles"), advanced=True, label="What a posture is",
     )  # fmt: skip
     velocity: float = parameter(
         0.25,
@@ -42,25 +54,53 @@ class TerminalParameters:
         2.0,
         0.05,
         advanced=True,
+        label="Movement counts",
     )
     starts: int = parameter(
-        8, "With alternation: random beginnings, of which the best goes on.", 1, 1000, 1, advanced=True
+        8,
+        "With alternation: random beginnings, of which the best goes on.",
+        1,
+        1000,
+        1,
+        advanced=True,
+        label="Beginnings tried",
     )
     crossings: int = parameter(
         16, "With alternation: attempts to make a better one of several beginnings' results.", 0, 10_000, 1,
         advanced=True,
     )  # fmt: skip
-    grid: int = parameter(15, "With paper and annealing: frames between possible cuts.", 1, 1000, 1, advanced=True)
+    grid: int = parameter(
+        15,
+        "With paper and annealing: frames between possible cuts.",
+        1,
+        1000,
+        1,
+        advanced=True,
+        label="Frames between cuts",
+    )
     population: int = parameter(
         100, "With paper and annealing: segmentations alive at a time.", 2, 10_000, 1, advanced=True
     )
     generations: int = parameter(500, "With paper and annealing: generations.", 1, 100_000, 10, advanced=True)
     iterations: int = parameter(
-        1000, "With paper and annealing: attempts to move single cuts.", 0, 1_000_000, 100, advanced=True
+        1000,
+        "With paper and annealing: attempts to move single cuts.",
+        0,
+        1_000_000,
+        100,
+        advanced=True,
+        label="Fine steps",
     )
-    analysis_fps: float = parameter(15.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0, advanced=True)
+    analysis_fps: float = parameter(
+        15.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0, advanced=True, label="Frames per second"
+    )
     seed: int = parameter(
-        0, "Number that starts the random choices; the same number gives the same result.", 0, None, 1
+        0,
+        "Number that starts the random choices; the same number gives the same result.",
+        0,
+        None,
+        1,
+        label="Random seed",
     )
 
     def __post_init__(self) -> None:

@@ -31,29 +31,41 @@ class MapParameters:
     grid: str = parameter(
         "30x30",
         "Nodes across and down: more show finer differences between postures, and give more icons to choose from.",
+        label="Nodes across and down",
     )
-    analysis_fps: float = parameter(30.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0)
+    analysis_fps: float = parameter(
+        30.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0, label="Frames per second"
+    )
     samples: int = parameter(
-        2000, "About how many different postures the map learns from; near-equal ones count once.", 50, 100_000, 50
+        2000,
+        "About how many different postures the map learns from; near-equal ones count once.",
+        50,
+        100_000,
+        50,
+        label="Postures to learn from",
     )
     sigma: float = parameter(
         0.7,
         "How smooth the map ends up: higher keeps neighbours more alike, lower follows single postures.",
-        0.2, 5.0, 0.1,
+        0.2, 5.0, 0.1, label="Smoothness (sigma)",
     )  # fmt: skip
-    epochs: int = parameter(24, "How many times the map is adapted.", 1, 1000, 1, advanced=True)
+    epochs: int = parameter(24, "How many times the map is adapted.", 1, 1000, 1, advanced=True, label="Rounds")
     training: str = parameter(
         "batch",
         "batch = fast, all postures at once; online = the 2004 paper's own schedule, one posture at a time (slow).",
         choices=("batch", "online"), advanced=True,
     )  # fmt: skip
-    passes: int = parameter(PASSES, "With online: passes over all samples.", 1, 10_000, 1, advanced=True)
-    seed: int = parameter(0, "Number that starts the random choices; the same number gives the same map.", 0, None, 1)
+    passes: int = parameter(
+        PASSES, "With online: passes over all samples.", 1, 10_000, 1, advanced=True, label="Passes (online)"
+    )
+    seed: int = parameter(
+        0, "Number that starts the random choices; the same number gives the same map.", 0, None, 1, label="Random seed"
+    )
     model: str = parameter(
         "",
         "Key of an earlier map in the workspace: its postures stay, and the clips are only put on them. "
         "Then the other settings do nothing.",
-        advanced=True,
+        advanced=True, label="Earlier map",
     )  # fmt: skip
 
     def __post_init__(self) -> None:

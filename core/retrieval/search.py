@@ -46,14 +46,18 @@ class SearchParameters:
         "of parts of the body, repaired. printed = the same with the paper's own matching, to compare with.",
         choices=tuple(ENGINES),
     )
-    analysis_fps: float = parameter(30.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0, advanced=True)
+    analysis_fps: float = parameter(
+        30.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0, advanced=True, label="Frames per second"
+    )
     pattern_error: float = parameter(
         0.6,
         "With parts and printed: how far a movement may be from its pattern, as a share of their spread; "
         "less makes more patterns.",
         0.1, 5.0, 0.1, advanced=True,
     )  # fmt: skip
-    seed: int = parameter(0, "Number that starts the random choices; equal numbers give equal indexes.", 0, None, 1)
+    seed: int = parameter(
+        0, "Number that starts the random choices; equal numbers give equal indexes.", 0, None, 1, label="Random seed"
+    )
 
     def __post_init__(self) -> None:
         if self.method not in ENGINES:

@@ -70,7 +70,8 @@ def usable(page: str, view: Mapping[str, str]) -> tuple[dict[str, str], tuple[st
     Whether settings go together is checked for the methods of ``page`` alone: a sweep puts other values in the place of
     those that stand in the link.
     """
-    kept, problems = dict(view), []
+    kept = dict(view)
+    problems: list[str] = []
     for feature in features():
         for name in feature.methods:
             values, wrong = _read(name, view)
@@ -166,9 +167,10 @@ def earlier(workspace: Workspace, name: str, dataset: str | None) -> list[tuple[
 
 def _read(name: str, view: Mapping[str, Any] | None) -> tuple[dict[str, Any], dict[str, str]]:
     """Values of a view by parameter, and what is wrong with the others: parameter -> sentence."""
+    given = texts(name, view)
     values, problems = {}, {}
-    for parameter in parameters(name) if view else ():
-        text = view.get(key(name, parameter.name))
+    for parameter in parameters(name) if given else ():
+        text = given.get(key(name, parameter.name))
         if text not in (None, ""):
             try:
                 values[parameter.name] = parameter.parse(text)
@@ -188,7 +190,7 @@ def _problem(name: str, values: Mapping[str, Any]) -> str:
 
 def _going_together(name: str, values: Mapping[str, Any]) -> dict[str, Any]:
     """These values without the last one that keeps the method from taking them; none where no single one does."""
-    for left_out in reversed(values):
+    for left_out in reversed(list(values)):
         others = {parameter: value for parameter, value in values.items() if parameter != left_out}
         if not _problem(name, others):
             return others

@@ -53,7 +53,7 @@ def register(app: dash.Dash, workspace: Workspace) -> None:
         if more:
             view = links.without_selection(view)
         others = settings.of_other_pages(view.page, shown) if dataset == current else {}
-        return dataset, dict(view.selection), others | view.view, dict(view.stage)
+        return dataset, dict(view.selection), others | dict(view.view), dict(view.stage)
 
     @app.callback(
         Output("dataset-picker", "data"),

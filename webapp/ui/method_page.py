@@ -9,7 +9,7 @@ in the frame of the app (:func:`stores`) where other pages show the result too.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from datetime import datetime
 
 import dash_mantine_components as dmc
@@ -37,9 +37,9 @@ class MethodPage:
 
     page: its name, as in Feature.methods; title: what the result is called ("Motion map"); action: what the button
     says ("Build map"); doing: what the job does ("Building the map"); hint: what the result shows, one sentence;
-    labels: everyday names of parameters; without: parameters that the page sets in another way; refused: title of the
-    notice where the job cannot start; run_symbol: the button's icon where it is not ``symbol``; everywhere: whether
-    other pages show the result too (see :func:`stores`).
+    without: parameters that the page sets in another way; refused: title of the notice where the job cannot start;
+    run_symbol: the button's icon where it is not ``symbol``; everywhere: whether other pages show the result too (see
+    :func:`stores`).
     """
 
     page: str
@@ -48,7 +48,6 @@ class MethodPage:
     doing: str
     symbol: str
     hint: str
-    labels: Mapping[str, str] = field(default_factory=dict)
     without: Collection[str] = ()
     refused: str = ""
     run_symbol: str = ""
@@ -120,9 +119,7 @@ def _form(app: Dash, of: MethodPage) -> None:
     )
     def show_form(view):
         values = settings.request_of(of.page, "", view).parameters
-        return parameter_form(of.shown, values, of.names.control, of.labels), summary(
-            settings.not_default(of.page, values)
-        )
+        return parameter_form(of.shown, values, of.names.control), summary(settings.not_default(of.page, values))
 
 
 def _run(app: Dash, workspace: Workspace, of: MethodPage) -> None:

@@ -1,9 +1,8 @@
-"""A form for the parameters of any method, made from their own descriptions; only everyday names are given to it."""
+"""A form for the parameters of any method, made from their own descriptions."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from types import MappingProxyType
 from typing import Any
 
 import dash_mantine_components as dmc
@@ -16,18 +15,11 @@ from webapp.shell.attributes import attributes
 from webapp.shell.icons import icon
 from webapp.shell.identifiers import Pattern
 
-NO_LABELS: Mapping[str, str] = MappingProxyType({})
 
-
-def parameter_form(
-    parameters: Sequence[Parameter], values: Mapping[str, Any], control: Pattern, labels: Mapping[str, str] = NO_LABELS
-) -> Component:
-    """One control a parameter, its id ``control(name)``; the advanced ones folded away.
-
-    labels: everyday names to use instead of the parameters' own.
-    """
-    folded = [_control(p, values, control, labels) for p in parameters if p.advanced]
-    plain = [_control(p, values, control, labels) for p in parameters if not p.advanced]
+def parameter_form(parameters: Sequence[Parameter], values: Mapping[str, Any], control: Pattern) -> Component:
+    """One control a parameter, its id ``control(name)``; the advanced ones folded away."""
+    folded = [_control(p, values, control) for p in parameters if p.advanced]
+    plain = [_control(p, values, control) for p in parameters if not p.advanced]
     parts: list[Component] = [html.Div(plain, className="form-grid")]
     if folded:
         parts.append(
@@ -71,8 +63,8 @@ def summary(parameters: Mapping[str, Any]) -> str:
     return ", ".join(f"{name.replace('_', ' ')} {value}" for name, value in parameters.items())
 
 
-def _control(parameter: Parameter, values: Mapping[str, Any], control: Pattern, labels: Mapping[str, str]) -> Component:
-    label = _label(parameter, labels)
+def _control(parameter: Parameter, values: Mapping[str, Any], control: Pattern) -> Component:
+    label = _label(parameter)
     identity = control(parameter.name)
     value = values.get(parameter.name, parameter.default)
     if bool in parameter.kinds:
@@ -98,8 +90,7 @@ def _control(parameter: Parameter, values: Mapping[str, Any], control: Pattern, 
     )
 
 
-def _label(parameter: Parameter, labels: Mapping[str, str]) -> Component:
-    name = labels.get(parameter.name, parameter.label)
+def _label(parameter: Parameter) -> Component:
     help_text = parameter.help.strip()
     mark = dmc.Tooltip(
         html.Span(
@@ -108,4 +99,4 @@ def _label(parameter: Parameter, labels: Mapping[str, str]) -> Component:
         label=help_text,
         events={"hover": True, "focus": True, "touch": True},
     )
-    return html.Span([name, mark], className="form-label")
+    return html.Span([parameter.label, mark], className="form-label")

@@ -119,7 +119,7 @@ def test_a_link_to_one_page_leaves_the_settings_of_others():
 
 
 PARAMETERS = (
-    Parameter("many", 3, (int,), minimum=1, maximum=9),
+    Parameter("many", 3, (int,), minimum=1, maximum=9, label="How many"),
     Parameter("name", "any", (str,)),
     Parameter("kept", True, (bool,)),
     Parameter("way", "fast", (), ("fast", "slow"), advanced=True),
@@ -127,9 +127,7 @@ PARAMETERS = (
 
 
 def test_every_kind_of_parameter_has_a_control_that_is_read_back():
-    shown = parameter_form(
-        PARAMETERS, {"kept": False, "many": 5}, Pattern("some-setting", "name"), {"many": "How many"}
-    )
+    shown = parameter_form(PARAMETERS, {"kept": False, "many": 5}, Pattern("some-setting", "name"))
     found = {part.id["name"]: part for part in shown._traverse() if isinstance(getattr(part, "id", None), dict)}
     assert set(found) == {"many", "name", "kept", "way"}
     assert found["kept"].value == "false" and found["many"].value == 5 and found["way"].value == "fast"

@@ -15,31 +15,6 @@ from webapp.ui import method_page
 from webapp.ui.method_page import MethodPage
 from webapp.ui.tile import metric_tile
 
-LABELS = {
-    "n_terminals": "Number of actions",
-    "weight": "Repeated or alike",
-    "min_seconds": "Shortest piece (s)",
-    "max_seconds": "Longest piece (s)",
-    "method": "How they are found",
-    "mirror": "Left and right alike",
-    "pose": "What a posture is",
-    "velocity": "Movement counts",
-    "starts": "Beginnings tried",
-    "grid": "Frames between cuts",
-    "population": "Population",
-    "generations": "Generations",
-    "iterations": "Fine steps",
-    "sentences": "A routine is",
-    "repeats": "The same action in a row",
-    "min_sentence": "Shortest routine (actions)",
-    "candidates": "Ways to cut that are tried",
-    "align": "Routines are laid side by side",
-    "select": "Overlapping phrases",
-    "touching": "Phrases may meet",
-    "merge": "Phrases of one kind",
-    "analysis_fps": "Frames per second",
-    "seed": "Random seed",
-}
 HINT = (
     "It cuts the recordings into short actions that recur, and finds out which actions follow which. Then you can see "
     "every recording as a string of actions, and make new motion that keeps to the same order."
@@ -51,7 +26,6 @@ METHOD = MethodPage(
     doing="Learning what follows what",
     symbol="branches",
     hint=HINT,
-    labels=LABELS,
 )
 
 

@@ -26,17 +26,6 @@ METHOD = method_page.MethodPage(
     doing="Building the map",
     symbol="map",
     hint="It lays all postures out on one plane: click postures to find the motions that pass through them.",
-    labels={
-        "grid": "Nodes across and down",
-        "analysis_fps": "Frames per second",
-        "samples": "Postures to learn from",
-        "sigma": "Smoothness (sigma)",
-        "epochs": "Rounds",
-        "training": "Training",
-        "passes": "Passes (online)",
-        "seed": "Random seed",
-        "model": "Earlier map",
-    },
 )
 BAD_FIT = 2.0  # times the usual distance: postures that the map does not know
 CLICKS = (("keys", "Keys"), ("regions", "Regions"), ("draw", "Draw"))

@@ -38,7 +38,6 @@ METHOD = MethodPage(
     doing="Comparing the engines",
     symbol="pulse",
     hint="It tells how often each engine's hits have the query's own label.",
-    labels={"queries": "Clips searched for", "seed": "Random seed"},
     without=("engines",),
 )
 _BASELINES = {

@@ -25,7 +25,6 @@ METHOD = MethodPage(
     doing="Building the search index",
     symbol="search",
     hint="Searches then answer at once, for any motion of these recordings or of your own.",
-    labels={"analysis_fps": "Frames per second", "seed": "Random seed"},
     without=("method",),
 )
 
