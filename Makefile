@@ -104,5 +104,5 @@ $(VENV)/.installed-uv: $(VENV)/bin/python
 	@touch $@
 
 clean:
-	rm -rf $(VENV) assets/node_modules build dist .pytest_cache .ruff_cache .mypy_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) $(VENV)-lowest assets/node_modules build dist .pytest_cache .ruff_cache .mypy_cache .hypothesis .import_linter_cache
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -38,7 +38,7 @@ def place_boxes(sizes: np.ndarray, edges: Edges, gap: float = 28.0, aspect: floa
 
 def _parts(n: int, edges: Edges) -> list[np.ndarray]:
     """Nodes of each connected part, the largest part first."""
-    ends = np.array(edges, int).reshape(-1, 2)
+    ends = np.array(edges, np.int32).reshape(-1, 2)
     links = csr_array((np.ones(len(ends)), (ends[:, 0], ends[:, 1])), shape=(n, n))
     count, part_of = connected_components(links, directed=False)
     parts = [np.nonzero(part_of == k)[0] for k in range(count)]
@@ -67,7 +67,7 @@ def _layout(sizes: np.ndarray, edges: Edges, rounds: int = 200) -> np.ndarray:
 
 def _graph_distances(sizes: np.ndarray, edges: Edges) -> np.ndarray:
     """Lengths ``(n, n)`` of the shortest ways along the edges; those between busy boxes are longer, to make room."""
-    ends = np.array(sorted({(min(edge), max(edge)) for edge in edges}))
+    ends = np.array(sorted({(min(edge), max(edge)) for edge in edges}), np.int32)
     degrees = np.bincount(ends.ravel())
     lengths = 1.1 * sizes.mean() * np.sqrt(np.maximum(degrees[ends].min(1) / 2, 1))
     links = csr_array((lengths, ends.T), shape=(len(sizes), len(sizes)))
