@@ -9,7 +9,7 @@ NODE_MODULES := assets/node_modules/.installed
 PIP = $(BIN)/python -m pip install --quiet --disable-pip-version-check
 PORT ?= 8050
 WORKSPACE ?= workspace
-# tests in as many processes as there are cores (four at most); a file's tests stay together, the browser's go first
+# tests in as many processes as there are cores (four at most); a file's tests stay together, in the order of tests/conftest.py
 TOGETHER ?= -n logical --maxprocesses 4 --dist loadfile --no-loadscope-reorder
 
 .PHONY: run test test-fast test-browser test-js test-lowest lock lint lint-js docs bench clean slow browser bundle

@@ -13,7 +13,7 @@ import pytest
 from hypothesis import settings
 
 REPOSITORY = Path(__file__).resolve().parents[1]
-BROWSER_TESTS = Path(__file__).parent / "browser"
+FIRST = ("browser", "webapp")  # folders whose tests wait for other processes: the short files of core fill the end
 
 # As many processes as cores run the tests: threads of linear algebra in each would wait for one another. numpy reads
 # this when it is first imported; the processes that tests start inherit it.
@@ -31,9 +31,14 @@ if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
 
 @pytest.hookimpl(tryfirst=True)  # before tests are selected by their markers
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Marks browser tests by their folder. Where CI=true is set, one that fails runs a second time."""
+    """Marks browser tests by their folder, long ones first. Where CI=true is set, one that fails runs a second time."""
+
+    def folder(item: pytest.Item) -> str:
+        return item.path.relative_to(Path(__file__).parent).parts[0]
+
+    items.sort(key=lambda item: FIRST.index(folder(item)) if folder(item) in FIRST else len(FIRST))
     for item in items:
-        if BROWSER_TESTS in item.path.parents:
+        if folder(item) == "browser":
             item.add_marker(pytest.mark.browser)
             if os.environ.get("CI") == "true":
                 item.add_marker(pytest.mark.flaky(reruns=1))
