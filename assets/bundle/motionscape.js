@@ -30,9 +30,9 @@
     mod
   ));
 
-  // ../../names/assets/node_modules/regenerator-runtime/runtime.js
+  // node_modules/regenerator-runtime/runtime.js
   var require_runtime = __commonJS({
-    "../../names/assets/node_modules/regenerator-runtime/runtime.js"(exports, module) {
+    "node_modules/regenerator-runtime/runtime.js"(exports, module) {
       var runtime = (function(exports2) {
         "use strict";
         var Op = Object.prototype;
@@ -649,6 +649,10 @@
   var VIEW = (
     /** @type {StoreId<Record<string, string>>} */
     "view"
+  );
+  var VIEW_CHANGE = (
+    /** @type {StoreId<Record<string, string | number | boolean | null>>} */
+    "view-change"
   );
   var DATASET_CHOICE = (
     /** @type {StoreId<DatasetChoice>} */
@@ -2984,7 +2988,7 @@
 
   // stage/stage.mjs
   var STATE_EVERY = 400;
-  var LAYOUT_WORDS = { overlay: "Laid over one another", side: "Side by side", pose: "Stills in rows" };
+  var LAYOUT_WORDS = { overlay: "Overlay", side: "Side by side", pose: "Stills in rows" };
   var Stage = class {
     /** @param {HTMLElement} root */
     constructor(root) {
@@ -5436,7 +5440,7 @@
       watch2(cy);
       rasterise(cy);
       const label = find(EDGE_FILTER_LABEL);
-      if (label) label.textContent = `Successions seen at least ${threshold || 1}×`;
+      if (label) label.textContent = `Transitions seen at least ${threshold || 1}×`;
       cy.batch(() => {
         cy.elements().removeClass("chosen near faded rare");
         const chosen3 = chosenIn(cy, selection);

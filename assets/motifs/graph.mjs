@@ -167,7 +167,7 @@ register("graph", {
     watch(cy);
     rasterise(cy);
     const label = find(ids.EDGE_FILTER_LABEL);
-    if (label) label.textContent = `Successions seen at least ${threshold || 1}×`;
+    if (label) label.textContent = `Transitions seen at least ${threshold || 1}×`;
     cy.batch(() => {
       cy.elements().removeClass("chosen near faded rare");
       const chosen = chosenIn(cy, selection);

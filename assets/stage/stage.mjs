@@ -19,7 +19,7 @@ import { WarpStrip } from "./warp.mjs";
 
 const STATE_EVERY = 400; // milliseconds between "stage-state" events
 /** @type {Record<string, string>} */
-const LAYOUT_WORDS = { overlay: "Laid over one another", side: "Side by side", pose: "Stills in rows" };
+const LAYOUT_WORDS = { overlay: "Overlay", side: "Side by side", pose: "Stills in rows" };
 
 export class Stage {
   /** @param {HTMLElement} root */

@@ -59,13 +59,13 @@ class GrammarParameters(TerminalParameters):
         10_000,
         10,
         advanced=True,
-        label="Ways to cut that are tried",
+        label="Divisions tried",
     )
     align: str = parameter(
         "auto",
         "pairs = every two sentences side by side; contexts = whatever stands between equal actions; auto = what gives "
         "the shorter description.",
-        choices=("auto", "pairs", "contexts"), advanced=True, label="Routines are laid side by side",
+        choices=("auto", "pairs", "contexts"), advanced=True, label="Alignment of routines",
     )  # fmt: skip
     select: str = parameter(
         "saving",
@@ -77,7 +77,7 @@ class GrammarParameters(TerminalParameters):
         False,
         "Let phrases meet: more new sentences, and neighbours among their actions that were never seen.",
         advanced=True,
-        label="Phrases may meet",
+        label="Phrases may touch",
     )
     merge: str = parameter(
         "side",

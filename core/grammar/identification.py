@@ -95,7 +95,7 @@ def limits_of(parameters: TerminalParameters, fps: float) -> tuple[int, int]:
 
 
 def _alternation(space: PoseSpace, parameters: TerminalParameters, report: Report) -> Clustering:
-    """Several random beginnings at a very low rate, what came of them recombined at a low one, the best of it at the
+    """Several random starts at a very low rate, what came of them recombined at a low one, the best of it at the
     full rate."""
     step = max(1, int(space.fps // _ROUGH_FPS))
     thin = space.thinned(step)
@@ -121,10 +121,10 @@ def _refined(
 
 
 def _beginnings(space: PoseSpace, parameters: TerminalParameters, report: Report) -> list[Clustering]:
-    """What comes of each of ``starts`` random beginnings."""
+    """What comes of each of ``starts`` random starts."""
     k, limits, beginnings = parameters.n_terminals, limits_of(parameters, space.fps), []
     for start in range(parameters.starts):
-        report("random beginnings", start / parameters.starts)
+        report("random starts", start / parameters.starts)
         rng = np.random.default_rng([parameters.seed, start])
         spans = even_cuts(space, rng.uniform(1.3 * limits[0], 0.7 * limits[1]), limits)
         if len(spans) < k:

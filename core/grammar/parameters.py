@@ -37,7 +37,7 @@ class TerminalParameters:
         "alternation = fast; paper = the 2011 paper's genetic search and fine tuning (slow); annealing = the same, "
         "with true annealing.",
         choices=METHODS,
-        label="How they are found",
+        label="Search method",
     )
     mirror: bool = parameter(
         True, "Whether a motion to the left and the same to the right are one action.", label="Left and right alike"
@@ -45,7 +45,7 @@ class TerminalParameters:
     pose: str = parameter(
         "positions",
         "What is compared: positions = where the joints are, seen from the pelvis; angles = how the joints are bent.",
-        choices=("positions", "angles"), advanced=True, label="What a posture is",
+        choices=("positions", "angles"), advanced=True, label="Posture features",
     )  # fmt: skip
     velocity: float = parameter(
         0.25,
@@ -54,16 +54,16 @@ class TerminalParameters:
         2.0,
         0.05,
         advanced=True,
-        label="Movement counts",
+        label="Weight of movement",
     )
     starts: int = parameter(
         8,
-        "With alternation: random beginnings, of which the best goes on.",
+        "With alternation: random starts, of which the best goes on.",
         1,
         1000,
         1,
         advanced=True,
-        label="Beginnings tried",
+        label="Random starts",
     )
     crossings: int = parameter(
         16, "With alternation: attempts to make a better one of several beginnings' results.", 0, 10_000, 1,
@@ -89,7 +89,7 @@ class TerminalParameters:
         1_000_000,
         100,
         advanced=True,
-        label="Fine steps",
+        label="Refinement steps",
     )
     analysis_fps: float = parameter(
         15.0, "Frames a second that are looked at.", 5.0, 240.0, 5.0, advanced=True, label="Frames per second"

@@ -40,14 +40,14 @@ STAGES = {  # words for the stages that computations report
     "postures": "computing postures",
     "samples": "choosing different postures",
     "map": "adapting the map",
-    "random beginnings": "looking for actions",
+    "random starts": "looking for actions",
     "recombination": "combining what was found",
     "genetic search": "looking for actions",
     "fine search": "cutting exactly",
     "fine tuning": "moving the cuts",
     "sentences": "dividing into routines",
-    "aligning": "laying routines side by side",
-    "held out": "trying routines held out",
+    "aligning": "aligning routines",
+    "held out": "testing held-out routines",
     "new motion": "making new motion",
 }
 

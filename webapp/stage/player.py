@@ -22,7 +22,7 @@ KEYS = (
     ("L", "repeat, back and forth, once"),
     ("G T", "ghosts, trails"),
     ("F R", "follow, reset the view"),
-    ("1 2 3", "laid over, side by side, stills"),
+    ("1 2 3", "overlay, side by side, stills"),
     ("S", "in step, own pace"),
     ("Shift + arrows", "turn the view"),
     ("↑ ↓", "zoom"),
@@ -150,7 +150,7 @@ def _toolbar() -> html.Div:
             _group(_tool("slower", "Slower", "−"), speed, _tool("faster", "Faster", "+"), label="Speed"),
             html.Div(className="ms-readout"),
             _group(
-                _tool("overlay", "Laid over one another", "1", True),
+                _tool("overlay", "Overlay", "1", True),
                 _tool("side", "Side by side", "2", False),
                 _tool("pose", "Stills in rows", "3", False),
                 _tool("warp", "In step", "S", False),

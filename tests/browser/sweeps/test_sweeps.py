@@ -66,7 +66,7 @@ def idle(page: Page) -> None:
 
 def test_from_the_form_to_the_result(show, workspace):
     page = show("/sweeps?dataset=demo&analysis_fps=15")
-    expect(page.locator("#sweep-status")).to_contain_text("Nothing swept yet")
+    expect(page.locator("#sweep-status")).to_contain_text("No sweep yet")
     expect(page.locator("#sweep-base-summary")).to_have_text("analysis fps 15")
 
     # errors where they are made

@@ -54,7 +54,7 @@ def layout() -> Component:
 
 def _buttons() -> list[Component]:
     return [
-        _button([icon("dice", 16), "New routine"], "new", "Another routine by chance"),
+        _button([icon("dice", 16), "New routine"], "new", "Random routine"),
         html.Label("at most", htmlFor=names.COMPOSE_MOST, className="compose-most"),
         dcc.Input(
             id=names.COMPOSE_MOST,

@@ -22,8 +22,8 @@ HINT = (
 METHOD = MethodPage(
     page="grammar",
     title="Actions",
-    action="Learn the order",
-    doing="Learning what follows what",
+    action="Learn the rules",
+    doing="Learning the rules",
     symbol="branches",
     hint=HINT,
 )

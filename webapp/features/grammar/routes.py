@@ -123,5 +123,5 @@ def _asked(workspace: Workspace) -> tuple[Dataset, LearnedGrammar, dict[int, Mot
         raise Refusal(str(error), 404) from error
     found = grammars.learned(workspace, name, view)
     if found is None:
-        raise Refusal("This has not been computed yet; press Learn the order on the Grammar page.", 404)
+        raise Refusal("This has not been computed yet; press Learn the rules on the Grammar page.", 404)
     return dataset, found, grammars.notes_of(workspace, name, view) or {}

@@ -311,7 +311,7 @@ def choices(
     near = other_seeds(own, 1) | neighbours(own, int(graph.parameters["kappa"]))
     steps = {write_other(asdict(p)): f"Same, {words}" for words, p in near.items()}
     steps = {text: label for text, label in steps.items() if text not in past and text != shown}
-    groups = (("Earlier results", past), ("A step away (computed when chosen)", steps))
+    groups = (("Earlier results", past), ("Neighbouring settings (computed when chosen)", steps))
     return [
         {"group": title, "items": [{"value": text, "label": label} for text, label in items.items()]}
         for title, items in groups

@@ -104,7 +104,7 @@ def metric_tiles(graph: MotifGraph, dataset: Dataset) -> list[tuple[str, str, st
         ("Motifs", f"{len(graph.motifs)}", "Movements that recur."),
         ("Coverage", f"{100 * metrics.get('coverage', 0):.0f} %", "Share of all frames that belong to some motif."),
         ("Error ratio", f"{ratio:.2f}", ERROR_RATIO),
-        ("Motions each", f"{metrics.get('mean_motions', 0):.1f}", "Mean number of motions of a motif."),
+        ("Motions per motif", f"{metrics.get('mean_motions', 0):.1f}", "Mean number of motions of a motif."),
         ("Mean length", f"{sum(lengths) / len(lengths):.1f} s" if lengths else "–", "Mean duration of a motion."),
     ]  # fmt: skip
 
@@ -123,7 +123,7 @@ def _graph_card(graph: MotifGraph, elements: list[dict], scheme: str) -> Compone
                         + ("" if max(counts, default=1) > 1 and len(counts) > MANY_TO_FILTER else " hidden"),
                         children=[
                             html.Span(
-                                f"Successions seen at least {threshold}×", className="number", id="edge-filter-label"
+                                f"Transitions seen at least {threshold}×", className="number", id="edge-filter-label"
                             ),
                             dmc.Slider(
                                 id="edge-threshold",

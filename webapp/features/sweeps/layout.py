@@ -203,7 +203,7 @@ def status(dataset: str | None, job: Job | None, ready: int, total: int, problem
         return None
     state = job.state if job is not None else ""
     symbol, words = {"failed": ("error", "The sweep failed"), "cancelled": ("sweep", "The sweep was cancelled")}.get(
-        state, ("sweep", "Nothing swept yet")
+        state, ("sweep", "No sweep yet")
     )
     if not ready:
         return _card(empty_state(symbol, words, job.error if state == "failed" else HINT))

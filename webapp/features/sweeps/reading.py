@@ -71,7 +71,7 @@ def problems_of(form: Form) -> dict[str, str]:
                 found[field] = _sentence(str(error), name)
             else:
                 if len(f"{name}:{_compact(text)}") > _LONGEST:
-                    found[field] = "These are more values than a link can hold; leave some out."
+                    found[field] = "A link cannot hold that many values; leave some out."
     if form.y_name == form.x_name:
         found["y"] = "Choose another setting than the first."
     if not form.seeds.isdecimal() or not 1 <= int(form.seeds) <= MOST_SEEDS:

@@ -188,8 +188,8 @@ def test_charts_over_the_number_of_actions_hold_what_the_table_holds():
     lines = {trace.name: list(trace.y) for trace in (*quality.data, *counted.data)}
     rows = table.rows(points)
     for label, field in (
-        ("Share R", "R"),
-        ("Apart E'", "E"),
+        ("Reduced to R", "R"),
+        ("Spread E'", "E"),
         ("Score F", "F"),
         ("Rules", "rules"),
         ("Routines", "sentences"),

@@ -239,6 +239,6 @@ def test_the_commands_give_the_routine_again(workspace, tmp_path, monkeypatch):
 def test_stages_are_told_in_words_with_their_count(workspace):
     job = workspace.jobs.submit("key", {"method": "grammar-table"}, "Compare")
     claimed = workspace.jobs.claim(job.id)
-    workspace.jobs.progress(claimed.id, "random beginnings (2 of 6)", 0.3)
+    workspace.jobs.progress(claimed.id, "random starts (2 of 6)", 0.3)
     assert stage_words(workspace.jobs.get(job.id)) == "looking for actions (2 of 6)"
     workspace.jobs.stopped(job.id)

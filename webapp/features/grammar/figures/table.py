@@ -42,8 +42,8 @@ COLUMNS = [
     column("segments", "Pieces", 90, "Into how many pieces the recordings were cut", **NUMBER),
     column("repeats", "Repeated", 104, "How often an action occurs on average", **_fixed(1)),
     column("F", "Score F", 92, "1 / (w R + (1 - w) E'): the search makes it large", **_fixed(2)),
-    column("R", "Share R", 92, "Typical occurrences together, as a share of all motion", **_fixed(3)),
-    column("E", "Apart E'", 94, "How far occurrences lie from the typical one of their action", **_fixed(3)),
+    column("R", "Reduced to R", 92, "Typical occurrences together, as a share of all motion", **_fixed(3)),
+    column("E", "Spread E'", 94, "How far occurrences lie from the typical one of their action", **_fixed(3)),
     column("rules", "Rules", 84, "Ways in which routines and phrases are put together", **_fixed(0)),
     column("phrases", "Phrases", 94, "Parts that rules speak of", **NUMBER),
     column("sentences", "Routines", 98, "Into how many routines the recordings were divided", **NUMBER),
@@ -68,7 +68,7 @@ def rows(points: Sequence[Point]) -> list[Row]:
 def quality(points: Sequence[Point], scheme: str | None, shown: int | None = None) -> go.Figure:
     """F, R and E' over the number of actions, one above another; shown: the number whose result is on the page."""
     figure = make_subplots(rows=3, cols=1, shared_xaxes=True, vertical_spacing=0.07)
-    for row, (name, label) in enumerate((("F", "Score F"), ("R", "Share R"), ("E", "Apart E'")), 1):
+    for row, (name, label) in enumerate((("F", "Score F"), ("R", "Reduced to R"), ("E", "Spread E'")), 1):
         figure.add_trace(_line(points, name, label, SERIES[row - 1]), row=row, col=1)
         figure.update_yaxes(title_text=label, row=row, col=1)
     figure = themed(figure, scheme, height=400, showlegend=False)

@@ -34,13 +34,13 @@ def tiles(dataset: Dataset, found: LearnedGrammar) -> list[Tile]:
             f"How often an action occurs on average: {count} pieces in all.",
         ),
         (
-            "Typical",
+            "Reduced to",
             f"{100 * objective['R']:.1f} %",
             "One typical occurrence of every action, put together, as a share of all motion (R). "
             "Small: much is repeated. 100 %: nothing is.",
         ),
         (
-            "Apart",
+            "Spread",
             f"{100 * objective['E']:.1f} %",
             "How far occurrences lie from the typical one of their action, as a share of the largest distance of two "
             "poses (E'). Small: all occurrences of an action look alike.",

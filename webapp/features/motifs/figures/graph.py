@@ -256,7 +256,7 @@ def legend(graph: MotifGraph) -> str:
     if parts > 1:
         words += " Colours: parts that never meet."
     if len(loops) < len(graph.motifs):
-        words += " Dashed: no way leads back."
+        words += " Dashed: no way back."
     return words
 
 
