@@ -817,8 +817,8 @@
       if (z) for (let j = 0; j < z.length; j++) for (let i = 0; i < z[j].length; i++) rows2.push([name, x[i] ?? i, y[j] ?? j, z[j][i]]);
       else for (let i = 0; i < Math.max(x.length, y.length); i++) rows2.push([name, x[i] ?? i, y[i], ""]);
     }
-    if (rows2.every((row8, i) => i === 0 || row8[3] === "")) for (const row8 of rows2) row8.pop();
-    return rows2.map((row8) => row8.map(cell).join(",")).join("\n") + "\n";
+    if (rows2.every((row7, i) => i === 0 || row7[3] === "")) for (const row7 of rows2) row7.pop();
+    return rows2.map((row7) => row7.map(cell).join(",")).join("\n") + "\n";
   }
   function chart(target2, kind, name) {
     const box2 = find(target2);
@@ -940,10 +940,10 @@
      * @param {number} x
      * @param {number} z
      * @param {number} seconds
-     * @param {boolean} atOnce
+     * @param {boolean} immediately
      */
-    track(x, z, seconds, atOnce) {
-      const share2 = atOnce ? 1 : 1 - Math.exp(-seconds * 6);
+    track(x, z, seconds, immediately) {
+      const share2 = immediately ? 1 : 1 - Math.exp(-seconds * 6);
       this.centre[0] += (x - this.centre[0]) * share2;
       this.centre[1] += (z - this.centre[1]) * share2;
     }
@@ -1448,13 +1448,13 @@
     const width = Math.min(Math.max(span(0, 1) + LANE.gap, LANE.least), LANE.most);
     const depth2 = Math.min(Math.max(span(2, 3) + LANE.gap, ROW.least), ROW.most);
     const wanted2 = Math.round(Math.sqrt(shown7.length * aspect * (0.6 * depth2 + 0.8) / width));
-    inRows(shown7, Math.max(wanted2, 2), (figure2, k, row8, rows2, column) => {
+    inRows(shown7, Math.max(wanted2, 2), (figure2, k, row7, rows2, column) => {
       const box2 = boxes[k];
       figure2.room = width;
       figure2.walksInPlace = box2[1] - box2[0] > LANE.most || box2[3] - box2[2] > ROW.most;
       const middle = figure2.walksInPlace ? [0, 0] : [(box2[0] + box2[1]) / 2, (box2[2] + box2[3]) / 2];
-      const stagger = rows2 > 1 ? (row8 % 2 ? 0.25 : -0.25) * width : 0;
-      figure2.place = [column * width + stagger - middle[0], ((rows2 - 1) / 2 - row8) * depth2 - middle[1]];
+      const stagger = rows2 > 1 ? (row7 % 2 ? 0.25 : -0.25) * width : 0;
+      figure2.place = [column * width + stagger - middle[0], ((rows2 - 1) / 2 - row7) * depth2 - middle[1]];
     });
   }
   function placeOnShelves(shown7, aspect, duration) {
@@ -1464,12 +1464,12 @@
     const size = (columns2) => Math.min(aspect / (columns2 * width), 1 / (Math.ceil(shown7.length / columns2) * height));
     const columns = shown7.map((_, k) => k + 1).reduce((best, k) => size(k) > size(best) ? k : best);
     const shelves = [];
-    inRows(shown7, columns, (figure2, k, row8, rows2, column) => {
+    inRows(shown7, columns, (figure2, k, row7, rows2, column) => {
       figure2.room = width;
-      figure2.level = (rows2 - 1 - row8) * height;
+      figure2.level = (rows2 - 1 - row7) * height;
       figure2.place = [column * width - (boxes[k][0] + boxes[k][1]) / 2, 0];
       const half = Math.abs(column * width) + width / 2;
-      shelves[row8] = { level: figure2.level, half: Math.max(shelves[row8]?.half ?? 0, half) };
+      shelves[row7] = { level: figure2.level, half: Math.max(shelves[row7]?.half ?? 0, half) };
     });
     return shelves;
   }
@@ -1477,9 +1477,9 @@
     const rows2 = Math.ceil(shown7.length / wanted2);
     const columns = Math.ceil(shown7.length / rows2);
     shown7.forEach((figure2, k) => {
-      const row8 = Math.floor(k / columns);
-      const inRow = row8 < rows2 - 1 ? columns : shown7.length - columns * (rows2 - 1);
-      put6(figure2, k, row8, rows2, k % columns - (inRow - 1) / 2);
+      const row7 = Math.floor(k / columns);
+      const inRow = row7 < rows2 - 1 ? columns : shown7.length - columns * (rows2 - 1);
+      put6(figure2, k, row7, rows2, k % columns - (inRow - 1) / 2);
     });
   }
   function groundCentre(figures, out) {
@@ -1867,7 +1867,7 @@
     const dataset2 = String(item.dataset ?? request5.dataset ?? "");
     const version = String(((item.dataset ?? null) === null ? item.version ?? request5.version : item.version) ?? "");
     const segment = { dataset: dataset2, version, clip: String(item.clip), start: item.start ?? "", end: item.end ?? "" };
-    return { ...segment, key: JSON.stringify(Object.values(segment)), forGood: version !== "" || dataset2.startsWith("~") };
+    return { ...segment, key: JSON.stringify(Object.values(segment)), permanent: version !== "" || dataset2.startsWith("~") };
   }
   function addresses(api, segments) {
     const query = new URLSearchParams();
@@ -1930,8 +1930,8 @@
       const segments = items.map((item) => segmentOf(request5, item));
       const wanted2 = /* @__PURE__ */ new Map();
       for (const segment of segments) {
-        const { key, forGood } = segment;
-        if (forGood && (this.motions.has(key) || this.coming.has(key))) continue;
+        const { key, permanent } = segment;
+        if (permanent && (this.motions.has(key) || this.coming.has(key))) continue;
         wanted2.set(key, segment);
       }
       if (wanted2.size) this.fetch(addresses(api, [...wanted2.values()]));
@@ -2931,13 +2931,13 @@
       this.canvas.height = Math.round(rows2 * (height + 1) * ratio);
       const context = context2d(this.canvas);
       const colours = levelColours(theme);
-      this.speeds.forEach((speed, row8) => {
-        const y = Math.round(row8 * (height + 1) * ratio);
+      this.speeds.forEach((speed, row7) => {
+        const y = Math.round(row7 * (height + 1) * ratio);
         for (const { from, to, level } of levelRuns(speed, Math.min(width, 400))) {
           context.fillStyle = colours[level + LEVELS];
           context.fillRect(Math.floor(from * width), y, Math.ceil((to - from) * width) + 1, Math.round(height * ratio));
         }
-        context.fillStyle = this.figures[row8].shades.fill[2][0];
+        context.fillStyle = this.figures[row7].shades.fill[2][0];
         context.fillRect(0, y, Math.round(4 * ratio), Math.round(height * ratio));
       });
     }
@@ -2951,12 +2951,12 @@
      */
     describe(event) {
       const box2 = this.canvas.getBoundingClientRect();
-      const row8 = Math.floor((event.clientY - box2.top) / box2.height * this.speeds.length);
+      const row7 = Math.floor((event.clientY - box2.top) / box2.height * this.speeds.length);
       const share2 = (event.clientX - box2.left) / box2.width;
-      const speed = this.speeds[row8]?.[Math.floor(share2 * this.speeds[row8].length)];
+      const speed = this.speeds[row7]?.[Math.floor(share2 * this.speeds[row7].length)];
       if (!(speed > 0)) return "";
       const pace = speed > 1.05 ? `${speed.toFixed(1)}× as fast` : speed < 0.95 ? `${(1 / speed).toFixed(1)}× as slow` : "as fast";
-      return `${this.figures[row8].label}: ${pace} as the middle motion here. Click to go there.`;
+      return `${this.figures[row7].label}: ${pace} as the middle motion here. Click to go there.`;
     }
   };
   function levelColours(theme) {
@@ -3051,11 +3051,7 @@
       this.sizes.disconnect();
       this.looks.disconnect();
     }
-    /**
-     * Show figures from their start, as a request wants it.
-     * @param {Figure[]} figures
-     * @param {StageRequest} request
-     */
+    /** Show figures from their start, as a request wants it. @param {Figure[]} figures @param {StageRequest} request */
     begin(figures, request5) {
       this.layout = request5.layout && LAYOUTS.includes(request5.layout) ? request5.layout : "overlay";
       this.sync = request5.sync === "start" ? "start" : "warp";
@@ -3091,10 +3087,7 @@
       nameFigures(figures);
       this.prepare(keepView);
     }
-    /**
-     * Do what changes the length of time; the clock goes on at the same share of it.
-     * @param {() => void} change
-     */
+    /** Do what changes the length of time; the clock goes on at the same share of it. @param {() => void} change */
     keepingShare(change) {
       const { clock: clock2 } = this;
       const share2 = clock2.duration ? clock2.time / clock2.duration : 0;
@@ -3152,11 +3145,7 @@
       this.chosen = k;
       this.colour();
     }
-    /**
-     * Say which figure is under the pointer.
-     * @param {number} x
-     * @param {number} y
-     */
+    /** Say which figure is under the pointer. @param {number} x @param {number} y */
     pointAt(x, y) {
       const { canvas, ratio } = this.scene;
       const figure2 = this.figures.length > 1 ? this.scene.figureAt(this.figures, x * ratio, y * ratio) : void 0;
@@ -3307,10 +3296,7 @@
       clearTimeout(this.quiet);
       this.quiet = window.setTimeout(() => toast.classList.remove("ms-shown"), 1100);
     }
-    /**
-     * Open or close the list of keys; true when it was open.
-     * @param {boolean} [open]
-     */
+    /** Open or close the list of keys; true when it was open. @param {boolean} [open] */
     toggleHelp(open4) {
       const help = within(this.root, ".ms-help");
       const was = !help.hidden;
@@ -3455,11 +3441,11 @@
     ]) if (value !== null && value !== void 0 && value !== "") pairs.set(String(key), String(value));
     return `${pathname}?${pairs.toString().replace(/%2C/g, ",").replace(/%3A/g, ":")}`;
   }
-  var stageOfLink = ({ time, playing: playing3, speed, layout, camera }, handled2) => ({
+  var stageOfLink = ({ time, playing: playing3, speed, layout, camera }, turnedByHand2) => ({
     time: playing3 ? "" : time,
     speed: speed === 1 ? "" : speed,
     layout: layout === "overlay" ? "" : layout,
-    camera: handled2 ? [camera.yaw, camera.pitch, camera.distance, ...camera.pan, camera.follow ? 1 : 0].join(",") : ""
+    camera: turnedByHand2 ? [camera.yaw, camera.pitch, camera.distance, ...camera.pan, camera.follow ? 1 : 0].join(",") : ""
   });
   function stateOfLink({ time, speed, layout, camera }) {
     const state3 = {};
@@ -3476,7 +3462,7 @@
   // shell/frame.mjs
   var WIDTH_KEY = "motionscape-stage-width";
   var shown2 = { dataset: null, selection: {}, view: {}, keys: {}, chosen: "{}", stage: {} };
-  var handled = false;
+  var turnedByHand = false;
   function writeAddress() {
     if (!shown2.dataset) return clientside.no_update;
     const address2 = addressOf(location.pathname, shown2);
@@ -3484,12 +3470,12 @@
     return address2;
   }
   window.addEventListener("stage-state", (event) => {
-    shown2.stage = stageOfLink(event.detail, handled);
+    shown2.stage = stageOfLink(event.detail, turnedByHand);
     writeAddress();
   });
   for (const kind of ["wheel", "pointerdown", "keydown"]) {
     document.addEventListener(kind, (event) => {
-      if (targetOf(event).id === STAGE_CANVAS) handled = true;
+      if (targetOf(event).id === STAGE_CANVAS) turnedByHand = true;
     }, { passive: true, capture: true });
   }
   register("shell", {
@@ -3505,7 +3491,7 @@
       const chosen3 = JSON.stringify(selection || {});
       if (shown2.dataset && (chosen3 !== shown2.chosen || dataset2 !== shown2.dataset)) {
         shown2.stage = {};
-        handled = false;
+        turnedByHand = false;
       }
       Object.assign(shown2, { dataset: dataset2, selection, view: view4, keys, chosen: chosen3 });
       return writeAddress();
@@ -3521,7 +3507,7 @@
     restore(stage2) {
       if (!stage2 || !Object.keys(stage2).length) return clientside.no_update;
       shown2.stage = stage2;
-      if (stage2.camera) handled = true;
+      if (stage2.camera) turnedByHand = true;
       player.restore(stateOfLink(stage2));
       return clientside.no_update;
     },
@@ -3766,9 +3752,9 @@
       api.forEachNode((node) => {
         if (gridFunctions.isChosen(node)) api.ensureNodeVisible(node);
       });
-      for (const row8 of allWithin(box2, ".ag-row")) {
-        const node = api.getRowNode(row8.getAttribute("row-id"));
-        row8.classList.toggle("row-chosen", Boolean(node) && gridFunctions.isChosen(node));
+      for (const row7 of allWithin(box2, ".ag-row")) {
+        const node = api.getRowNode(row7.getAttribute("row-id"));
+        row7.classList.toggle("row-chosen", Boolean(node) && gridFunctions.isChosen(node));
       }
       return clientside.no_update;
     }
@@ -3866,17 +3852,17 @@
       element("div", "job-actions", button("cancel", id, "job-cancel", "Cancel"))
     );
   }
-  function update(row8, { stage: stage2, percent: percent3, stopping }) {
-    const progress = within(row8, ".job-progress"), known3 = percent3 !== null;
+  function update(row7, { stage: stage2, percent: percent3, stopping }) {
+    const progress = within(row7, ".job-progress"), known3 = percent3 !== null;
     progress.classList.toggle("waiting", !known3);
     childrenOf(progress)[0].style.width = (percent3 || 0) + "%";
     if (known3) progress.setAttribute("aria-valuenow", String(percent3));
     else progress.removeAttribute("aria-valuenow");
-    const words2 = within(row8, ".job-words");
+    const words2 = within(row7, ".job-words");
     if (words2.textContent !== stage2) words2.textContent = stage2;
-    const number2 = row8.querySelector(".job-percent");
+    const number2 = row7.querySelector(".job-percent");
     if (number2) number2.textContent = percent3 ? ` ${percent3} %` : "";
-    within(row8, ".job-cancel").disabled = stopping;
+    within(row7, ".job-cancel").disabled = stopping;
   }
   function failed({ id, title, error }) {
     const sign = element("span", "job-mark-failed", icon("error", 18));
@@ -3900,13 +3886,13 @@
         [job.error ? `${job.id} failed` : String(job.id), job]
       ));
       const names2 = new Set(wanted2.map(([name]) => name));
-      for (const row8 of childrenOf(box2)) if (!names2.has(row8.dataset.job ?? "")) row8.remove();
+      for (const row7 of childrenOf(box2)) if (!names2.has(row7.dataset.job ?? "")) row7.remove();
       wanted2.forEach(([name, job], k) => {
-        let row8 = childrenOf(box2)[k];
-        if (!row8 || row8.dataset.job !== name) {
-          row8 = job.error ? failed(job) : alive(job);
-          row8.dataset.job = name;
-          box2.insertBefore(row8, box2.children[k] || null);
+        let row7 = childrenOf(box2)[k];
+        if (!row7 || row7.dataset.job !== name) {
+          row7 = job.error ? failed(job) : alive(job);
+          row7.dataset.job = name;
+          box2.insertBefore(row7, box2.children[k] || null);
         }
         if (!job.error) allWithin(document, `[data-job="${name}"]`).forEach((place5) => update(place5, job));
       });
@@ -3966,7 +3952,7 @@
     /** @param {string | null} shown @param {any[] | null} rows */
     filter(shown7, rows2) {
       if (!shown7 || shown7 === "all") return rows2 || [];
-      return (rows2 || []).filter((row8) => shown7 === "added" ? row8.added : row8.verdict === shown7);
+      return (rows2 || []).filter((row7) => shown7 === "added" ? row7.added : row7.verdict === shown7);
     }
   });
 
@@ -4273,11 +4259,11 @@
     }
     const body2 = made.createTBody();
     for (const [name, unit2, ...values] of rows2) {
-      const row8 = body2.insertRow();
+      const row7 = body2.insertRow();
       const first = element("th", "", name + " ");
       first.scope = "row";
       first.append(element("span", "muted", unit2));
-      row8.append(first, ...values.map((value) => element("td", "", value)));
+      row7.append(first, ...values.map((value) => element("td", "", value)));
     }
     return made;
   }
@@ -4300,14 +4286,14 @@
   function events(data2) {
     const list2 = element("div", "gait-events");
     for (const [frame, seconds, side, name] of data2.events.slice(0, MOST_EVENTS)) {
-      const row8 = sends(element("button", "gait-event"), CLIP_SEEK, { clip: data2.clip, frame });
-      row8.append(
+      const row7 = sends(element("button", "gait-event"), CLIP_SEEK, { clip: data2.clip, frame });
+      row7.append(
         element("span", "number", seconds),
         element("span", "muted number", `frame ${frame}`),
         element("span", `side-${side}`, side[0].toUpperCase() + side.slice(1)),
         element("span", "", name)
       );
-      list2.append(row8);
+      list2.append(row7);
     }
     const more2 = data2.events.length - MOST_EVENTS;
     if (more2 > 0) list2.append(element("div", "muted", `and ${more2} more: a table of the clip has them all`));
@@ -4658,8 +4644,8 @@
     for (const trace of plot.graph.data) {
       if (!trace.meta || !trace.meta.picks) continue;
       const axis = plot.full["yaxis" + trace.yaxis.slice(1)];
-      const row8 = axis.p2l(y - plot.top + plot.full._size.t - axis._offset);
-      if (Math.abs(row8 - trace.meta.row) > 0.5) continue;
+      const row7 = axis.p2l(y - plot.top + plot.full._size.t - axis._offset);
+      if (Math.abs(row7 - trace.meta.row) > 0.5) continue;
       const hit = trace.meta.picks.find(([start3, end]) => seconds * plot.meta.fps >= start3 && seconds * plot.meta.fps < end);
       if (hit) return hit;
     }
@@ -5529,11 +5515,11 @@
       if (api) api.setGridOption("quickFilterText", text || "");
       const cy = await graphReady(3);
       if (!cy) return clientside.no_update;
-      const fits = (row8) => {
-        const all = ["id", "name", "tags", "note", "label"].map((field) => row8[field] ?? "").join(" ").toLowerCase();
+      const fits = (row7) => {
+        const all = ["id", "name", "tags", "note", "label"].map((field) => row7[field] ?? "").join(" ").toLowerCase();
         return words2.every((word) => all.includes(word));
       };
-      const matching = new Set((rows2 || []).filter(fits).map((row8) => "m" + row8.id));
+      const matching = new Set((rows2 || []).filter(fits).map((row7) => "m" + row7.id));
       cy.batch(() => cy.nodes("[motif >= 0]").forEach((node) => {
         node.toggleClass("unmatched", words2.length > 0 && !matching.has(node.id()));
       }));
@@ -5758,6 +5744,26 @@
     }
   });
 
+  // shared/skate_meter.mjs
+  function drawSkateMeter(box2, label, quality, blended = true) {
+    box2.classList.toggle("hidden", !quality?.skate);
+    if (!quality?.skate) return;
+    const [source, plain3, kept] = quality.skate;
+    const most = Math.max(source, plain3, kept, 1e-6);
+    const title = element("div", "walk-meter-title", "Foot skate");
+    title.title = "How far standing feet slide, in centimetres per second of contact";
+    const rows2 = [[label, kept], ["Blending alone", plain3], ["Recordings", source]];
+    const meters = rows2.map(([name, value], i) => {
+      const bar = element("span", "walk-bar");
+      bar.style.setProperty("--share", String(value / most));
+      const number2 = element("span", "number", `${(100 * value).toFixed(1)} cm/s`);
+      return element("div", i ? "walk-meter" : "walk-meter walk-meter-own", element("span", "", name), bar, number2);
+    });
+    const [blends, recordings] = quality.speeds;
+    const words2 = blended ? `${quality.jump ? "A blend jumps" : "No jump"}: fastest joint ${blends} m/s in the blends, ${recordings} m/s in the recordings.` : "Recorded as it is: nothing had to be blended.";
+    box2.replaceChildren(title, ...meters, element("div", quality.jump ? "walk-speed walk-jump" : "walk-speed", words2));
+  }
+
   // motifs/walk_graph.mjs
   var watched4 = /* @__PURE__ */ new WeakSet();
   function watch4(cy, steps2) {
@@ -5924,11 +5930,25 @@
     });
   }
 
+  // motifs/walk_words.mjs
+  var MOST_NAMED = 12;
+  function waysText(data2) {
+    if (!data2.parts) return "";
+    const total3 = data2.motifs.length;
+    const words2 = [];
+    if (data2.parts.length > 1) words2.push(`From ${data2.parts[0]} of ${total3} motifs one can come back to each other; ${data2.parts.length - 1} more such part${data2.parts.length > 2 ? "s" : ""}.`);
+    const dead = data2.dead.length > MOST_NAMED ? `${data2.dead.length} motifs` : data2.dead.join(", ");
+    if (data2.dead.length) words2.push(`Dead ends, where nothing leads on: ${dead} (marked in the graph).`);
+    if (data2.asked.extra) words2.push(data2.further.length ? `${data2.further.length} further transitions (dashed).` : "No further transition points are good enough.");
+    return words2.join(" ");
+  }
+  var filled = (path2, [a, b], detour) => path2.flatMap((motif, i) => i && path2[i - 1] === a && motif === b ? detour.slice(1) : [motif]);
+  var withoutGap = (path2, [a, b]) => path2.filter((motif, i) => !(i && path2[i - 1] === a && motif === b));
+
   // motifs/walk.mjs
   var KEYS4 = ["walk", "extra", "gaps", "ends", "feet"];
   var OURS2 = "~walk~";
   var LONGEST2 = 300;
-  var MOST_NAMED = 12;
   var BEFORE = 0.5;
   var now2 = (
     /** @type {any} */
@@ -5985,50 +6005,9 @@
       button4.addEventListener("click", act2);
       box2.append(button4);
     };
-    if (gap && detour?.length) offer(`Go by way of ${detour.slice(1, -1).join(", ")}`, () => write2(filled(gap, detour)));
+    if (gap && detour?.length) offer(`Go by way of ${detour.slice(1, -1).join(", ")}`, () => write2(filled(motifs(), gap, detour)));
     if (gap) offer("Bridge the gap by a blend", () => changeView({ gaps: "bridge" }));
-    if (gap && motifs().length) offer(`Take ${gap[1]} away`, () => write2(without2(gap)));
-  }
-  var filled = ([a, b], detour) => motifs().flatMap((motif, i, all) => i && all[i - 1] === a && motif === b ? detour.slice(1) : [motif]);
-  var without2 = ([a, b]) => motifs().filter((motif, i, all) => !(i && all[i - 1] === a && motif === b));
-  var cm = (metres) => `${(100 * metres).toFixed(1)} cm/s`;
-  function meters(data2) {
-    const box2 = need(WALK_METERS);
-    box2.classList.toggle("hidden", !data2.name);
-    if (!data2.name) return;
-    const [source, plain3, kept] = data2.skate;
-    const most = Math.max(source, plain3, kept, 1e-6);
-    const rows2 = [["This walk", kept], ["Blending alone", plain3], ["Recordings", source]];
-    const heading = Object.assign(document.createElement("div"), {
-      className: "walk-meter-title",
-      textContent: "Foot skate",
-      title: "How far standing feet slide, in centimetres per second of contact"
-    });
-    box2.replaceChildren(heading, ...rows2.map(([label, value], i) => {
-      const row8 = document.createElement("div");
-      row8.className = "walk-meter" + (i ? "" : " walk-meter-own");
-      const name = Object.assign(document.createElement("span"), { textContent: label });
-      const bar = Object.assign(document.createElement("span"), { className: "walk-bar" });
-      bar.style.setProperty("--share", String(value / most));
-      const number2 = Object.assign(document.createElement("span"), { className: "number", textContent: cm(value) });
-      row8.append(name, bar, number2);
-      return row8;
-    }));
-    const speed = document.createElement("div");
-    speed.className = "walk-speed" + (data2.jump ? " walk-jump" : "");
-    const [seams, sources] = data2.speeds;
-    speed.textContent = data2.blends ? `${data2.jump ? "A blend jumps" : "No jump"}: fastest joint ${seams} m/s in the blends, ${sources} m/s in the recordings.` : "Recorded as it is: nothing had to be blended.";
-    box2.append(speed);
-  }
-  function waysText(data2) {
-    if (!data2.parts) return "";
-    const total3 = data2.motifs.length;
-    const words2 = [];
-    if (data2.parts.length > 1) words2.push(`From ${data2.parts[0]} of ${total3} motifs one can come back to each other; ${data2.parts.length - 1} more such part${data2.parts.length > 2 ? "s" : ""}.`);
-    const dead = data2.dead.length > MOST_NAMED ? `${data2.dead.length} motifs` : data2.dead.join(", ");
-    if (data2.dead.length) words2.push(`Dead ends, where nothing leads on: ${dead} (marked in the graph).`);
-    if (data2.asked.extra) words2.push(data2.further.length ? `${data2.further.length} further transitions (dashed).` : "No further transition points are good enough.");
-    return words2.join(" ");
+    if (gap && motifs().length) offer(`Take ${gap[1]} away`, () => write2(withoutGap(motifs(), gap)));
   }
   function show3() {
     const busy = !same2(now2.asked, keysOf2(view));
@@ -6045,7 +6024,7 @@
     need(WALK_WAYS).textContent = waysText(now2);
     drawPath(need(WALK_PATH), now2, { write: write2, jump: seekTo });
     problem(now2);
-    meters(now2);
+    drawSkateMeter(need(WALK_METERS), "This walk", now2.name ? now2 : null, now2.blends > 0);
     for (const button4 of allWithin(document, "[data-walk='play']")) button4.disabled = !walks;
     for (const button4 of allWithin(document, "[data-walk='clear']")) button4.disabled = !view.walk;
     setLink(WALK_BVH, walks && `/api/bvh/${encodeURIComponent(now2.name ?? "")}/walk`);
@@ -6406,7 +6385,7 @@
       return box2.replaceChildren(nothing(!built ? "Build the index of at least one engine first." : which === "vote" ? "There are too few hits to compare." : "The engines found nothing for these queries."));
     }
     at2[which] = Math.min(at2[which], all.length - 1);
-    const row8 = all[at2[which]];
+    const row7 = all[at2[which]];
     const done = all.filter((one) => one.value).length;
     const bar = element("div", "job-progress", element("div"));
     childrenOf(bar)[0].style.width = `${100 * done / all.length}%`;
@@ -6414,11 +6393,11 @@
     box2.replaceChildren(
       element("div", "study-progress", bar),
       element("h2", "study-question", which === "vote" ? "Which is more like the query: A or B?" : "How alike are the two motions on the Stage?"),
-      which === "vote" ? choices(row8) : scale2(row8),
+      which === "vote" ? choices(row7) : scale2(row7),
       walk2,
       ...done === all.length ? [element("p", "study-thanks", "All pairs are answered. Thank you! Results shows what came of it.")] : []
     );
-    play4(row8);
+    play4(row7);
     return void 0;
   }
   function move3(words2, by, symbol) {
@@ -6426,44 +6405,44 @@
     made.dataset.by = String(by);
     return made;
   }
-  function scale2(row8) {
+  function scale2(row7) {
     const buttons = SCALE.map((words2, k) => {
       const one = button2([element("b", "", String(k + 1)), element("span", "", words2)], "answer", "study-value");
       one.dataset.value = String(k + 1);
       one.setAttribute("aria-label", `${k + 1}${words2 ? `: ${words2}` : ""}`);
-      one.setAttribute("aria-pressed", String(row8.value === k + 1));
+      one.setAttribute("aria-pressed", String(row7.value === k + 1));
       return one;
     });
     const keys = element("p", "muted study-keys", "Keys 1 to 9, and 0 for 10; Backspace goes back, N skips.");
     return element("div", "", element("div", "study-scale", ...buttons), keys);
   }
-  function choices(row8) {
+  function choices(row7) {
     const buttons = Object.entries(CHOICES).map(([value, [words2, colour, key]]) => {
       const dot3 = element("span", "study-dot");
       dot3.style.background = colour;
       const one = button2([...colour ? [dot3] : [], element("b", "", words2), element("kbd", "", key)], "answer", "study-choice");
       one.dataset.value = value;
-      one.setAttribute("aria-pressed", String(row8.value === value));
+      one.setAttribute("aria-pressed", String(row7.value === value));
       return one;
     });
     return element("div", "study-choices", ...buttons);
   }
-  function play4(row8) {
-    const wanted2 = JSON.stringify([row8.query, row8.hit, row8.left, row8.right]);
+  function play4(row7) {
+    const wanted2 = JSON.stringify([row7.query, row7.hit, row7.left, row7.right]);
     if (wanted2 === shown6 && player.status !== "empty") return;
     shown6 = wanted2;
     setStore(SELECTION, {});
-    setStore(STAGE_REQUEST, { ...row8.request, at: wanted2 });
+    setStore(STAGE_REQUEST, { ...row7.request, at: wanted2 });
     const next2 = rows()[at2[mode()] + 1];
     if (next2) setTimeout(() => player.prefetch(next2.request), 600);
   }
   function answer(value) {
     const which = mode();
-    const row8 = rows()[at2[which]];
-    if (!row8) return;
-    row8.value = value;
-    given.set(nameOf2(row8), value);
-    const message2 = which === "vote" ? { kind: "vote", query: row8.query, left: row8.left, right: row8.right, choice: String(value) } : { kind: "rating", query: row8.query, hit: row8.hit, value: Number(value) };
+    const row7 = rows()[at2[which]];
+    if (!row7) return;
+    row7.value = value;
+    given.set(nameOf2(row7), value);
+    const message2 = which === "vote" ? { kind: "vote", query: row7.query, left: row7.left, right: row7.right, choice: String(value) } : { kind: "rating", query: row7.query, hit: row7.hit, value: Number(value) };
     pending.push({ ...message2, person: person.name || person.id, id: `${Date.now()} ${Math.random()}` });
     send();
     step2(1);
@@ -6480,16 +6459,16 @@
     draw4();
   }
   var given = /* @__PURE__ */ new Map();
-  var nameOf2 = (row8) => JSON.stringify([person.name || person.id, row8.query, row8.hit, row8.left, row8.right]);
+  var nameOf2 = (row7) => JSON.stringify([person.name || person.id, row7.query, row7.hit, row7.left, row7.right]);
   function place2(number2, before2, all) {
     const same4 = before2[number2] && before2.length === all.length && nameOf2(before2[number2]) === nameOf2(all[number2]);
-    return same4 ? number2 : Math.max(all.findIndex((row8) => !row8.value), 0);
+    return same4 ? number2 : Math.max(all.findIndex((row7) => !row7.value), 0);
   }
   var PATIENCE2 = 2e4;
   var pending = [];
   var sent = 0;
   var person = {};
-  function who(stored) {
+  function takePerson(stored) {
     person = stored || {};
     if (!person.id) {
       person = { ...person, id: `someone-${Math.random().toString(36).slice(2, 8)}` };
@@ -6515,7 +6494,7 @@
         shown6 = "";
         return clientside.no_update;
       }
-      if (!stored || !stored.id) who(stored);
+      if (!stored || !stored.id) takePerson(stored);
       else person = stored;
       const fresh = found !== data;
       const before2 = data && data.asked[2] === found.asked[2] ? data : null;
@@ -6525,7 +6504,7 @@
         for (const id of [STUDY_RATE, STUDY_VOTE]) need(id).replaceChildren();
         return clientside.no_update;
       }
-      if (fresh) for (const row8 of [...data.pairs, ...data.duels]) row8.value = given.get(nameOf2(row8)) ?? row8.value;
+      if (fresh) for (const row7 of [...data.pairs, ...data.duels]) row7.value = given.get(nameOf2(row7)) ?? row7.value;
       if (fresh) for (
         const [which, all] of
         /** @type {["rate" | "vote", "pairs" | "duels"][]} */
@@ -6547,7 +6526,7 @@
       if (!window.confirm("Remove all ratings and votes about this dataset, of all people?")) return;
       given.clear();
       pending.length = 0;
-      for (const row8 of [...data.pairs, ...data.duels]) row8.value = null;
+      for (const row7 of [...data.pairs, ...data.duels]) row7.value = null;
       setStore(STUDY_WISH, { clear: true, at: Date.now() });
     },
     /** @param {HTMLElement} on */
@@ -6562,7 +6541,7 @@
   });
   document.addEventListener("change", (event) => {
     if (targetOf(event).id !== STUDY_NAME) return;
-    who({ ...person, name: targetOf(event).value.trim() });
+    takePerson({ ...person, name: targetOf(event).value.trim() });
     setStore(STUDY_PERSON, person);
     draw4();
   });
@@ -6604,8 +6583,8 @@
     );
   }, true);
   document.addEventListener("keydown", (event) => {
-    const row8 = event.key === "Enter" && closest(event, `#${SWEEP_TABLE} .ag-row`);
-    const link2 = row8 && row8.querySelector("a.point-link");
+    const row7 = event.key === "Enter" && closest(event, `#${SWEEP_TABLE} .ag-row`);
+    const link2 = row7 && row7.querySelector("a.point-link");
     if (!link2) return;
     event.preventDefault();
     event.stopPropagation();
@@ -6919,26 +6898,6 @@
     });
     redraw(list2, chips);
   }
-  function meters2(data2) {
-    const box2 = need(COMPOSE_METERS);
-    box2.classList.toggle("hidden", !data2.skate);
-    if (!data2.skate) return;
-    const [source, plain3, kept] = data2.skate;
-    const most = Math.max(source, plain3, kept, 1e-6);
-    const title = element("div", "walk-meter-title", "Foot skate");
-    title.title = "How far standing feet slide, in centimetres per second of contact";
-    const rows2 = [["This routine", kept], ["Blending alone", plain3], ["Recordings", source]];
-    box2.replaceChildren(title, ...rows2.map(([label, value], i) => {
-      const row8 = element("div", "walk-meter" + (i ? "" : " walk-meter-own"));
-      const bar = element("span", "walk-bar");
-      bar.style.setProperty("--share", String(value / most));
-      row8.append(element("span", "", label), bar, element("span", "number", `${(100 * value).toFixed(1)} cm/s`));
-      return row8;
-    }));
-    const speed = element("div", "walk-speed" + (data2.jump ? " walk-jump" : ""));
-    speed.textContent = `${data2.jump ? "A blend jumps" : "No jump"}: fastest joint ${data2.speeds[0]} m/s in the blends, ${data2.speeds[1]} m/s in the recordings.`;
-    box2.append(speed);
-  }
   function chosenWords() {
     const { chosen: chosen3 } = now3;
     if (!chosen3) return "Choose an action to change its part.";
@@ -6976,7 +6935,7 @@
     } else {
       string(now3);
       showTree(need(COMPOSE_TREE), now3.svg, choose2);
-      meters2(now3);
+      drawSkateMeter(need(COMPOSE_METERS), "This routine", now3);
     }
     need(COMPOSE_WARNINGS).replaceChildren(...(there && now3.warnings || []).map((text) => element("p", "", text)));
     setLink(COMPOSE_BVH, there && `/api/bvh/${encodeURIComponent(now3.name ?? "")}/${encodeURIComponent(now3.clip)}`);
@@ -8002,11 +7961,11 @@
       figure2.append(figurePicture(map, posture, view4), element("figcaption", "muted", view4));
       return figure2;
     });
-    const row8 = element("div", "map-views");
-    row8.append(...views);
+    const row7 = element("div", "map-views");
+    row7.append(...views);
     const words2 = box2.querySelector(".map-caption") || element("div", "map-caption number");
     words2.textContent = caption(map, node, facts ?? null);
-    box2.replaceChildren(row8, words2);
+    box2.replaceChildren(row7, words2);
   }
   function caption(map, node, facts) {
     const [x, y] = map.place(node);
@@ -8082,7 +8041,7 @@
       box2.replaceChildren(element("p", "muted map-hint", hint));
       return;
     }
-    const row8 = (hit, k) => {
+    const row7 = (hit, k) => {
       const segment = map.segment(hit);
       const { fps } = map.clips[hit.clip];
       const made = element("button", "motion-row map-hit");
@@ -8106,19 +8065,19 @@
       );
       return made;
     };
-    box2.replaceChildren(...hits.slice(0, AT_ONCE2).map(row8));
+    box2.replaceChildren(...hits.slice(0, AT_ONCE2).map(row7));
     const rest = () => {
-      box2.append(...hits.slice(AT_ONCE2, MOST_ROWS2).map((hit, k) => row8(hit, AT_ONCE2 + k)));
+      box2.append(...hits.slice(AT_ONCE2, MOST_ROWS2).map((hit, k) => row7(hit, AT_ONCE2 + k)));
       if (hits.length > MOST_ROWS2) box2.append(element("div", "muted selection-more", `and ${hits.length - MOST_ROWS2} more`));
     };
     if (hits.length > AT_ONCE2) later2 = setTimeout(rest, 50);
   }
   function markHit(chosen3) {
-    for (const row8 of allWithin(document, ".map-hit")) {
-      const segment = JSON.parse(row8.dataset.value ?? "{}");
+    for (const row7 of allWithin(document, ".map-hit")) {
+      const segment = JSON.parse(row7.dataset.value ?? "{}");
       const on2 = chosen3 !== null && chosen3.clip === segment.clip && chosen3.start === segment.start && chosen3.end === segment.end;
-      row8.classList.toggle("chosen", on2);
-      row8.setAttribute("aria-pressed", String(on2));
+      row7.classList.toggle("chosen", on2);
+      row7.setAttribute("aria-pressed", String(on2));
     }
   }
 
@@ -8623,11 +8582,7 @@
       const key = id.slice("map-".length);
       return (view4 || {})[key] || USUAL[key];
     },
-    /**
-     * Those parts of the view that the server draws by.
-     * @param {View | null} view
-     * @param {View | null} current
-     */
+    /** Those parts of the view that the server draws by. @param {View | null} view @param {View | null} current */
     look(view4, current2) {
       const keys = ["colour", "below", "region", "icons"];
       const next2 = Object.fromEntries(keys.filter((key) => (view4 || {})[key]).map((key) => [key, (view4 || {})[key]]));
@@ -8899,16 +8854,16 @@
       }
       within(group, "title").textContent = `${now5.body.words[leaf]}: ${says}`;
     }
-    for (const row8 of allWithin(box2, ".search-weight-row")) {
-      const leaf = row8.dataset.part ?? "";
-      const input2 = within(row8, "input");
+    for (const row7 of allWithin(box2, ".search-weight-row")) {
+      const leaf = row7.dataset.part ?? "";
+      const input2 = within(row7, "input");
       if (Number(input2.value) !== raw[leaf]) input2.value = String(raw[leaf]);
       input2.style.setProperty("--share", `${100 * raw[leaf] / MOST3}%`);
       input2.setAttribute("aria-valuetext", percent2(share(leaf)));
-      within(row8, ".search-weight-share").textContent = percent2(share(leaf));
-      row8.classList.toggle("off", raw[leaf] === 0);
+      within(row7, ".search-weight-share").textContent = percent2(share(leaf));
+      row7.classList.toggle("off", raw[leaf] === 0);
       const own2 = owner(leaf);
-      row8.style.setProperty("--tone", several && own2 >= 0 ? pieces[own2].colour : "var(--accent)");
+      row7.style.setProperty("--tone", several && own2 >= 0 ? pieces[own2].colour : "var(--accent)");
     }
     const named3 = Object.entries(now5.presets).find(([, weights]) => sameWeights(weights, raw, now5.body));
     within(box2, `#${SEARCH_PRESET}`).value = named3 ? named3[0] : "";
@@ -9004,6 +8959,36 @@
     });
   }
 
+  // search/strip.mjs
+  function paintStrip(canvas, strip) {
+    const ratio = Math.min(window.devicePixelRatio || 1, 2);
+    const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((size) => Math.max(1, Math.round(size * ratio)));
+    canvas.width = width;
+    canvas.height = height;
+    const context = context2d(canvas);
+    const style = getComputedStyle(canvas);
+    const [full, dull] = [style.getPropertyValue("--strip-full").trim(), style.getPropertyValue("--strip-dull").trim()];
+    const rows2 = strip.rows.length;
+    strip.rows.forEach((cells, r) => {
+      const strength = counts(now5.body.leaves[r]) ? 1 : 0.3;
+      const [top, bottom] = [Math.round(r * height / rows2), Math.round((r + 1) * height / rows2) - Math.max(1, Math.round(ratio / 2))];
+      cells.forEach((value, c) => {
+        if (value < 0) return;
+        const [left, right] = [Math.floor(c * width / cells.length), Math.floor((c + 1) * width / cells.length)];
+        context.globalAlpha = strength;
+        context.fillStyle = dull;
+        context.fillRect(left, top, right - left, bottom - top);
+        context.globalAlpha = strength * (value / 100) ** 1.5;
+        context.fillStyle = full;
+        context.fillRect(left, top, right - left, bottom - top);
+      });
+    });
+  }
+  var canvasOf = (row7) => (
+    /** @type {HTMLCanvasElement} */
+    row7.querySelector("canvas")
+  );
+
   // search/hits.mjs
   var MORE = 30;
   var reasons = /* @__PURE__ */ new Map();
@@ -9030,42 +9015,14 @@
     );
   };
   var reasonNow = (name) => known2.get(`/api/search/explain?${searchAddress(name)}`);
-  function paintStrip(canvas, strip) {
-    const ratio = Math.min(window.devicePixelRatio || 1, 2);
-    const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((size) => Math.max(1, Math.round(size * ratio)));
-    canvas.width = width;
-    canvas.height = height;
-    const context = context2d(canvas);
-    const style = getComputedStyle(canvas);
-    const [full, dull] = [style.getPropertyValue("--strip-full").trim(), style.getPropertyValue("--strip-dull").trim()];
-    const rows2 = strip.rows.length;
-    strip.rows.forEach((cells, r) => {
-      const strength = counts(now5.body.leaves[r]) ? 1 : 0.3;
-      const [top, bottom] = [Math.round(r * height / rows2), Math.round((r + 1) * height / rows2) - Math.max(1, Math.round(ratio / 2))];
-      cells.forEach((value, c) => {
-        if (value < 0) return;
-        const [left, right] = [Math.floor(c * width / cells.length), Math.floor((c + 1) * width / cells.length)];
-        context.globalAlpha = strength;
-        context.fillStyle = dull;
-        context.fillRect(left, top, right - left, bottom - top);
-        context.globalAlpha = strength * (value / 100) ** 1.5;
-        context.fillStyle = full;
-        context.fillRect(left, top, right - left, bottom - top);
-      });
-    });
-  }
-  var canvasOf = (row8) => (
-    /** @type {HTMLCanvasElement} */
-    row8.querySelector("canvas")
-  );
-  function drawStrip2(row8) {
-    const canvas = canvasOf(row8);
-    const name = row8.dataset.hit ?? "";
+  function drawStrip2(row7) {
+    const canvas = canvasOf(row7);
+    const name = row7.dataset.hit ?? "";
     reasonOf(name).then(({ strip }) => {
       if (!canvas.isConnected) return;
       paintStrip(canvas, strip);
-      row8.strip = strip;
-      row8.classList.add("explained");
+      row7.strip = strip;
+      row7.classList.add("explained");
       const best = now5.body.leaves.map((leaf, k) => (
         /** @type {[number, string]} */
         [strip.means[k] ?? -1, now5.body.words[leaf].toLowerCase()]
@@ -9086,14 +9043,14 @@
     }
   }, { rootMargin: "120px" });
   function describe(event) {
-    const row8 = (
+    const row7 = (
       /** @type {HitRow | null} */
       closest(event, ".search-hit")
     );
-    if (!row8 || !row8.strip) return;
+    if (!row7 || !row7.strip) return;
     const box2 = targetOf(event).getBoundingClientRect();
     const leaf = Math.min(Math.floor((event.clientY - box2.top) / box2.height * 10), 9);
-    const cells = row8.strip.rows[leaf];
+    const cells = row7.strip.rows[leaf];
     const share2 = Math.min(Math.max((event.clientX - box2.left) / box2.width, 0), 0.9999);
     const value = cells[Math.floor(share2 * cells.length)];
     const lead = now5.found.pieces[0];
@@ -9419,6 +9376,135 @@
     }, 220);
   });
 
+  // search/pieces.mjs
+  var PICTURES = 12;
+  var LABELS2 = ["#4e79a7", "#f28e2b", "#59a14f", "#e15759", "#b07aa1", "#9c755f", "#76b7b2", "#d4a720", "#ff9da7", "#79706e"];
+  var shownWindows = /* @__PURE__ */ new Map();
+  var pieceName = (piece) => `${piece.dataset} ${piece.clip}`;
+  var shownOf = (piece) => shownWindows.get(pieceName(piece)) || [0, piece.frames];
+  function pictures(piece, [from, to]) {
+    const box2 = element("div", "search-pictures");
+    const step3 = (to - from) / PICTURES;
+    for (let k = 0; k < PICTURES; k++) {
+      const start3 = Math.round(from + k * step3);
+      const end = Math.max(Math.round(from + (k + 1) * step3), start3 + 1);
+      const picture = element("img");
+      const pairs = new URLSearchParams({ start: String(start3), end: String(Math.min(end, piece.frames)), n: "1", v: piece.version.slice(0, 8) });
+      picture.src = `/api/filmstrip/${encodeURIComponent(piece.source)}/${encodeURIComponent(piece.clip)}?${pairs}`;
+      picture.alt = "";
+      picture.draggable = false;
+      box2.append(picture);
+    }
+    return box2;
+  }
+  function labels(piece, [from, to]) {
+    const box2 = element("div", "search-labels");
+    const actions4 = now5.clips ? now5.clips.actions : [];
+    for (const [start3, end, action] of piece.labels) {
+      if (end <= from || start3 >= to) continue;
+      const block2 = element("span", "search-label-block", action);
+      block2.title = `${action}, ${clock(start3 / piece.fps)} to ${clock(end / piece.fps)}. Click to look for it.`;
+      block2.dataset.range = `${start3}-${end}`;
+      block2.style.setProperty("--tone", LABELS2[Math.max(actions4.indexOf(action), 0) % LABELS2.length]);
+      place4(block2, Math.max(start3, from), Math.min(end, to), [from, to]);
+      box2.append(block2);
+    }
+    return box2;
+  }
+  var place4 = (node, start3, end, [from, to]) => {
+    node.style.left = 100 * (start3 - from) / (to - from) + "%";
+    node.style.width = Math.max(100 * (end - start3) / (to - from), 0.3) + "%";
+  };
+  function handle(which, piece) {
+    const made = element("div", "search-handle search-handle-" + which);
+    made.tabIndex = 0;
+    made.setAttribute("role", "slider");
+    made.setAttribute("aria-label", which === "start" ? "First frame of the query" : "End of the query");
+    made.setAttribute("aria-valuemin", String(0));
+    made.setAttribute("aria-valuemax", String(piece.frames));
+    made.dataset.end = which;
+    return made;
+  }
+  function tool(symbol, label, action) {
+    const made = element("button", "search-tool", icon(symbol, 14));
+    made.type = "button";
+    made.title = label;
+    made.setAttribute("aria-label", label);
+    made.dataset.piece = action;
+    return made;
+  }
+  function sourceRow(piece, index, several) {
+    const made = element("div", "search-source");
+    made.dataset.index = String(index);
+    made.style.setProperty("--own", piece.colour);
+    const badge = element("button", "search-badge", "ABCDEF"[index]);
+    badge.type = "button";
+    badge.dataset.piece = "active";
+    badge.title = `Parts one clicks in the figure come from ${"ABCDEF"[index]}`;
+    const name = element("input", "search-clip");
+    name.setAttribute("list", SEARCH_CLIP_NAMES);
+    name.setAttribute("aria-label", "Clip that is looked for");
+    name.placeholder = "Choose a clip";
+    name.value = piece.dataset ? piece.clip : piece.clip;
+    name.title = piece.dataset.startsWith("~upload~") ? "An uploaded recording" : piece.dataset ? `From ${piece.source}` : piece.clip;
+    const gives = element("span", "search-gives muted", several ? piece.gives : piece.dataset.startsWith("~upload~") ? "uploaded" : "");
+    const head3 = element(
+      "div",
+      "search-source-head",
+      several ? badge : null,
+      name,
+      gives,
+      element("span", "search-span number"),
+      element("span", "spacer"),
+      tool("minus", "Show more of the clip", "out"),
+      tool("plus", "Zoom in on the range", "in"),
+      tool("fit", "Take the whole clip", "whole"),
+      several ? tool("close", "Leave this piece out", "remove") : null
+    );
+    const track = element("div", "search-track");
+    const range = shownOf(piece);
+    const box2 = element("div", "search-selection", handle("start", piece), handle("end", piece));
+    track.append(
+      pictures(piece, range),
+      labels(piece, range),
+      element("div", "search-shade search-shade-left"),
+      element("div", "search-shade search-shade-right"),
+      box2,
+      element("div", "search-cursor")
+    );
+    made.append(head3, track);
+    return made;
+  }
+  function placeRange(node, piece) {
+    const range = shownOf(piece);
+    const { start: start3, end, fps, frames } = piece;
+    place4(within(node, ".search-selection"), Math.max(start3, range[0]), Math.min(end, range[1]), range);
+    place4(within(node, ".search-shade-left"), range[0], Math.max(start3, range[0]), range);
+    place4(within(node, ".search-shade-right"), Math.min(end, range[1]), range[1], range);
+    within(node, ".search-shade-left").style.minWidth = "0";
+    for (
+      const [which, value] of
+      /** @type {[string, number][]} */
+      [["start", start3], ["end", end]]
+    ) {
+      const one = within(node, ".search-handle-" + which);
+      one.setAttribute("aria-valuenow", String(value));
+      one.setAttribute("aria-valuetext", clock(value / fps));
+    }
+    const whole3 = start3 === 0 && end === frames;
+    within(node, ".search-span").textContent = whole3 ? `whole clip, ${(frames / fps).toFixed(1)} s` : `${clock(start3 / fps)} to ${clock(end / fps)}, ${((end - start3) / fps).toFixed(1)} s`;
+  }
+  function emptyRow() {
+    const name = element("input", "search-clip");
+    name.setAttribute("list", SEARCH_CLIP_NAMES);
+    name.setAttribute("aria-label", "Clip that is looked for");
+    name.placeholder = now5.clips ? "Choose a clip" : "No dataset yet";
+    const hint = element("span", "muted search-hint", "What motion do you look for? Choose a clip, then drag over the part that matters.");
+    const made = element("div", "search-source search-source-empty", element("div", "search-source-head", name, hint));
+    made.dataset.index = String(0);
+    return made;
+  }
+
   // search/upload.mjs
   var HEADERS2 = { "X-Motionscape": "upload" };
   var status = () => find(SEARCH_UPLOAD_STATUS);
@@ -9503,134 +9589,7 @@
   });
 
   // search/sources.mjs
-  var PICTURES = 12;
-  var LABELS2 = ["#4e79a7", "#f28e2b", "#59a14f", "#e15759", "#b07aa1", "#9c755f", "#76b7b2", "#d4a720", "#ff9da7", "#79706e"];
-  var windows = /* @__PURE__ */ new Map();
-  var nameOf4 = (piece) => `${piece.dataset} ${piece.clip}`;
-  var shownOf = (piece) => windows.get(nameOf4(piece)) || [0, piece.frames];
   var clipCalled = (name) => now5.clips && now5.clips.clips.find((clip) => clip[0] === name);
-  function pictures(piece, [from, to]) {
-    const box2 = element("div", "search-pictures");
-    const step3 = (to - from) / PICTURES;
-    for (let k = 0; k < PICTURES; k++) {
-      const start3 = Math.round(from + k * step3);
-      const end = Math.max(Math.round(from + (k + 1) * step3), start3 + 1);
-      const picture = element("img");
-      const pairs = new URLSearchParams({ start: String(start3), end: String(Math.min(end, piece.frames)), n: "1", v: piece.version.slice(0, 8) });
-      picture.src = `/api/filmstrip/${encodeURIComponent(piece.source)}/${encodeURIComponent(piece.clip)}?${pairs}`;
-      picture.alt = "";
-      picture.draggable = false;
-      box2.append(picture);
-    }
-    return box2;
-  }
-  function labels(piece, [from, to]) {
-    const box2 = element("div", "search-labels");
-    const actions4 = now5.clips ? now5.clips.actions : [];
-    for (const [start3, end, action] of piece.labels) {
-      if (end <= from || start3 >= to) continue;
-      const block2 = element("span", "search-label-block", action);
-      block2.title = `${action}, ${clock(start3 / piece.fps)} to ${clock(end / piece.fps)}. Click to look for it.`;
-      block2.dataset.range = `${start3}-${end}`;
-      block2.style.setProperty("--tone", LABELS2[Math.max(actions4.indexOf(action), 0) % LABELS2.length]);
-      place4(block2, Math.max(start3, from), Math.min(end, to), [from, to]);
-      box2.append(block2);
-    }
-    return box2;
-  }
-  var place4 = (node, start3, end, [from, to]) => {
-    node.style.left = 100 * (start3 - from) / (to - from) + "%";
-    node.style.width = Math.max(100 * (end - start3) / (to - from), 0.3) + "%";
-  };
-  function handle(which, piece) {
-    const made = element("div", "search-handle search-handle-" + which);
-    made.tabIndex = 0;
-    made.setAttribute("role", "slider");
-    made.setAttribute("aria-label", which === "start" ? "First frame of the query" : "End of the query");
-    made.setAttribute("aria-valuemin", String(0));
-    made.setAttribute("aria-valuemax", String(piece.frames));
-    made.dataset.end = which;
-    return made;
-  }
-  function tool(symbol, label, action) {
-    const made = element("button", "search-tool", icon(symbol, 14));
-    made.type = "button";
-    made.title = label;
-    made.setAttribute("aria-label", label);
-    made.dataset.piece = action;
-    return made;
-  }
-  function row7(piece, index, several) {
-    const made = element("div", "search-source");
-    made.dataset.index = String(index);
-    made.style.setProperty("--own", piece.colour);
-    const badge = element("button", "search-badge", "ABCDEF"[index]);
-    badge.type = "button";
-    badge.dataset.piece = "active";
-    badge.title = `Parts one clicks in the figure come from ${"ABCDEF"[index]}`;
-    const name = element("input", "search-clip");
-    name.setAttribute("list", SEARCH_CLIP_NAMES);
-    name.setAttribute("aria-label", "Clip that is looked for");
-    name.placeholder = "Choose a clip";
-    name.value = piece.dataset ? piece.clip : piece.clip;
-    name.title = piece.dataset.startsWith("~upload~") ? "An uploaded recording" : piece.dataset ? `From ${piece.source}` : piece.clip;
-    const gives = element("span", "search-gives muted", several ? piece.gives : piece.dataset.startsWith("~upload~") ? "uploaded" : "");
-    const head3 = element(
-      "div",
-      "search-source-head",
-      several ? badge : null,
-      name,
-      gives,
-      element("span", "search-span number"),
-      element("span", "spacer"),
-      tool("minus", "Show more of the clip", "out"),
-      tool("plus", "Zoom in on the range", "in"),
-      tool("fit", "Take the whole clip", "whole"),
-      several ? tool("close", "Leave this piece out", "remove") : null
-    );
-    const track = element("div", "search-track");
-    const range = shownOf(piece);
-    const box2 = element("div", "search-selection", handle("start", piece), handle("end", piece));
-    track.append(
-      pictures(piece, range),
-      labels(piece, range),
-      element("div", "search-shade search-shade-left"),
-      element("div", "search-shade search-shade-right"),
-      box2,
-      element("div", "search-cursor")
-    );
-    made.append(head3, track);
-    return made;
-  }
-  function settle(node, piece) {
-    const range = shownOf(piece);
-    const { start: start3, end, fps, frames } = piece;
-    place4(within(node, ".search-selection"), Math.max(start3, range[0]), Math.min(end, range[1]), range);
-    place4(within(node, ".search-shade-left"), range[0], Math.max(start3, range[0]), range);
-    place4(within(node, ".search-shade-right"), Math.min(end, range[1]), range[1], range);
-    within(node, ".search-shade-left").style.minWidth = "0";
-    for (
-      const [which, value] of
-      /** @type {[string, number][]} */
-      [["start", start3], ["end", end]]
-    ) {
-      const one = within(node, ".search-handle-" + which);
-      one.setAttribute("aria-valuenow", String(value));
-      one.setAttribute("aria-valuetext", clock(value / fps));
-    }
-    const whole3 = start3 === 0 && end === frames;
-    within(node, ".search-span").textContent = whole3 ? `whole clip, ${(frames / fps).toFixed(1)} s` : `${clock(start3 / fps)} to ${clock(end / fps)}, ${((end - start3) / fps).toFixed(1)} s`;
-  }
-  function empty() {
-    const name = element("input", "search-clip");
-    name.setAttribute("list", SEARCH_CLIP_NAMES);
-    name.setAttribute("aria-label", "Clip that is looked for");
-    name.placeholder = now5.clips ? "Choose a clip" : "No dataset yet";
-    const hint = element("span", "muted search-hint", "What motion do you look for? Choose a clip, then drag over the part that matters.");
-    const made = element("div", "search-source search-source-empty", element("div", "search-source-head", name, hint));
-    made.dataset.index = String(0);
-    return made;
-  }
   var drawn6 = "";
   var dragged = null;
   var drawSources = () => {
@@ -9641,13 +9600,13 @@
       const focus2 = document.activeElement && box2.contains(document.activeElement) ? [closest({ target: document.activeElement }, ".search-source")?.dataset.index, document.activeElement.className] : null;
       drawn6 = mark3;
       now5.active = Math.min(now5.active, Math.max(pieces.length - 1, 0));
-      box2.replaceChildren(...pieces.length ? pieces.map((piece, k) => row7(piece, k, pieces.length > 1)) : [empty()]);
+      box2.replaceChildren(...pieces.length ? pieces.map((piece, k) => sourceRow(piece, k, pieces.length > 1)) : [emptyRow()]);
       const again = focus2 && focus2[1] && allWithin(box2, `[data-index="${focus2[0]}"] *`).find((one) => one.className === focus2[1]);
       if (again) again.focus();
       names();
     }
     pieces.forEach((piece, k) => {
-      if (!dragged || dragged.index !== k) settle(childrenOf(box2)[k], piece);
+      if (!dragged || dragged.index !== k) placeRange(childrenOf(box2)[k], piece);
     });
     allWithin(box2, ".search-source").forEach((one, k) => one.classList.toggle("active", k === now5.active && pieces.length > 1));
     drawMotifs();
@@ -9711,8 +9670,8 @@
     const middle = (piece.start + piece.end) / 2;
     const width = Math.min(wanted2, piece.frames);
     const start3 = Math.round(Math.min(Math.max(middle - width / 2, 0), piece.frames - width));
-    if (width >= piece.frames) windows.delete(nameOf4(piece));
-    else windows.set(nameOf4(piece), [start3, Math.round(start3 + width)]);
+    if (width >= piece.frames) shownWindows.delete(pieceName(piece));
+    else shownWindows.set(pieceName(piece), [start3, Math.round(start3 + width)]);
     drawSources();
   }
   function combine() {
@@ -9770,7 +9729,7 @@
       drawSources();
       drawBody();
     } else if (on2.dataset.piece === "whole") {
-      windows.delete(nameOf4(piece));
+      shownWindows.delete(pieceName(piece));
       setRange(index, 0, piece.frames);
     } else if (on2.dataset.piece === "remove") {
       const pieces = copyPieces();
@@ -9809,7 +9768,7 @@
     else [start3, end] = [Math.min(frame, dragged.at), Math.max(frame, dragged.at)];
     dragged.start = start3;
     dragged.end = Math.max(end, start3 + 1);
-    settle(around(track, ".search-source"), { ...piece, start: start3, end: dragged.end });
+    placeRange(around(track, ".search-source"), { ...piece, start: start3, end: dragged.end });
   });
   var release = (event) => {
     if (!dragged || event.pointerId !== dragged.id) return;

@@ -2,6 +2,7 @@
 import { changeView, clientside, setStore } from "../shared/dash.mjs";
 import { allWithin, closest, element, find, need, setLink, within } from "../shared/dom.mjs";
 import { SELECTION } from "../shared/ids.mjs";
+import { drawSkateMeter } from "../shared/skate_meter.mjs";
 import { plural } from "../shared/words.mjs";
 import { player } from "../stage/player.mjs";
 import { visited } from "./history.mjs";
@@ -90,29 +91,6 @@ function string(data) {
   redraw(list, chips);
 }
 
-/** @param {Composition} data */
-function meters(data) {
-  const box = need(ids.COMPOSE_METERS);
-  box.classList.toggle("hidden", !data.skate);
-  if (!data.skate) return;
-  const [source, plain, kept] = data.skate;
-  const most = Math.max(source, plain, kept, 1e-6);
-  const title = element("div", "walk-meter-title", "Foot skate");
-  title.title = "How far standing feet slide, in centimetres per second of contact";
-  /** @type {[string, number][]} */
-  const rows = [["This routine", kept], ["Blending alone", plain], ["Recordings", source]];
-  box.replaceChildren(title, ...rows.map(([label, value], i) => {
-    const row = element("div", "walk-meter" + (i ? "" : " walk-meter-own"));
-    const bar = element("span", "walk-bar");
-    bar.style.setProperty("--share", String(value / most));
-    row.append(element("span", "", label), bar, element("span", "number", `${(100 * value).toFixed(1)} cm/s`));
-    return row;
-  }));
-  const speed = element("div", "walk-speed" + (data.jump ? " walk-jump" : ""));
-  speed.textContent = `${data.jump ? "A blend jumps" : "No jump"}: fastest joint ${data.speeds[0]} m/s in the blends, ${data.speeds[1]} m/s in the recordings.`;
-  box.append(speed);
-}
-
 function chosenWords() {
   const { chosen } = now;
   if (!chosen) return "Choose an action to change its part.";
@@ -144,7 +122,7 @@ function show() {
   } else {
     string(now);
     showTree(need(ids.COMPOSE_TREE), now.svg, choose);
-    meters(now);
+    drawSkateMeter(need(ids.COMPOSE_METERS), "This routine", now);
   }
   need(ids.COMPOSE_WARNINGS).replaceChildren(...((there && now.warnings) || []).map((text) => element("p", "", text)));
   setLink(ids.COMPOSE_BVH, there && `/api/bvh/${encodeURIComponent(now.name ?? "")}/${encodeURIComponent(now.clip)}`);

@@ -3,12 +3,14 @@
 import { changeView, clientside, register, setStore } from "../shared/dash.mjs";
 import { allWithin, closest, find, need, setLink, targetOf } from "../shared/dom.mjs";
 import { SELECTION } from "../shared/ids.mjs";
+import { drawSkateMeter } from "../shared/skate_meter.mjs";
 import { ahead } from "../stage/ahead.mjs";
 import { player } from "../stage/player.mjs";
 import * as ids from "./ids.mjs";
 import { lightMotif, markWalk } from "./walk_graph.mjs";
 import { drawPath, lightVisit } from "./walk_path.mjs";
 import { walking } from "./walk_state.mjs";
+import { filled, waysText, withoutGap } from "./walk_words.mjs";
 /** @import { Walk, WalkKeys } from "./types.d.ts" */
 /** @import { Selection, View } from "../shared/types.d.ts" */
 /** @import { StageRequest } from "../stage/types.d.ts" */
@@ -16,7 +18,6 @@ import { walking } from "./walk_state.mjs";
 const KEYS = ["walk", "extra", "gaps", "ends", "feet"];
 const OURS = "~walk~";
 const LONGEST = 300; // letters of a path that a link can hold
-const MOST_NAMED = 12; // dead ends that are listed by number
 const BEFORE = 0.5; // seconds played before a motif that was just added
 
 /** The server's last word; empty until there is one. @type {Walk} */
@@ -94,67 +95,9 @@ function problem({ error, gap, detour }) {
     button.addEventListener("click", act);
     box.append(button);
   };
-  if (gap && detour?.length) offer(`Go by way of ${detour.slice(1, -1).join(", ")}`, () => write(filled(gap, detour)));
+  if (gap && detour?.length) offer(`Go by way of ${detour.slice(1, -1).join(", ")}`, () => write(filled(motifs(), gap, detour)));
   if (gap) offer("Bridge the gap by a blend", () => changeView({ gaps: "bridge" }));
-  if (gap && motifs().length) offer(`Take ${gap[1]} away`, () => write(without(gap)));
-}
-
-/**
- * The path with the way round put into the gap, wherever it occurs.
- * @param {[number, number]} gap
- * @param {number[]} detour
- */
-const filled = ([a, b], detour) => motifs().flatMap((motif, i, all) => (i && all[i - 1] === a && motif === b ? detour.slice(1) : [motif]));
-/** @param {[number, number]} gap */
-const without = ([a, b]) => motifs().filter((motif, i, all) => !(i && all[i - 1] === a && motif === b));
-
-/** @param {number} metres */
-const cm = (metres) => `${(100 * metres).toFixed(1)} cm/s`;
-
-/** @param {Walk} data */
-function meters(data) {
-  const box = need(ids.WALK_METERS);
-  box.classList.toggle("hidden", !data.name);
-  if (!data.name) return;
-  const [source, plain, kept] = data.skate;
-  const most = Math.max(source, plain, kept, 1e-6);
-  /** @type {[string, number][]} */
-  const rows = [["This walk", kept], ["Blending alone", plain], ["Recordings", source]];
-  const heading = Object.assign(document.createElement("div"), {
-    className: "walk-meter-title", textContent: "Foot skate", title: "How far standing feet slide, in centimetres per second of contact",
-  });
-  box.replaceChildren(heading, ...rows.map(([label, value], i) => {
-    const row = document.createElement("div");
-    row.className = "walk-meter" + (i ? "" : " walk-meter-own");
-    const name = Object.assign(document.createElement("span"), { textContent: label });
-    const bar = Object.assign(document.createElement("span"), { className: "walk-bar" });
-    bar.style.setProperty("--share", String(value / most));
-    const number = Object.assign(document.createElement("span"), { className: "number", textContent: cm(value) });
-    row.append(name, bar, number);
-    return row;
-  }));
-  const speed = document.createElement("div");
-  speed.className = "walk-speed" + (data.jump ? " walk-jump" : "");
-  const [seams, sources] = data.speeds;
-  speed.textContent = data.blends
-    ? `${data.jump ? "A blend jumps" : "No jump"}: fastest joint ${seams} m/s in the blends, ${sources} m/s in the recordings.`
-    : "Recorded as it is: nothing had to be blended.";
-  box.append(speed);
-}
-
-/**
- * Dead ends, parts and further links of the graph, in words.
- * @param {Walk} data
- */
-function waysText(data) {
-  if (!data.parts) return "";
-  const total = data.motifs.length;
-  const words = [];
-  if (data.parts.length > 1) words.push(`From ${data.parts[0]} of ${total} motifs one can come back to each other; ${data.parts.length - 1} more such part${data.parts.length > 2 ? "s" : ""}.`);
-  const dead = data.dead.length > MOST_NAMED ? `${data.dead.length} motifs` : data.dead.join(", ");
-  if (data.dead.length) words.push(`Dead ends, where nothing leads on: ${dead} (marked in the graph).`);
-  if (data.asked.extra) words.push(data.further.length ? `${data.further.length} further transitions (dashed).` : "No further transition points are good enough.");
-  return words.join(" ");
+  if (gap && motifs().length) offer(`Take ${gap[1]} away`, () => write(withoutGap(motifs(), gap)));
 }
 
 function show() {
@@ -172,7 +115,7 @@ function show() {
   need(ids.WALK_WAYS).textContent = waysText(now);
   drawPath(need(ids.WALK_PATH), now, { write, jump: seekTo });
   problem(now);
-  meters(now);
+  drawSkateMeter(need(ids.WALK_METERS), "This walk", now.name ? now : null, now.blends > 0);
   for (const button of allWithin(document, "[data-walk='play']")) button.disabled = !walks;
   for (const button of allWithin(document, "[data-walk='clear']")) button.disabled = !view.walk;
   setLink(ids.WALK_BVH, walks && `/api/bvh/${encodeURIComponent(now.name ?? "")}/walk`);

@@ -58,10 +58,7 @@ function refresh(lists = true) {
 }
 
 // ---- the server ----
-/**
- * What the server answers, or {error} in plain words.
- * @param {string} address
- */
+/** What the server answers, or {error} in plain words. @param {string} address */
 async function ask(address) {
   const answer = await fetch(address).catch(() => null);
   const body = await answer?.json().catch(() => null);
@@ -69,10 +66,7 @@ async function ask(address) {
 }
 
 // ---- changes ----
-/**
- * Hits of a path drawn by hand ("x-y,x-y"): the server warps it onto every clip.
- * @param {string} path
- */
+/** Hits of a path drawn by hand ("x-y,x-y"): the server warps it onto every clip. @param {string} path */
 async function followPath(path) {
   const { map } = state;
   state.path = path;
@@ -156,10 +150,7 @@ function fit() {
   drawKeys();
 }
 
-/**
- * Take up what a view says; nothing is done where it is shown already.
- * @param {View} view
- */
+/** Take up what a view says; nothing is done where it is shown already. @param {View} view */
 function show(view) {
   const { map } = state;
   if (!map || !mount()) return;
@@ -295,11 +286,7 @@ register("map", {
     const key = id.slice("map-".length);
     return (view || {})[key] || USUAL[key];
   },
-  /**
-   * Those parts of the view that the server draws by.
-   * @param {View | null} view
-   * @param {View | null} current
-   */
+  /** Those parts of the view that the server draws by. @param {View | null} view @param {View | null} current */
   look(view, current) {
     const keys = ["colour", "below", "region", "icons"];
     const next = Object.fromEntries(keys.filter((key) => (view || {})[key]).map((key) => [key, (view || {})[key]]));

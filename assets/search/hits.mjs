@@ -1,12 +1,13 @@
 /* The ranked hits: a row each with its pictures and score, and the strip that shows which parts match when. */
 import { changeView, notify, setStore } from "../shared/dash.mjs";
-import { allWithin, around, closest, context2d, element, find, hasClass, icon, need, targetOf, within } from "../shared/dom.mjs";
+import { allWithin, around, closest, element, find, hasClass, icon, need, targetOf, within } from "../shared/dom.mjs";
 import { SELECTION, STAGE_REQUEST } from "../shared/ids.mjs";
 import { player } from "../stage/player.mjs";
-import { counts, lightPart } from "./body.mjs";
+import { lightPart } from "./body.mjs";
 import * as ids from "./ids.mjs";
 import { now, searchAddress } from "./state.mjs";
-/** @import { Found, Hit, HitRow, Reason, Strip } from "./types.d.ts" */
+import { canvasOf, paintStrip } from "./strip.mjs";
+/** @import { Found, Hit, HitRow, Reason } from "./types.d.ts" */
 /** @import { StageRequest } from "../stage/types.d.ts" */
 
 const MORE = 30;
@@ -38,38 +39,6 @@ export const reasonOf = (name) => {
 const reasonNow = (name) => known.get(`/api/search/explain?${searchAddress(name)}`);
 
 // ---- the strip ----
-/**
- * Cells from dull (nothing alike) to full colour (equal); parts that do not count are pale.
- * @param {HTMLCanvasElement} canvas
- * @param {Strip} strip
- */
-function paintStrip(canvas, strip) {
-  const ratio = Math.min(window.devicePixelRatio || 1, 2);
-  const [width, height] = [canvas.clientWidth, canvas.clientHeight].map((size) => Math.max(1, Math.round(size * ratio)));
-  canvas.width = width;
-  canvas.height = height;
-  const context = context2d(canvas);
-  const style = getComputedStyle(canvas);
-  const [full, dull] = [style.getPropertyValue("--strip-full").trim(), style.getPropertyValue("--strip-dull").trim()];
-  const rows = strip.rows.length;
-  strip.rows.forEach((cells, r) => {
-    const strength = counts(now.body.leaves[r]) ? 1 : 0.3;
-    const [top, bottom] = [Math.round((r * height) / rows), Math.round(((r + 1) * height) / rows) - Math.max(1, Math.round(ratio / 2))];
-    cells.forEach((value, c) => {
-      if (value < 0) return;
-      const [left, right] = [Math.floor((c * width) / cells.length), Math.floor(((c + 1) * width) / cells.length)];
-      context.globalAlpha = strength;
-      context.fillStyle = dull;
-      context.fillRect(left, top, right - left, bottom - top);
-      context.globalAlpha = strength * (value / 100) ** 1.5;
-      context.fillStyle = full;
-      context.fillRect(left, top, right - left, bottom - top);
-    });
-  });
-}
-
-/** @param {Element} row */
-const canvasOf = (row) => /** @type {HTMLCanvasElement} */ (row.querySelector("canvas"));
 
 /** @param {HitRow} row */
 function drawStrip(row) {

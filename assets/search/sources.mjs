@@ -1,145 +1,17 @@
-/* Where the query comes from: one row a piece, each a clip with a range dragged on its pictures. */
+/* Where the query comes from: what one does to its pieces, and ranges that are dragged on their pictures. */
 import { notify } from "../shared/dash.mjs";
-import { allWithin, around, childrenOf, closest, element, find, hasClass, icon, need, targetOf, within } from "../shared/dom.mjs";
-import { clock } from "../shared/words.mjs";
+import { allWithin, around, childrenOf, closest, element, find, hasClass, need, targetOf } from "../shared/dom.mjs";
 import { player } from "../stage/player.mjs";
 import { drawBody } from "./body.mjs";
 import { seekPiece } from "./hits.mjs";
 import * as ids from "./ids.mjs";
+import { emptyRow, pieceName, placeRange, shownOf, shownWindows, sourceRow } from "./pieces.mjs";
 import { canGoBack, changeSearch, copyPieces, goBack, now, remember, searchFor } from "./state.mjs";
 import { chooseRecording } from "./upload.mjs";
 /** @import { ClipList, Drag, QueryPiece, ShownPiece } from "./types.d.ts" */
 
-const PICTURES = 12;
-const LABELS = ["#4e79a7", "#f28e2b", "#59a14f", "#e15759", "#b07aa1", "#9c755f", "#76b7b2", "#d4a720", "#ff9da7", "#79706e"];
-/** @type {Map<string, [number, number]>} */
-const windows = new Map(); // "dataset clip" -> [from, to] frames that its row shows
-
-/** @param {ShownPiece} piece */
-const nameOf = (piece) => `${piece.dataset} ${piece.clip}`;
-/** @param {ShownPiece} piece */
-const shownOf = (piece) => windows.get(nameOf(piece)) || [0, piece.frames];
 /** @param {string} name */
 const clipCalled = (name) => now.clips && now.clips.clips.find((clip) => clip[0] === name);
-
-/** @param {ShownPiece} piece @param {[number, number]} range */
-function pictures(piece, [from, to]) {
-  const box = element("div", "search-pictures");
-  const step = (to - from) / PICTURES;
-  for (let k = 0; k < PICTURES; k++) {
-    const start = Math.round(from + k * step);
-    const end = Math.max(Math.round(from + (k + 1) * step), start + 1);
-    const picture = element("img");
-    const pairs = new URLSearchParams({ start: String(start), end: String(Math.min(end, piece.frames)), n: "1", v: piece.version.slice(0, 8) });
-    picture.src = `/api/filmstrip/${encodeURIComponent(piece.source)}/${encodeURIComponent(piece.clip)}?${pairs}`;
-    picture.alt = "";
-    picture.draggable = false;
-    box.append(picture);
-  }
-  return box;
-}
-
-/** @param {ShownPiece} piece @param {[number, number]} range */
-function labels(piece, [from, to]) {
-  const box = element("div", "search-labels");
-  const actions = now.clips ? now.clips.actions : [];
-  for (const [start, end, action] of piece.labels) {
-    if (end <= from || start >= to) continue;
-    const block = element("span", "search-label-block", action);
-    block.title = `${action}, ${clock(start / piece.fps)} to ${clock(end / piece.fps)}. Click to look for it.`;
-    block.dataset.range = `${start}-${end}`;
-    block.style.setProperty("--tone", LABELS[Math.max(actions.indexOf(action), 0) % LABELS.length]);
-    place(block, Math.max(start, from), Math.min(end, to), [from, to]);
-    box.append(block);
-  }
-  return box;
-}
-
-/** @param {HTMLElement} node @param {number} start @param {number} end @param {[number, number]} range */
-const place = (node, start, end, [from, to]) => {
-  node.style.left = (100 * (start - from)) / (to - from) + "%";
-  node.style.width = Math.max((100 * (end - start)) / (to - from), 0.3) + "%";
-};
-
-/** @param {string} which @param {ShownPiece} piece */
-function handle(which, piece) {
-  const made = element("div", "search-handle search-handle-" + which);
-  made.tabIndex = 0;
-  made.setAttribute("role", "slider");
-  made.setAttribute("aria-label", which === "start" ? "First frame of the query" : "End of the query");
-  made.setAttribute("aria-valuemin", String(0));
-  made.setAttribute("aria-valuemax", String(piece.frames));
-  made.dataset.end = which;
-  return made;
-}
-
-/** @param {string} symbol @param {string} label @param {string} action */
-function tool(symbol, label, action) {
-  const made = element("button", "search-tool", icon(symbol, 14));
-  made.type = "button";
-  made.title = label;
-  made.setAttribute("aria-label", label);
-  made.dataset.piece = action;
-  return made;
-}
-
-/** @param {ShownPiece} piece @param {number} index @param {boolean} several */
-function row(piece, index, several) {
-  const made = element("div", "search-source");
-  made.dataset.index = String(index);
-  made.style.setProperty("--own", piece.colour);
-  const badge = element("button", "search-badge", "ABCDEF"[index]);
-  badge.type = "button";
-  badge.dataset.piece = "active";
-  badge.title = `Parts one clicks in the figure come from ${"ABCDEF"[index]}`;
-  const name = element("input", "search-clip");
-  name.setAttribute("list", ids.SEARCH_CLIP_NAMES);
-  name.setAttribute("aria-label", "Clip that is looked for");
-  name.placeholder = "Choose a clip";
-  name.value = piece.dataset ? piece.clip : piece.clip;
-  name.title = piece.dataset.startsWith("~upload~") ? "An uploaded recording" : piece.dataset ? `From ${piece.source}` : piece.clip;
-  const gives = element("span", "search-gives muted", several ? piece.gives : piece.dataset.startsWith("~upload~") ? "uploaded" : "");
-  const head = element("div", "search-source-head", several ? badge : null, name, gives,
-    element("span", "search-span number"), element("span", "spacer"),
-    tool("minus", "Show more of the clip", "out"), tool("plus", "Zoom in on the range", "in"),
-    tool("fit", "Take the whole clip", "whole"), several ? tool("close", "Leave this piece out", "remove") : null);
-  const track = element("div", "search-track");
-  const range = shownOf(piece);
-  const box = element("div", "search-selection", handle("start", piece), handle("end", piece));
-  track.append(pictures(piece, range), labels(piece, range), element("div", "search-shade search-shade-left"),
-    element("div", "search-shade search-shade-right"), box, element("div", "search-cursor"));
-  made.append(head, track);
-  return made;
-}
-
-/** @param {HTMLElement} node @param {ShownPiece} piece */
-function settle(node, piece) {
-  const range = shownOf(piece);
-  const { start, end, fps, frames } = piece;
-  place(within(node, ".search-selection"), Math.max(start, range[0]), Math.min(end, range[1]), range);
-  place(within(node, ".search-shade-left"), range[0], Math.max(start, range[0]), range);
-  place(within(node, ".search-shade-right"), Math.min(end, range[1]), range[1], range);
-  within(node, ".search-shade-left").style.minWidth = "0";
-  for (const [which, value] of /** @type {[string, number][]} */ ([["start", start], ["end", end]])) {
-    const one = within(node, ".search-handle-" + which);
-    one.setAttribute("aria-valuenow", String(value));
-    one.setAttribute("aria-valuetext", clock(value / fps));
-  }
-  const whole = start === 0 && end === frames;
-  within(node, ".search-span").textContent = whole ? `whole clip, ${(frames / fps).toFixed(1)} s`
-    : `${clock(start / fps)} to ${clock(end / fps)}, ${((end - start) / fps).toFixed(1)} s`;
-}
-
-function empty() {
-  const name = element("input", "search-clip");
-  name.setAttribute("list", ids.SEARCH_CLIP_NAMES);
-  name.setAttribute("aria-label", "Clip that is looked for");
-  name.placeholder = now.clips ? "Choose a clip" : "No dataset yet";
-  const hint = element("span", "muted search-hint", "What motion do you look for? Choose a clip, then drag over the part that matters.");
-  const made = element("div", "search-source search-source-empty", element("div", "search-source-head", name, hint));
-  made.dataset.index = String(0);
-  return made;
-}
 
 let drawn = "";
 /** @type {Drag | null} */
@@ -154,12 +26,12 @@ export const drawSources = () => {
       ? [closest({ target: document.activeElement }, ".search-source")?.dataset.index, document.activeElement.className] : null;
     drawn = mark;
     now.active = Math.min(now.active, Math.max(pieces.length - 1, 0));
-    box.replaceChildren(...(pieces.length ? pieces.map((piece, k) => row(piece, k, pieces.length > 1)) : [empty()]));
+    box.replaceChildren(...(pieces.length ? pieces.map((piece, k) => sourceRow(piece, k, pieces.length > 1)) : [emptyRow()]));
     const again = focus && focus[1] && allWithin(box, `[data-index="${focus[0]}"] *`).find((one) => one.className === focus[1]);
     if (again) again.focus();
     names();
   }
-  pieces.forEach((piece, k) => { if (!dragged || dragged.index !== k) settle(childrenOf(box)[k], piece); });
+  pieces.forEach((piece, k) => { if (!dragged || dragged.index !== k) placeRange(childrenOf(box)[k], piece); });
   allWithin(box, ".search-source").forEach((one, k) => one.classList.toggle("active", k === now.active && pieces.length > 1));
   drawMotifs();
   const back = document.querySelector("[data-search='back']");
@@ -233,8 +105,8 @@ function zoom(index, action) {
   const middle = (piece.start + piece.end) / 2;
   const width = Math.min(wanted, piece.frames);
   const start = Math.round(Math.min(Math.max(middle - width / 2, 0), piece.frames - width));
-  if (width >= piece.frames) windows.delete(nameOf(piece));
-  else windows.set(nameOf(piece), [start, Math.round(start + width)]);
+  if (width >= piece.frames) shownWindows.delete(pieceName(piece));
+  else shownWindows.set(pieceName(piece), [start, Math.round(start + width)]);
   drawSources();
 }
 
@@ -297,7 +169,7 @@ document.addEventListener("click", (event) => {
     drawSources();
     drawBody();
   } else if (on.dataset.piece === "whole") {
-    windows.delete(nameOf(piece));
+    shownWindows.delete(pieceName(piece));
     setRange(index, 0, piece.frames);
   } else if (on.dataset.piece === "remove") {
     const pieces = copyPieces();
@@ -341,7 +213,7 @@ document.addEventListener("pointermove", (event) => {
   else [start, end] = [Math.min(frame, dragged.at), Math.max(frame, dragged.at)];
   dragged.start = start;
   dragged.end = Math.max(end, start + 1);
-  settle(around(track, ".search-source"), { ...piece, start, end: dragged.end });
+  placeRange(around(track, ".search-source"), { ...piece, start, end: dragged.end });
 });
 
 /** @param {PointerEvent} event */

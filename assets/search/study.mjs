@@ -22,7 +22,7 @@ const at = { rate: 0, vote: 0 }; // which pair is asked about
 let shown = ""; // what is on the Stage
 
 const mode = () => (view.study === "vote" ? "vote" : view.study === "results" ? "results" : "rate");
-// The order of the pairs is each person's own: until that of who answers is here, nothing is asked.
+// The order of the pairs is each person's own: until that of takePerson answers is here, nothing is asked.
 const awaited = () => data.asked[2] !== (person.name || person.id);
 const rows = () => (awaited() ? [] : (mode() === "vote" ? data.duels : data.pairs) || []);
 const visible = () => Boolean(find(ids.STUDY_SETUP)?.offsetParent) && data && !data.error;
@@ -34,7 +34,7 @@ const button = (words, name, className = "search-button") => {
   return made;
 };
 
-// ---- the setup: queries, engines, who answers ----
+// ---- the setup: queries, engines, takePerson answers ----
 function setup() {
   const queries = data.queries.map(({ name, clip, when, strip }) => {
     const picture = element("img", "study-strip");
@@ -204,7 +204,7 @@ let sent = 0; // when the message under way was sent, 0 where none is
 /** @type {Person} */
 let person = {};
 /** @param {Person | null} stored */
-function who(stored) {
+function takePerson(stored) {
   person = stored || {};
   if (!person.id) {
     person = { ...person, id: `someone-${Math.random().toString(36).slice(2, 8)}` };
@@ -231,7 +231,7 @@ register("study", {
       shown = "";
       return clientside.no_update;
     }
-    if (!stored || !stored.id) who(stored);
+    if (!stored || !stored.id) takePerson(stored);
     else person = stored;
     const fresh = found !== data;
     const before = data && data.asked[2] === found.asked[2] ? data : null;
@@ -279,7 +279,7 @@ document.addEventListener("click", (event) => {
 });
 document.addEventListener("change", (event) => {
   if (targetOf(event).id !== ids.STUDY_NAME) return;
-  who({ ...person, name: targetOf(event).value.trim() });
+  takePerson({ ...person, name: targetOf(event).value.trim() });
   setStore(ids.STUDY_PERSON, person);
   draw();
 });

@@ -35,13 +35,13 @@ export function addressOf(pathname, { dataset, selection, view, keys, chosen, st
 /**
  * What a link says of the Stage. The moment counts only where it stands still, the camera where it was turned by hand.
  * @param {StageState} state
- * @param {boolean} handled
+ * @param {boolean} turnedByHand
  */
-export const stageOfLink = ({ time, playing, speed, layout, camera }, handled) => ({
+export const stageOfLink = ({ time, playing, speed, layout, camera }, turnedByHand) => ({
   time: playing ? "" : time,
   speed: speed === 1 ? "" : speed,
   layout: layout === "overlay" ? "" : layout,
-  camera: handled ? [camera.yaw, camera.pitch, camera.distance, ...camera.pan, camera.follow ? 1 : 0].join(",") : "",
+  camera: turnedByHand ? [camera.yaw, camera.pitch, camera.distance, ...camera.pan, camera.follow ? 1 : 0].join(",") : "",
 });
 
 /**

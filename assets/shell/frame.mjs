@@ -12,7 +12,7 @@ const WIDTH_KEY = "motionscape-stage-width";
 
 /** What the address says. @type {Shown} */
 const shown = { dataset: null, selection: {}, view: {}, keys: {}, chosen: "{}", stage: {} };
-let handled = false; // the view was turned by hand: then it is worth a place in the link
+let turnedByHand = false; // the view was turned by hand: then it is worth a place in the link
 
 /** The link of what is shown, in the address line and for the store "address"; nothing while no data set is shown. */
 function writeAddress() {
@@ -24,11 +24,11 @@ function writeAddress() {
 
 // The Stage tells now and then what one sees; the moment counts only where it stands still.
 window.addEventListener("stage-state", (event) => {
-  shown.stage = stageOfLink(event.detail, handled);
+  shown.stage = stageOfLink(event.detail, turnedByHand);
   writeAddress();
 });
 for (const kind of ["wheel", "pointerdown", "keydown"]) {
-  document.addEventListener(kind, (event) => { if (targetOf(event).id === STAGE_CANVAS) handled = true; }, { passive: true, capture: true });
+  document.addEventListener(kind, (event) => { if (targetOf(event).id === STAGE_CANVAS) turnedByHand = true; }, { passive: true, capture: true });
 }
 
 register("shell", {
@@ -44,7 +44,7 @@ register("shell", {
     const chosen = JSON.stringify(selection || {});
     if (shown.dataset && (chosen !== shown.chosen || dataset !== shown.dataset)) {
       shown.stage = {};
-      handled = false;
+      turnedByHand = false;
     }
     Object.assign(shown, { dataset, selection, view, keys, chosen });
     return writeAddress();
@@ -60,7 +60,7 @@ register("shell", {
   restore(stage) {
     if (!stage || !Object.keys(stage).length) return clientside.no_update;
     shown.stage = stage;
-    if (stage.camera) handled = true;
+    if (stage.camera) turnedByHand = true;
     player.restore(stateOfLink(stage));
     return clientside.no_update;
   },

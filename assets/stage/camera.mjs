@@ -61,10 +61,10 @@ export class Camera {
    * @param {number} x
    * @param {number} z
    * @param {number} seconds
-   * @param {boolean} atOnce
+   * @param {boolean} immediately
    */
-  track(x, z, seconds, atOnce) {
-    const share = atOnce ? 1 : 1 - Math.exp(-seconds * 6);
+  track(x, z, seconds, immediately) {
+    const share = immediately ? 1 : 1 - Math.exp(-seconds * 6);
     this.centre[0] += (x - this.centre[0]) * share;
     this.centre[1] += (z - this.centre[1]) * share;
   }

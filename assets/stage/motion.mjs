@@ -16,7 +16,7 @@ function segmentOf(request, item) {
   const version = String(((item.dataset ?? null) === null ? item.version ?? request.version : item.version) ?? "");
   const segment = { dataset, version, clip: String(item.clip), start: item.start ?? "", end: item.end ?? "" };
   // with a version, or a name made from its content, the same segment is the same motion for good
-  return { ...segment, key: JSON.stringify(Object.values(segment)), forGood: version !== "" || dataset.startsWith("~") };
+  return { ...segment, key: JSON.stringify(Object.values(segment)), permanent: version !== "" || dataset.startsWith("~") };
 }
 
 /**
@@ -106,8 +106,8 @@ export class MotionCache {
     const segments = items.map((item) => segmentOf(request, item));
     const wanted = new Map();
     for (const segment of segments) {
-      const { key, forGood } = segment;
-      if (forGood && (this.motions.has(key) || this.coming.has(key))) continue;
+      const { key, permanent } = segment;
+      if (permanent && (this.motions.has(key) || this.coming.has(key))) continue;
       wanted.set(key, segment);
     }
     if (wanted.size) this.fetch(addresses(api, [...wanted.values()]));

@@ -89,11 +89,7 @@ export class Stage {
     this.looks.disconnect();
   }
 
-  /**
-   * Show figures from their start, as a request wants it.
-   * @param {Figure[]} figures
-   * @param {StageRequest} request
-   */
+  /** Show figures from their start, as a request wants it. @param {Figure[]} figures @param {StageRequest} request */
   begin(figures, request) {
     this.layout = request.layout && LAYOUTS.includes(request.layout) ? request.layout : "overlay";
     this.sync = request.sync === "start" ? "start" : "warp";
@@ -133,10 +129,7 @@ export class Stage {
     this.prepare(keepView);
   }
 
-  /**
-   * Do what changes the length of time; the clock goes on at the same share of it.
-   * @param {() => void} change
-   */
+  /** Do what changes the length of time; the clock goes on at the same share of it. @param {() => void} change */
   keepingShare(change) {
     const { clock } = this;
     const share = clock.duration ? clock.time / clock.duration : 0;
@@ -201,11 +194,7 @@ export class Stage {
     this.colour();
   }
 
-  /**
-   * Say which figure is under the pointer.
-   * @param {number} x
-   * @param {number} y
-   */
+  /** Say which figure is under the pointer. @param {number} x @param {number} y */
   pointAt(x, y) {
     const { canvas, ratio } = this.scene;
     const figure = this.figures.length > 1 ? this.scene.figureAt(this.figures, x * ratio, y * ratio) : undefined;
@@ -378,10 +367,7 @@ export class Stage {
     this.quiet = window.setTimeout(() => toast.classList.remove("ms-shown"), 1100);
   }
 
-  /**
-   * Open or close the list of keys; true when it was open.
-   * @param {boolean} [open]
-   */
+  /** Open or close the list of keys; true when it was open. @param {boolean} [open] */
   toggleHelp(open) {
     const help = within(this.root, ".ms-help");
     const was = !help.hidden;

@@ -46,7 +46,7 @@ export interface Segment {
   start: number | string;
   end: number | string;
   key: string;
-  forGood: boolean;
+  permanent: boolean;
 }
 
 /** Bones that are sorted by depth together: pairs of joints, parent and child. */
