@@ -73,11 +73,11 @@ def prepare_demo(workspace: Workspace) -> None:
 def _serve(workspace: Workspace, arguments: Namespace, token: str | None, listener: socket.socket) -> int:
     from waitress import create_server
 
-    from webapp.jobs import tend
+    from webapp.jobs import ensure_worker
 
     if arguments.demo:
         prepare_demo(workspace)  # its worker starts while the app is being built
-    tend(workspace)  # jobs that were waiting when the last server ended
+    ensure_worker(workspace)  # jobs that were waiting when the last server ended
     app = _app(workspace, token)
     port = listener.getsockname()[1]
     url = f"http://{_shown(arguments.host)}:{port}/" + (f"?token={token}" if token else "")

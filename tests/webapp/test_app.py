@@ -107,24 +107,24 @@ def test_the_dataset_of_a_link_or_the_first():
 
 def test_the_bar_shows_what_runs_and_what_failed(workspace):
     job = workspace.jobs.submit("k1", {"method": "motifs"}, "Motif graph: walkers")
-    pulse = job_bar.look(workspace)
+    pulse = job_bar.read_pulse(workspace)
     assert pulse.busy and [j.id for j in pulse.jobs] == [job.id]
     waits = {"id": job.id, "title": job.title, "stage": "waiting for its turn", "percent": None, "stopping": False}
     assert job_bar.rows(pulse.jobs) == [waits]
     workspace.jobs.fail(job.id, "The disk is full.")
-    failed = job_bar.look(workspace)
+    failed = job_bar.read_pulse(workspace)
     assert not failed.busy and failed.finished != pulse.finished
     assert job_bar.rows(failed.jobs) == [{"id": job.id, "title": job.title, "error": "The disk is full."}]
-    assert job_bar.look(workspace, dismissed=[job.id]).jobs == ()
+    assert job_bar.read_pulse(workspace, dismissed=[job.id]).jobs == ()
     again = workspace.jobs.submit("k1", {"method": "motifs"}, "Motif graph: walkers")
-    assert [j.id for j in job_bar.look(workspace).jobs] == [again.id]  # the failure is superseded
+    assert [j.id for j in job_bar.read_pulse(workspace).jobs] == [again.id]  # the failure is superseded
 
 
 def test_the_revision_changes_with_the_datasets(workspace):
-    before = job_bar.look(workspace).revision
-    assert job_bar.look(workspace).revision == before
+    before = job_bar.read_pulse(workspace).revision
+    assert job_bar.read_pulse(workspace).revision == before
     workspace.rename("walkers", "strollers")
-    assert job_bar.look(workspace).revision != before
+    assert job_bar.read_pulse(workspace).revision != before
 
 
 def test_words_of_the_error_page_are_escaped():

@@ -1,5 +1,5 @@
-"""Long work: starting it in processes of its own, the job bar, and changes of a dataset with their undo."""
+"""Long computations: jobs in processes of their own, the job bar, and changes of a dataset with their undo."""
 
-from webapp.jobs.launching import background_manager, limit, restart, start, supervise, tend, work
+from webapp.jobs.launching import background_manager, ensure_worker, limit, restart, start, supervise, wait_for
 
-__all__ = ["background_manager", "limit", "restart", "start", "supervise", "tend", "work"]
+__all__ = ["background_manager", "ensure_worker", "limit", "restart", "start", "supervise", "wait_for"]

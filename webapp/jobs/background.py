@@ -1,4 +1,4 @@
-"""What runs Dash's background callbacks on this machine: threads that wait, where Dash itself would fork."""
+"""Runs Dash's background callbacks in threads, where Dash itself would fork."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from dash import DiskcacheManager
 
 
 class WaitingManager(DiskcacheManager):
-    """Dash's manager, but a callback runs in a thread of the server.
+    """Dash's manager, except that callbacks run in threads of the server.
 
-    Ours only wait for a worker (webapp/jobs.work). A fork for that may lock the server for good: where another thread
-    is in linear algebra at that moment, the fork waits for the library's threads while it keeps the interpreter.
+    Our callbacks only wait for a worker (``jobs.wait_for``). Forking for that can block the server forever: if another
+    thread is inside a linear algebra library, the fork waits for the library's threads while it holds the interpreter.
     """
 
     def __init__(self, cache: Any):
@@ -23,7 +23,7 @@ class WaitingManager(DiskcacheManager):
         self._lock = threading.Lock()
 
     def call_job_fn(self, key: str, job_fn: Any, args: Any, context: Any) -> int:
-        """Starts the callback; the number by which Dash asks for it."""
+        """Starts the callback; returns the number by which Dash refers to it."""
         arguments = (key, self._make_progress_key(key), args, context)
         thread = threading.Thread(target=job_fn, args=arguments, daemon=True)
         with self._lock:
@@ -33,12 +33,12 @@ class WaitingManager(DiskcacheManager):
         return number
 
     def job_running(self, job: Any) -> bool:
-        """Whether the callback of this number still waits."""
+        """Whether the callback with this number still runs."""
         thread = self._threads.get(int(job or 0))
         return thread is not None and thread.is_alive()
 
     def terminate_job(self, job: Any) -> None:
-        """Lets go of a callback: its thread ends with what it waits for."""
+        """Forgets a callback; its thread ends when the job that it waits for does."""
         with self._lock:
             self._threads.pop(int(job or 0), None)
 

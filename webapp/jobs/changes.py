@@ -1,6 +1,6 @@
-"""Changes of a dataset (recordings and labels that come, clips that go): asked for as jobs, told when done, undone.
+"""Changes of a dataset (recordings or labels added, clips removed): started as jobs, announced when done, undone.
 
-The stores live in the frame of the app, so that a notice comes, and its Undo works, on whatever page one is by then.
+Their stores belong to the frame of the app, so the notice appears, and its Undo works, on whatever page is open then.
 """
 
 from __future__ import annotations
@@ -27,16 +27,16 @@ UNDO_SHOWN = 15000  # milliseconds
 
 
 def stores() -> list[Component]:
-    """For the frame of the app."""
+    """The stores of changes, for the frame of the app."""
     return [
-        dcc.Store(id=names.CHANGE_ASKED),  # {"job": id} of a change that was asked for here
-        dcc.Store(id=names.CHANGES, data=[], storage_type="session"),  # ids of those whose end has not been told
+        dcc.Store(id=names.CHANGE_ASKED),  # {"job": id} of a change that was started here
+        dcc.Store(id=names.CHANGES, data=[], storage_type="session"),  # ids of jobs whose end has not been announced
         dcc.Store(id=names.UNDO),  # {"revert": version}, {"restore": token of what is in the trash} or {"trash": name}
     ]
 
 
-def ask(workspace: Workspace, request: analyses.Request) -> Job:
-    """In a callback: starts the job of a change; its end will be told. Raises WorkspaceError, ParameterError."""
+def start(workspace: Workspace, request: analyses.Request) -> Job:
+    """Starts the job of a change, in a callback; a notice announces its end. Raises WorkspaceError, ParameterError."""
     job = jobs.start(workspace, request)
     set_props(JOB_STARTED, {"data": job.id})
     set_props(names.CHANGE_ASKED, {"data": {"job": job.id}})
@@ -45,7 +45,7 @@ def ask(workspace: Workspace, request: analyses.Request) -> Job:
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """The notices at the end, and their Undo."""
+    """Registers the callbacks that announce finished changes and undo them."""
 
     @app.callback(
         Output(names.CHANGES, "data"),
@@ -53,31 +53,31 @@ def register(app: Dash, workspace: Workspace) -> None:
         Input(names.JOBS_FINISHED, "data"),
         State(names.CHANGES, "data"),
     )
-    def tell(asked, _finished, waiting):
+    def announce(started, _finished, waiting):
         waiting = waiting if isinstance(waiting, list) else []
         before = [*waiting]
-        if asked and asked.get("job") not in waiting:
-            waiting = [*waiting, asked["job"]]
+        if started and started.get("job") not in waiting:
+            waiting = [*waiting, started["job"]]
             set_props(names.CHANGE_ASKED, {"data": None})
-        found = {number: workspace.jobs.get(number) for number in waiting if isinstance(number, int)}
-        done = [job for job in found.values() if job is not None and job.state == "done"]
+        jobs_by_id = {number: workspace.jobs.get(number) for number in waiting if isinstance(number, int)}
+        done = [job for job in jobs_by_id.values() if job is not None and job.state == "done"]
         if done:
-            set_props(NOTICES, {"sendNotifications": [told(workspace, job) for job in done]})
-        left = [number for number, job in found.items() if job is not None and job.alive]
+            set_props(NOTICES, {"sendNotifications": [change_notice(workspace, job) for job in done]})
+        left = [number for number, job in jobs_by_id.items() if job is not None and job.alive]
         return left if left != before else no_update
 
     @app.callback(Input(names.UNDO, "data"), prevent_initial_call=True)
     def undo(request):
         try:
-            message = undone(workspace, request or {})
+            message = undo_change(workspace, request or {})
         except WorkspaceError as error:
             message = notice("That did not work", str(error), "red")
         set_props(NOTICES, {"sendNotifications": [message]})
         set_props(names.JOB_POKE, {"data": time.time()})
 
 
-def undone(workspace: Workspace, request: Mapping[str, object]) -> dict:
-    """Undoes what the store "undo" asks for; the notice about it. Raises WorkspaceError."""
+def undo_change(workspace: Workspace, request: Mapping[str, object]) -> dict:
+    """Undoes what the store "undo" asks for; returns the notice about it. Raises WorkspaceError."""
     if request.get("trash"):
         workspace.trash(str(request["trash"]))
         return notice("Undone", f"{request['trash']} is in the trash.")
@@ -89,8 +89,8 @@ def undone(workspace: Workspace, request: Mapping[str, object]) -> dict:
     return notice("Undone", f"{info.name} is what it was before, and so are its results.")
 
 
-def told(workspace: Workspace, job: Job) -> dict:
-    """The notice that a change has been made, with its Undo."""
+def change_notice(workspace: Workspace, job: Job) -> dict:
+    """The notice about a finished change, with its Undo button."""
     name, method = str(job.request["dataset"]), job.request["method"]
     into = job.request["parameters"].get("into", "") if method == "edit" else ""
     name = into or name
@@ -101,19 +101,19 @@ def told(workspace: Workspace, job: Job) -> dict:
     if method == "remove":
         title, words = "Removed", f"{_count(len(json.loads(job.request['parameters']['clips'])), 'clip')} from {name}."
     elif method == "add":
-        title, words = "Added", what_came(name, report)
+        title, words = "Added", addition_summary(name, report)
     elif method == "edit":
         clips = [file.clip for file in report.files if file.clip and file.addition == report.last_addition]
         title, words = _count(len(clips), "new clip"), f"{clips[0]}{' and more' if len(clips) > 1 else ''} in {name}."
     else:
         title, words = "Done", f"{job.title}."
     buttons = [_see_report(name)] if method == "add" else [_see_clip(name, clips[0])] if method == "edit" else []
-    back = {"trash": into} if into else {"revert": undo} if undo else None
-    return undo_notice(title, words, back, *buttons) if back else notice(title, words)
+    undo_request = {"trash": into} if into else {"revert": undo} if undo else None
+    return undo_notice(title, words, undo_request, *buttons) if undo_request else notice(title, words)
 
 
-def what_came(name: str, report: ImportReport) -> str:
-    """What the newest addition brought to the dataset called ``name``, in one sentence."""
+def addition_summary(name: str, report: ImportReport) -> str:
+    """What the last addition brought to the dataset called ``name``, in one sentence."""
     files = [file for file in report.files if file.addition == report.last_addition]
     clips = sum(file.clip is not None for file in files)
     bad = sum(file.verdict == "error" for file in files)

@@ -20,4 +20,4 @@ def register(app: Dash, workspace: Workspace) -> None:
         prevent_initial_call=True,
     )
     def follow(job_id):
-        return jobs.work(path, job_id)
+        return jobs.wait_for(path, job_id)

@@ -1,8 +1,8 @@
 """The bar of jobs: what runs in this workspace, how far it is, and how to stop or repeat it.
 
-ONE interval polls the job table for the whole app: fast while something runs, slowly otherwise. From the same look at
-the workspace come the revision of the dataset list and of finished jobs, so a second tab, a second person and a
-restarted server all show what is there.
+ONE interval polls the job table for the whole app: fast while something runs, slowly otherwise. The
+same poll brings the revision of the dataset list and of finished jobs, so a second tab, a second person and a
+restarted server all show the current state.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from webapp.shell.attributes import attributes
 from webapp.shell.messages import notice
 from webapp.shell.names import NOTICES, REVISION
 
-FAST, SLOW = 600, 4000  # milliseconds between two looks
+FAST, SLOW = 600, 4000  # milliseconds between two polls
 FAILED_SHOWN = 600.0  # seconds a failed job stays in the bar
 STAGES = {  # words for the stages that computations report
     "": "starting",
@@ -54,7 +54,7 @@ STAGES = {  # words for the stages that computations report
 
 @dataclass(frozen=True)
 class Pulse:
-    """One look at the workspace: what the bar shows, and marks that change when other views must look again."""
+    """The state of the workspace at one poll: what the bar shows, and marks that change when views must be updated."""
 
     jobs: tuple[Job, ...]
     revision: str
@@ -83,8 +83,8 @@ def layout() -> Component:
     )
 
 
-def look(workspace: Workspace, dismissed: Iterable[int] = ()) -> Pulse:
-    """A cheap look: two small queries."""
+def read_pulse(workspace: Workspace, dismissed: Iterable[int] = ()) -> Pulse:
+    """What the bar shows now, by two small queries. dismissed: ids of failed jobs that are no longer shown."""
     jobs, now, hidden = workspace.jobs.list(50), time.time(), set(dismissed)
     shown = [job for job in jobs if job.alive or (_failed_lately(job, now) and job.id not in hidden)]
     superseded = {job.key for job in jobs if job.alive or job.state == "done"}
@@ -118,7 +118,7 @@ def stage_words(job: Job) -> str:
 
 def _alive(job: Job) -> dict:
     running = job.state == "running" and not job.cancelling
-    percent = round(100 * job.fraction) if running else None  # None: nobody knows how long
+    percent = round(100 * job.fraction) if running else None  # None: the duration is unknown
     return {"id": job.id, "title": job.title, "stage": stage_words(job), "percent": percent, "stopping": job.cancelling}
 
 
@@ -131,7 +131,7 @@ def _failed(job: Job) -> dict:
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """The poll, the rows it brings, and their buttons."""
+    """Registers the poll, the rows of the bar and their buttons."""
     app.clientside_callback(ClientsideFunction("jobs", "show"), Input(names.JOBS_SHOWN, "data"))
 
     @app.callback(
@@ -146,9 +146,9 @@ def register(app: Dash, workspace: Workspace) -> None:
         State(names.JOBS_SEEN, "data"),
     )
     def poll(_ticks, _poke, dismissed, seen):
-        pulse = look(workspace, dismissed or ())
+        pulse = read_pulse(workspace, dismissed or ())
         if pulse.busy:
-            webapp_jobs.tend(workspace)  # a worker may have died, or the one who asked may have gone
+            webapp_jobs.ensure_worker(workspace)  # a worker may have died, or the page that started the job may be gone
         shown = rows(pulse.jobs)
         marks = {
             "rows": _mark(map(str, shown)),
@@ -184,7 +184,7 @@ def register(app: Dash, workspace: Workspace) -> None:
                 workspace.jobs.cancel(job_id)
             elif action == "retry":
                 webapp_jobs.restart(workspace, job_id)
-            if action in ("retry", "dismiss"):  # what is tried again no longer stands there as failed
+            if action in ("retry", "dismiss"):  # a job that is tried again is no longer shown as failed
                 dismissed = [*(dismissed or []), job_id][-50:]
         except WorkspaceError as error:
             return no_update, time.time(), [notice("That did not work", str(error), "red")]

@@ -1,8 +1,8 @@
-"""Launches the work: processes that take jobs from the workspace's table until none is left.
+"""Starts workers: processes that take jobs from the workspace's table until none is left.
 
-``start`` enters a request and sees to a worker. A worker is a process of its own that outlives the server: it claims
-the oldest queued job, computes it in a child process with the machine's cores (the child can be ended at any moment,
-even inside a long kernel or when it has taken all memory), sends heartbeats, and goes on with the next job.
+``start`` enters a request and makes sure that a worker runs. A worker is a separate process that outlives the server:
+it claims the oldest queued job, computes it in a child process on all cores (the child can be ended at any moment, even
+inside a long kernel or when it has used up the memory), sends heartbeats, and continues with the next job.
 
 ``python -m webapp.jobs WORKSPACE`` is such a worker; ``--job N`` its child, ``--detach`` starts one and returns.
 Only the standard library is imported at the top: a worker must start quickly and stay small.
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 REDIS = "MOTIONSCAPE_REDIS_URL"
 GRACE = 0.8  # seconds a job has to stop by itself before its process is ended
-LOOK = 0.2  # seconds between two looks at the child and the table
+POLL = 0.2  # seconds between two checks of the child and the table
 RELAUNCH = 3.0  # seconds a worker has to appear before another is started
 OUT_OF_MEMORY = (
     "The system ended the worker, most likely because memory ran out. "
@@ -42,36 +42,36 @@ _lock = threading.Lock()
 
 
 def limit() -> int:
-    """How many jobs run at once: one a core, the others wait in order."""
+    """How many jobs run at the same time: one for each core; the others wait in order."""
     return os.cpu_count() or 1
 
 
 def start(workspace: Workspace, request: Request) -> Job:
-    """Enters a request into the job table (or finds the living job for it) and sees to it that it is worked on.
+    """Enters a request into the job table (or finds the active job for it) and makes sure that a worker runs.
 
     Raises ParameterError, WorkspaceError.
     """
     from core.analyses import submit
 
     job = submit(workspace, request)
-    tend(workspace)
+    ensure_worker(workspace)
     return job
 
 
 def restart(workspace: Workspace, job_id: int) -> Job:
-    """Asks again for what a job was to do; raises WorkspaceError where the table has forgotten it."""
+    """Starts a job again. Raises WorkspaceError where the table no longer has it."""
     from core.workspace import WorkspaceError
 
     old = workspace.jobs.get(job_id)
     if old is None:
         raise WorkspaceError("This job is no longer known; start it again from its page.")
     job = workspace.jobs.submit(old.key, old.request, old.title)
-    tend(workspace)
+    ensure_worker(workspace)
     return job
 
 
-def tend(workspace: Workspace) -> bool:
-    """Starts a worker where jobs wait and a core is free; True if it did. Cheap: call it as often as you look."""
+def ensure_worker(workspace: Workspace) -> bool:
+    """Starts a worker if jobs are waiting and a core is free; returns whether it did. Cheap enough for every poll."""
     newest = workspace.jobs.newest_queued()
     if newest is None or workspace.jobs.running() >= limit():
         return False
@@ -79,28 +79,28 @@ def tend(workspace: Workspace) -> bool:
     with _lock:
         job, when = _launched.get(place, (0, 0.0))
         if job == newest and now - when < RELAUNCH:
-            return False  # its worker is on the way
+            return False  # a worker for it is starting
         _launched[place] = newest, now
     launch(workspace.path)
     return True
 
 
-def work(workspace_path: str, job_id: int) -> str:
-    """Waits until a job has ended, seeing to workers meanwhile; its final state. For Dash's background callbacks.
+def wait_for(workspace_path: str, job_id: int) -> str:
+    """Waits until a job has ended and returns its final state. For Dash's background callbacks.
 
-    Whoever waits may be killed (Dash does when a callback is called again): the worker goes on.
+    The waiting thread or process may be ended (Dash does so when a callback is called again); the worker goes on.
     """
     from core.workspace import shared_workspace
 
     workspace = shared_workspace(workspace_path)
     while (job := workspace.jobs.get(job_id)) is not None and job.alive:
-        tend(workspace)
-        time.sleep(LOOK)
+        ensure_worker(workspace)
+        time.sleep(POLL)
     return job.state if job else "unknown"
 
 
 def launch(workspace_path: str | Path) -> None:
-    """Starts a worker process that is nobody's child: neither Dash nor the end of the server can take it along."""
+    """Starts a detached worker process, which does not end with Dash or the server."""
     subprocess.run(_command("--detach", Path(workspace_path).absolute()), check=True, **_QUIET)
 
 
@@ -130,7 +130,7 @@ def background_manager(workspace_path: str | Path) -> Any:
 
 
 def serve_queue(workspace: Workspace) -> int:
-    """A worker's life: jobs, oldest first, until none waits or enough others run; how many it did."""
+    """Runs queued jobs, oldest first, until none waits or enough other workers run; returns how many it ran."""
     done = 0
     while (job := workspace.jobs.claim_next(limit())) is not None:
         supervise(workspace, job)
@@ -139,7 +139,7 @@ def serve_queue(workspace: Workspace) -> int:
 
 
 def supervise(workspace: Workspace, job: Job) -> None:
-    """Has a claimed job computed in a child process and writes its end into the table where the child cannot."""
+    """Runs a claimed job in a child process, and records how it ended where the child could not."""
     log = workspace.logs / f"job-{job.id}-output.log"
     with log.open("wb") as output:
         quiet = _QUIET | {"stdout": output, "stderr": output}
@@ -161,18 +161,18 @@ def supervise(workspace: Workspace, job: Job) -> None:
 
 
 def _watch(workspace: Workspace, job: Job, child: subprocess.Popen) -> bool:
-    """Waits for the child, with heartbeats; ends it when the job is cancelled and it does not stop. True if it did."""
+    """Waits for the child, sending heartbeats; ends it if a cancelled job does not stop. Returns whether it did."""
     from core.workspace import WorkspaceError
 
-    asked = None
+    cancelled_at = None
     while True:
         with contextlib.suppress(subprocess.TimeoutExpired):
-            child.wait(LOOK)
+            child.wait(POLL)
             return False
-        with contextlib.suppress(WorkspaceError):  # a busy table: look again
-            if workspace.jobs.beat(job.id) and asked is None:
-                asked = time.monotonic()
-        if asked is not None and time.monotonic() - asked > GRACE:
+        with contextlib.suppress(WorkspaceError):  # a busy table: try again
+            if workspace.jobs.beat(job.id) and cancelled_at is None:
+                cancelled_at = time.monotonic()
+        if cancelled_at is not None and time.monotonic() - cancelled_at > GRACE:
             child.kill()
             child.wait()
             return True
@@ -190,7 +190,7 @@ def _compute(workspace: Workspace, job_id: int) -> None:
 
 
 def _leave_with_parent(parent: int) -> None:
-    """Ends this process when the worker above it is gone: nobody would note its end."""
+    """Ends this process when its worker is gone, since nobody would record its end."""
     while os.getppid() == parent:
         time.sleep(0.5)
     os._exit(1)
@@ -213,7 +213,7 @@ else:
 
 
 def main(arguments: list[str]) -> None:
-    """Worker, its child, or the one who starts a worker and leaves: see the module's description."""
+    """Runs as a worker, as a worker's child, or starts a detached worker: see the module's description."""
     *options, path = arguments
     if options == ["--detach"]:
         subprocess.Popen([sys.executable, "-m", "webapp.jobs", path], **_QUIET)
@@ -221,7 +221,7 @@ def main(arguments: list[str]) -> None:
     if options[:1] == ["--job"]:
         threading.Thread(target=_leave_with_parent, args=(os.getppid(),), daemon=True).start()
         if hasattr(os, "nice"):
-            os.nice(5)  # the server, and with it the figures, go first
+            os.nice(5)  # the server has priority, so that the Stage stays fluid
     from core.workspace import Workspace
 
     workspace = Workspace(path)

@@ -1,4 +1,4 @@
-"""What stands in a page while a job computes what the page will show."""
+"""What a page shows while a job computes its result."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from webapp.shell.icons import icon
 
 def running(job: Job, title: str, symbol: str, class_name: str = "empty-state running") -> Component:
     """Stage, progress and Cancel of a job, drawn once; assets/jobs/job_bar.mjs keeps them up to date."""
-    known = job.state == "running" and not job.cancelling
+    has_fraction = job.state == "running" and not job.cancelling
     return html.Div(
         className=class_name,
         role="status",
@@ -26,7 +26,7 @@ def running(job: Job, title: str, symbol: str, class_name: str = "empty-state ru
             html.Div(stage_words(job), className="job-words muted"),
             html.Div(
                 html.Div(style={"width": f"{round(100 * job.fraction)}%"}),
-                className="job-progress" if known else "job-progress waiting",
+                className="job-progress" if has_fraction else "job-progress waiting",
                 role="progressbar",
                 **attributes(aria_label="Progress of this stage"),
             ),

@@ -1,4 +1,4 @@
-"""Who may come in, and what a browser may load: a token or this machine's names, and headers that stay on this host."""
+"""Access to the app: a token or a check of the host's name, and headers that keep browsers to this host."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def is_loopback(host: str) -> bool:
 
 
 def protect(server: Flask, token: str | None) -> None:
-    """Sends the safety headers with every answer and, with a ``token``, lets in only who knows it.
+    """Sends security headers with every answer and, with a ``token``, admits only browsers that have it.
 
     The token comes once as ``?token=...``, becomes a cookie, and is taken out of the address. Without a token only
     requests to this machine's own names, or to one of MOTIONSCAPE_HOSTS, are answered: a foreign site may let its name

@@ -1,4 +1,4 @@
-"""What one can do about a message of core, in the place where one reads it: core knows neither options nor buttons."""
+"""Advice added to messages of core where they are read: core knows neither options nor buttons."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What people are told when something cannot be done, and how errors that nobody foresaw are logged."""
+"""Messages for people when something cannot be done, and the log of unexpected errors."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def sentence(error: MotionscapeError) -> str:
 
 
 def log_bug(where: str, error: BaseException) -> str:
-    """Logs an error that is not meant for people, with its traceback; the id to show to the person who met it."""
+    """Logs an error that is not meant for people, with its traceback; returns the id to show to the person."""
     bug_id = new_bug_id()
     log.error("error %s in %s", bug_id, where, exc_info=error)
     return bug_id

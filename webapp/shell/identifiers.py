@@ -58,9 +58,9 @@ class Family(dict[str, Id]):
     """
 
     def __init__(self, form: str, words: Iterable[str], content: Any = None):
-        ids = (form.format(word) for word in words)
-        made = (Id(one) if content is None else Store(one, content) for one in ids)
-        super().__init__(zip(words, made, strict=True))
+        texts = (form.format(word) for word in words)
+        ids = (Id(text) if content is None else Store(text, content) for text in texts)
+        super().__init__(zip(words, ids, strict=True))
 
 
 class Group:

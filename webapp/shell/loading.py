@@ -76,20 +76,20 @@ def split_scripts(html: str) -> tuple[list[str], dict[str, str]]:
     """
     tags = re.findall(r"<script\b[^>]*>.*?</script>", html, re.DOTALL)
     left_out = {part: [tag for tag in tags if part in tag] for part in (*UNUSED, *(f"/{name}/" for name in LATER))}
-    for part, found in left_out.items():
-        if len(found) != 1:
-            raise RuntimeError(f"Dash {dash.__version__} writes {len(found)} scripts of {part}, not one")
+    for part, matches in left_out.items():
+        if len(matches) != 1:
+            raise RuntimeError(f"Dash {dash.__version__} writes {len(matches)} scripts of {part}, not one")
     later = {name: _source(left_out[f"/{name}/"][0]) for name in LATER}
-    gone = {tag for found in left_out.values() for tag in found}
-    return [tag for tag in tags if tag not in gone], later
+    removed = {tag for matches in left_out.values() for tag in matches}
+    return [tag for tag in tags if tag not in removed], later
 
 
 def _source(tag: str) -> str:
     """The address in a script tag."""
-    found = re.search(r'src="([^"]+)"', tag)
-    if found is None:
+    match = re.search(r'src="([^"]+)"', tag)
+    if match is None:
         raise RuntimeError(f"Dash {dash.__version__} writes a script without an address: {tag}")
-    return found[1]
+    return match[1]
 
 
 def _suites(sources: Mapping[str, str]) -> dict[str, dict[str, object]]:

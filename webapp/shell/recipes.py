@@ -1,4 +1,4 @@
-"""The same result again, elsewhere: a request as a command and as a Python script that give it exactly when run."""
+"""Recipes that reproduce a result: its request as a command and as a Python script."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from webapp.shell.feature import features
 
 def both(workspace: Path, request: Request) -> dict[str, str]:
     """What the menus of a result offer to copy: label -> text; the command only where a feature gives one."""
-    found = {"Copy as Python": script(workspace, request)}
+    texts = {"Copy as Python": script(workspace, request)}
     recipe = next((f.recipes[request.method] for f in features() if request.method in f.recipes), None)
     if recipe is None:
-        return found
+        return texts
     commands = recipe(workspace, request)
-    return {"Copy as commands" if "\n" in commands else "Copy as command": commands, **found}
+    return {"Copy as commands" if "\n" in commands else "Copy as command": commands, **texts}
 
 
 def command(workspace: Path, request: Request, out: str = "") -> str:
@@ -32,7 +32,7 @@ def command(workspace: Path, request: Request, out: str = "") -> str:
 
 def script(workspace: Path, request: Request) -> str:
     """A Python script that gives the result, computed where it is not kept."""
-    options = given(request)
+    options = keyword_arguments(request)
     if request.method == "motifs":
         lines = [
             "from core import MotifParameters, Workspace, find_motifs",
@@ -59,7 +59,7 @@ def _not_default(request: Request) -> Mapping[str, Any]:
     return {p.name: filled[p.name] for p in analyses.parameters(request.method) if filled[p.name] != p.default}
 
 
-def given(request: Request) -> str:
+def keyword_arguments(request: Request) -> str:
     """The parameters of a request that are not at their defaults, as Python's keyword arguments."""
     return ", ".join(f"{name}={value!r}" for name, value in _not_default(request).items())
 

@@ -1,4 +1,4 @@
-"""What the routes of motions and their pictures are asked for, read and checked; answers that browsers may keep."""
+"""Reads and checks requests for motions and their pictures, and answers so that browsers can keep the answer."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ OpenDataset = Callable[[str], Dataset]
 
 
 class BadRequest(MotionscapeError):
-    """Something the asker can mend; ``status`` is the HTTP status."""
+    """A request that the client can correct; ``status`` is the HTTP status."""
 
     def __init__(self, message: str, status: int = 400):
         super().__init__(message)
@@ -34,7 +34,7 @@ class BadRequest(MotionscapeError):
 
 
 class Interval(NamedTuple):
-    """What was asked for, checked: frames ``[start, end)`` of ``clip``."""
+    """The requested frames ``[start, end)`` of ``clip``, interval."""
 
     dataset: Dataset
     clip: Clip
@@ -44,10 +44,12 @@ class Interval(NamedTuple):
 
 def find_interval(open_dataset: OpenDataset, dataset_name: str, clip_name: str) -> Interval:
     """Dataset, clip and frames of the current request. Raises BadRequest in plain words."""
-    return interval(open_dataset, dataset_name, clip_name, request.args.get("start", ""), request.args.get("end", ""))
+    return parse_interval(
+        open_dataset, dataset_name, clip_name, request.args.get("start", ""), request.args.get("end", "")
+    )
 
 
-def interval(open_dataset: OpenDataset, dataset_name: str, clip_name: str, start: str, end: str) -> Interval:
+def parse_interval(open_dataset: OpenDataset, dataset_name: str, clip_name: str, start: str, end: str) -> Interval:
     """Frames from ``start`` to ``end`` (text; empty: all there are) of a clip. Raises BadRequest in plain words."""
     try:
         dataset = open_dataset(dataset_name)
@@ -94,28 +96,32 @@ def positive_number(name: str, default: float) -> float:
     return value
 
 
-def content_key(asked: Interval, kind: str, details: tuple) -> str:
-    """Names the content of an answer: the same key always stands for the same bytes."""
-    return repr((VERSION, kind, asked.dataset.fingerprint, asked.clip.name, asked.start, asked.end, details))
+def content_key(interval: Interval, kind: str, details: tuple) -> str:
+    """A key for the content of an answer: equal keys always mean the same bytes."""
+    return repr(
+        (VERSION, kind, interval.dataset.fingerprint, interval.clip.name, interval.start, interval.end, details)
+    )
 
 
-def names_content(asked: Interval, version: str) -> bool:
+def names_content(interval: Interval, version: str) -> bool:
     """Whether ``version`` (at least 8 letters of the fingerprint) says which content was meant."""
-    return len(version) >= 8 and asked.dataset.fingerprint.startswith(version)
+    return len(version) >= 8 and interval.dataset.fingerprint.startswith(version)
 
 
-def cached(asked: Interval, kind: str, details: tuple, make: Callable[[], bytes | str], mimetype: str) -> Response:
-    """The answer with an ETag from the dataset's content; nothing is computed for who has it already.
+def cached_response(
+    interval: Interval, kind: str, details: tuple, make: Callable[[], bytes | str], mimetype: str
+) -> Response:
+    """The answer with an ETag made from the dataset's content; nothing is computed if the browser has it already.
 
-    A name may come to stand for other content, so browsers keep the answer but ask each time whether it still holds;
-    who names the content (``v``: at least 8 letters of the fingerprint) need not ask again.
+    The content behind a name may change, so browsers keep the answer but ask each time whether it is still valid. A
+    request that names the content (``v``: at least 8 letters of the fingerprint) need not be sent again.
     """
-    for_good = names_content(asked, request.args.get("v", ""))
-    return kept([content_key(asked, kind, details)], for_good, make, mimetype)
+    for_good = names_content(interval, request.args.get("v", ""))
+    return response_with_etag([content_key(interval, kind, details)], for_good, make, mimetype)
 
 
-def kept(keys: Sequence[str], for_good: bool, make: Callable[[], bytes | str], mimetype: str) -> Response:
-    """The answer whose content ``keys`` name together; ``make`` is called only for who does not have it."""
+def response_with_etag(keys: Sequence[str], for_good: bool, make: Callable[[], bytes | str], mimetype: str) -> Response:
+    """The answer whose content is named by ``keys``; ``make`` is called only if the browser does not have it."""
     etag = hashlib.blake2b("\n".join(keys).encode(), digest_size=12).hexdigest()
     fresh = etag in request.if_none_match
     response = Response(status=304) if fresh else Response(make(), mimetype=mimetype)
@@ -160,9 +166,9 @@ def answer_errors(blueprint: Blueprint) -> None:
 
     @blueprint.errorhandler(Exception)
     def bug(error: Exception) -> tuple[Response, int]:
-        return jsonify(error=broken(request.path, error)), 500
+        return jsonify(error=bug_message(request.path, error)), 500
 
 
-def broken(where: str, error: Exception) -> str:
-    """What is told where motion cannot be shown because of a bug, which is logged."""
+def bug_message(where: str, error: Exception) -> str:
+    """Logs a bug because of which motion cannot be shown; returns the message for people."""
     return f"This motion cannot be shown: something went wrong on the server (error {log_bug(where, error)})."

@@ -42,8 +42,8 @@ def problem(value: object, shape: Any, place: str = "it") -> str | None:
         fits = any(type(value) is type(word) and value == word for word in parts)
         return None if fits else f"{place} is none of {', '.join(map(str, parts))}"
     if origin in (Union, UnionType):
-        found = [problem(value, part, place) for part in parts]
-        return None if None in found else found[0]
+        problems = [problem(value, part, place) for part in parts]
+        return None if None in problems else problems[0]
     if origin in (Required, NotRequired):
         return problem(value, parts[0], place)
     if origin in (list, tuple):
@@ -84,18 +84,20 @@ def _sequence(value: object, kind: type, parts: tuple[Any, ...], place: str) -> 
     if kind is tuple and len(value) != len(parts):
         return f"{place} should have {len(parts)} parts"
     shapes = parts if kind is tuple else parts * len(value)
-    found = (problem(part, shape, f"{place}[{k}]") for k, (part, shape) in enumerate(zip(value, shapes, strict=True)))
-    return next((words for words in found if words), None)
+    problems = (
+        problem(part, shape, f"{place}[{k}]") for k, (part, shape) in enumerate(zip(value, shapes, strict=True))
+    )
+    return next((words for words in problems if words), None)
 
 
 def _mapping(value: object, shape: Any, place: str) -> str | None:
     if not isinstance(value, Mapping):
         return f"{place} should have named parts"
     if get_origin(shape) is dict:
-        found = (problem(part, get_args(shape)[1], f"{place}.{key}") for key, part in value.items())
-        return next((words for words in found if words), None)
-    known, required = _keys(shape)
+        problems = (problem(part, get_args(shape)[1], f"{place}.{key}") for key, part in value.items())
+        return next((words for words in problems if words), None)
+    declared, required = _keys(shape)
     if missing := required - value.keys():
         return f"{place} has no {min(missing)}"
-    found = (problem(value[key], part, f"{place}.{key}") for key, part in known.items() if key in value)
-    return next((words for words in found if words), None)
+    problems = (problem(value[key], part, f"{place}.{key}") for key, part in declared.items() if key in value)
+    return next((words for words in problems if words), None)

@@ -29,8 +29,8 @@ class CheckedDash(dash.Dash):
     def callback(self, *dependencies: Any, **options: Any) -> Callable[..., Any]:
         """As ``dash.Dash.callback``; inputs and states stand among ``dependencies``."""
         register = super().callback(*dependencies, **options)
-        taken = [dependency for dependency in dependencies if not isinstance(dependency, Output)]
-        return lambda function: register(checked(function, taken))
+        inputs = [dependency for dependency in dependencies if not isinstance(dependency, Output)]
+        return lambda function: register(checked(function, inputs))
 
 
 def checked(function: Callable[..., Any], dependencies: list[Any]) -> Callable[..., Any]:

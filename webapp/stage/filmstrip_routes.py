@@ -8,7 +8,7 @@ from flask import Blueprint, Response, request
 
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
-from webapp.shell.routes import BadRequest, answer_errors, cached, find_interval, whole_number
+from webapp.shell.routes import BadRequest, answer_errors, cached_response, find_interval, whole_number
 from webapp.ui.filmstrip import ICON_COLOURS, frame_icon, segment_filmstrip
 
 MOST_POSES = 40
@@ -22,20 +22,24 @@ def filmstrip_blueprint(open_dataset: Callable[[str], Dataset]) -> Blueprint:
 
     @blueprint.get("/filmstrip/<dataset>/<path:clip>", merge_slashes=False)
     def filmstrip(dataset: str, clip: str) -> Response:
-        asked = find_interval(open_dataset, dataset, clip)
+        interval = find_interval(open_dataset, dataset, clip)
         poses = whole_number("n", 6)
         if not 1 <= poses <= MOST_POSES:
             raise BadRequest(f"n must be between 1 and {MOST_POSES}, not {poses}.")
-        segment = Segment(asked.clip.name, asked.start, asked.end)
-        return cached(asked, "filmstrip", (poses,), lambda: segment_filmstrip(asked.dataset, segment, poses), SVG)
+        segment = Segment(interval.clip.name, interval.start, interval.end)
+        return cached_response(
+            interval, "filmstrip", (poses,), lambda: segment_filmstrip(interval.dataset, segment, poses), SVG
+        )
 
     @blueprint.get("/icon/<dataset>/<path:clip>", merge_slashes=False)
     def icon(dataset: str, clip: str) -> Response:
-        asked = find_interval(open_dataset, dataset, clip)
+        interval = find_interval(open_dataset, dataset, clip)
         scheme = request.args.get("scheme", "light")
         if scheme not in ICON_COLOURS:
             raise BadRequest(f"scheme must be one of {', '.join(ICON_COLOURS)}.")
-        frame = (asked.start + asked.end) // 2
-        return cached(asked, "icon", (scheme,), lambda: frame_icon(asked.dataset, asked.clip.name, frame, scheme), SVG)
+        frame = (interval.start + interval.end) // 2
+        return cached_response(
+            interval, "icon", (scheme,), lambda: frame_icon(interval.dataset, interval.clip.name, frame, scheme), SVG
+        )
 
     return blueprint

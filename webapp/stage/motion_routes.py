@@ -20,14 +20,14 @@ from webapp.shell.routes import (
     Interval,
     OpenDataset,
     answer_errors,
-    broken,
-    cached,
+    bug_message,
+    cached_response,
     content_key,
     find_interval,
-    interval,
-    kept,
     names_content,
+    parse_interval,
     positive_number,
+    response_with_etag,
 )
 
 log = logging.getLogger(__name__)
@@ -48,9 +48,9 @@ def motion_blueprint(open_dataset: OpenDataset) -> Blueprint:
     # clip names may hold slashes, two in a row as well
     @blueprint.get("/motion/<dataset>/<path:clip>", merge_slashes=False)
     def motion(dataset: str, clip: str) -> Response:
-        asked = find_interval(open_dataset, dataset, clip)
-        step = frame_step(asked, positive_number("fps", DEFAULT_FPS), MAX_VALUES)
-        return cached(asked, "motion", (step,), lambda: encode_motion(asked, step), BINARY)
+        interval = find_interval(open_dataset, dataset, clip)
+        step = frame_step(interval, positive_number("fps", DEFAULT_FPS), MAX_VALUES)
+        return cached_response(interval, "motion", (step,), lambda: encode_motion(interval, step), BINARY)
 
     @blueprint.get("/motions")
     def motions() -> Response:
@@ -62,7 +62,7 @@ def motion_blueprint(open_dataset: OpenDataset) -> Blueprint:
         named = (
             not isinstance(part, str) and names_content(part[0], row[1]) for part, row in zip(parts, rows, strict=True)
         )
-        return kept(["motions", *keys], all(named), lambda: encode_motions(parts), BINARY)
+        return response_with_etag(["motions", *keys], all(named), lambda: encode_motions(parts), BINARY)
 
     return blueprint
 
@@ -88,39 +88,39 @@ def part_rows() -> list[Row]:
 
 
 def find_part(open_dataset: OpenDataset, row: Row, fps: float, most: int) -> Part:
-    """The segment of one row, or in plain words why there is none: the others are sent all the same."""
+    """The segment of one row, or a sentence that says why there is none; the other rows are sent regardless."""
     dataset, _, clip, start, end = row
     try:
-        asked = interval(open_dataset, dataset, clip, start, end)
-        return asked, frame_step(asked, fps, most)
+        interval = parse_interval(open_dataset, dataset, clip, start, end)
+        return interval, frame_step(interval, fps, most)
     except MotionscapeError as error:
         return str(error)
     except Exception as error:
-        return broken(request.path, error)
+        return bug_message(request.path, error)
 
 
-def frame_step(asked: Interval, fps: float, most_values: int) -> int:
+def frame_step(interval: Interval, fps: float, most_values: int) -> int:
     """Send every step-th frame: the smallest step that keeps to ``fps`` frames a second and to ``most_values``."""
-    step = max(1, math.ceil(asked.clip.fps / fps - 0.01))
-    frames = asked.end - asked.start
-    most = max(2, most_values // (3 * (asked.clip.skeleton.n_joints + 2)))
+    step = max(1, math.ceil(interval.clip.fps / fps - 0.01))
+    frames = interval.end - interval.start
+    most = max(2, most_values // (3 * (interval.clip.skeleton.n_joints + 2)))
     return max(min(step, frames), math.ceil(frames / most))
 
 
 def encode_motions(parts: Sequence[Part]) -> bytes:
-    """A header that tells the size of each part or its error, then the parts, each as :func:`encode_motion` has it."""
+    """A header with the size of each part or its error, then the parts, each as :func:`encode_motion` has it."""
     bodies = [b"" if isinstance(part, str) else encode_motion(*part) for part in parts]
-    told = [
+    sizes = [
         {"error": part} if isinstance(part, str) else {"bytes": len(body)}
         for part, body in zip(parts, bodies, strict=True)
     ]
-    return b"".join((*framed({"parts": told}), *bodies))
+    return b"".join((*framed({"parts": sizes}), *bodies))
 
 
-def encode_motion(asked: Interval, step: int) -> bytes:
+def encode_motion(interval: Interval, step: int) -> bytes:
     """Header length, JSON header and positions, as docs/reference/stage.md lays them out."""
-    positions, body, measured = drawn_positions(asked.clip, asked.start, asked.end, step)
-    header = motion_header(asked, step, len(positions), body, measured)
+    positions, body, measured = drawn_positions(interval.clip, interval.start, interval.end, step)
+    header = motion_header(interval, step, len(positions), body, measured)
     return b"".join((*framed(header), positions.astype("<f4", copy=False).tobytes()))
 
 
@@ -131,13 +131,13 @@ def framed(header: dict) -> tuple[bytes, bytes]:
     return np.uint32(len(text)).astype("<u4").tobytes(), text
 
 
-def motion_header(asked: Interval, step: int, frames: int, body: DrawnBody, measured: HeadAndFloor) -> dict:
-    """All the Stage needs to know besides positions. Lengths in metres; joints by their place among the drawn ones."""
+def motion_header(interval: Interval, step: int, frames: int, body: DrawnBody, measured: HeadAndFloor) -> dict:
+    """What the Stage needs to know besides positions. Lengths in metres; joints by their place among the drawn ones."""
     return {
-        "clip": asked.clip.name,
-        "start": asked.start,
-        "end": asked.end,
-        "fps": asked.clip.fps / step,
+        "clip": interval.clip.name,
+        "start": interval.start,
+        "end": interval.end,
+        "fps": interval.clip.fps / step,
         "step": step,
         "frames": frames,
         "joints": body.names,

@@ -31,7 +31,7 @@ MOUSE = "Drag to turn, Shift + drag to shift, wheel to zoom, double click to res
 
 
 def stage(api: str = "/api") -> html.Div:
-    """The Stage; one a page, its id is ``stage``. ``api``: address of the motion routes, with the app's prefix."""
+    """The Stage, once in a page, with the id ``stage``. ``api``: address of the motion routes."""
     return html.Div(
         [
             dcc.Store(id=STAGE_REQUEST),
@@ -72,7 +72,7 @@ def stage(api: str = "/api") -> html.Div:
 
 
 def register(app: Dash) -> None:
-    """Let the Stage play what is written into its request store."""
+    """Lets the Stage play what is written into its request store."""
     app.clientside_callback(
         ClientsideFunction("stage", "show"),
         Output(names.STAGE_SHOWN, "data"),

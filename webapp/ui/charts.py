@@ -1,4 +1,4 @@
-"""How every chart looks: colours of the theme, quiet grid, no chrome (components/downloads.py saves them)."""
+"""The look of every chart: the theme's colours, a light grid, no toolbar (ui/downloads.py saves charts)."""
 
 from __future__ import annotations
 
@@ -47,12 +47,12 @@ def themed(figure: go.Figure, scheme: str | None, *, height: int | None = 320, *
 
 
 def empty() -> go.Figure:
-    """A chart before there is anything to show: no axes to flash."""
+    """An empty chart without axes, for before there is anything to show."""
     bare = {"visible": False}
     clear = {"template": "none", "paper_bgcolor": "rgba(0,0,0,0)", "plot_bgcolor": "rgba(0,0,0,0)"}
     return go.Figure(layout={"xaxis": bare, "yaxis": bare, **clear})
 
 
 def tall(figure: go.Figure | Mapping[str, Any]) -> dict[str, str]:
-    """The style that holds a chart's place at the chart's own height: resized while it draws, Plotly forgets it."""
+    """A style that fixes the container at the chart's height: Plotly loses it when resized while it draws."""
     return {"height": f"{figure['layout']['height']}px"}

@@ -19,7 +19,7 @@ from core.mocap.dataset import Dataset
 from core.mocap.posture_drawing import DrawnBody, drawn_positions, facing
 
 STRIP_HEIGHT = 100.0  # units of the drawing for a body of average height, and a little air
-MOST_FRAMES = 600  # looked at for choosing poses
+MOST_FRAMES = 600  # among which poses are chosen
 VIEW_YAW, VIEW_PITCH = math.radians(35), math.radians(8)
 ICON_COLOURS = {
     "light": {"left": "#2a78d0", "right": "#e0701a", "centre": "#6d7686"},

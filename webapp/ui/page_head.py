@@ -1,4 +1,4 @@
-"""The line at the top of a page: its name, what leads about in it, and at the right what can be done."""
+"""The line at the top of a page: its title, links within the page, and its actions on the right."""
 
 from __future__ import annotations
 

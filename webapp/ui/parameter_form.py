@@ -43,17 +43,17 @@ def read_form(
 ) -> tuple[dict[str, Any], dict[str, str]]:
     """Values as the method takes them, and what is wrong with the others: name -> sentence."""
     known = {parameter.name: parameter for parameter in parameters}
-    taken: dict[str, Any] = {}
+    parsed: dict[str, Any] = {}
     problems: dict[str, str] = {}
     for component, value in zip(ids, values, strict=True):
         parameter = known[component["name"]]
         if value in (None, ""):
             continue  # an empty control means the default
         try:
-            taken[parameter.name] = parameter.parse(value)
+            parsed[parameter.name] = parameter.parse(value)
         except ParameterError:
             problems[parameter.name] = f"Expected {parameter.expected}."
-    return taken, problems
+    return parsed, problems
 
 
 def summary(parameters: Mapping[str, Any]) -> str:

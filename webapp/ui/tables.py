@@ -35,7 +35,7 @@ TEXT: dict[str, Any] = {"filter": "agTextColumnFilter"}
 
 
 def decimals(digits: int) -> dict[str, Any]:
-    """How a column of numbers is written: so many digits behind the point, a dash where there is no number."""
+    """How a column of numbers is written: with so many decimals, a dash for a missing number."""
     words = f"params.value == null ? '–' : d3.format('.{digits}f')(params.value)"
     return {"valueFormatter": {"function": words}, **NUMBER}
 
@@ -45,6 +45,7 @@ WRAPPED: dict[str, Any] = {"wrapHeaderText": True}
 
 
 def column(field: str, name: str, width: int, tip: str = "", **more: Any) -> dict[str, Any]:
+    """A column of AG Grid; ``tip`` is shown on hover over its head, ``more`` are AG Grid's own options."""
     tooltip = {"headerTooltip": tip} if tip else {}
     return {"field": field, "headerName": name, "width": width, **tooltip, **more}
 

@@ -1,4 +1,4 @@
-"""A figure of a result with its name; what it means is told while the pointer or the focus rests on it."""
+"""A number of a result with its name; its explanation appears on hover and on focus."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from webapp.shell.attributes import attributes
 
 
 def metric_tile(name: str, value: str, explanation: str) -> Component:
-    """One tile; focusable, so that its explanation is there for the keyboard too."""
+    """One tile; it can be focused, so that the keyboard reaches its explanation too."""
     return dmc.Tooltip(
         html.Div(
             [html.Span(name, className="tile-name"), html.Span(value, className="tile-value number")],

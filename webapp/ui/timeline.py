@@ -1,4 +1,4 @@
-"""Every clip as a row: what people labelled, and beside it the motions of the motifs that were found."""
+"""Every clip as a row with its labels and the motions of the motifs that were found."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ GOLDEN = 0.6180339887498949  # turns of the colour circle from one motif to the 
 
 
 def motif_colour(motif: int) -> str:
-    """A colour for a motif that stays its own in every view: hue by its id, middling lightness for both themes."""
+    """The colour of a motif in all views: its hue follows from its id, its lightness suits both themes."""
     hue = (0.58 + motif * GOLDEN) % 1.0
     red, green, blue = colorsys.hls_to_rgb(hue, 0.52 + 0.08 * (motif // 3 % 2), 0.55)
     return f"#{round(255 * red):02x}{round(255 * green):02x}{round(255 * blue):02x}"
@@ -68,7 +68,7 @@ def timeline(dataset: Dataset, graph: MotifGraph, notes: Mapping[int, MotifNote]
 
 
 def motif_name(motif: int, notes: Mapping[int, MotifNote]) -> str:
-    """What a band calls a motif: its number, and the name that someone gave it."""
+    """The label of a motif: its number and the name that someone gave it."""
     named = notes[motif].name if motif in notes else ""
     return f"{motif} {named}" if named else f"Motif {motif}"
 

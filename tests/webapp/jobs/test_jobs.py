@@ -48,9 +48,9 @@ def test_a_job_is_worked_on_in_another_process(workspace):
 
 
 def test_who_waits_gets_the_end(workspace):
-    assert jobs.work(str(workspace.path), jobs.start(workspace, toy_method.request()).id) == "done"
-    assert jobs.work(str(workspace.path), jobs.start(workspace, toy_method.request(mode="refuse")).id) == "failed"
-    assert jobs.work(str(workspace.path), 10_000) == "unknown"
+    assert jobs.wait_for(str(workspace.path), jobs.start(workspace, toy_method.request()).id) == "done"
+    assert jobs.wait_for(str(workspace.path), jobs.start(workspace, toy_method.request(mode="refuse")).id) == "failed"
+    assert jobs.wait_for(str(workspace.path), 10_000) == "unknown"
 
 
 def test_faults_are_told_in_plain_words(workspace):
@@ -134,9 +134,9 @@ def test_a_worker_outlives_the_server_that_started_it(workspace, tmp_path):
 
 def test_jobs_left_waiting_are_taken_up_later(workspace):
     job = analyses.submit(workspace, toy_method.request(seconds=0.1))
-    assert jobs.tend(workspace)
+    assert jobs.ensure_worker(workspace)
     assert ended(workspace, job).state == "done"
-    assert not jobs.tend(workspace)
+    assert not jobs.ensure_worker(workspace)
 
 
 def test_two_who_ask_at_once_share_one_job(workspace, tmp_path):

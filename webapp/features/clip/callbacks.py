@@ -1,4 +1,4 @@
-"""The Clip page's callbacks: which clip it is, what its chart shows, what is selected of it."""
+"""The Clip page's callbacks: the clip, its chart and the selected range."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from webapp.ui.timeline import motif_colour, motif_name
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """All of the page's callbacks."""
+    """Registers the page's callbacks."""
     _choose(app, workspace)
     _controls(app, workspace)
     _draw(app, workspace)
@@ -34,7 +34,7 @@ def register(app: Dash, workspace: Workspace) -> None:
 
 
 def clip_of(dataset: Dataset, graph: MotifGraph | None, selection: Mapping[str, Any]) -> str | None:
-    """The clip that a selection is about: named by it, or the one of the motion or transition; None for none."""
+    """The clip of a selection: the one it names, or that of the motion or transition; None where there is none."""
     if "clip" in selection:
         return str(selection["clip"])
     motif = find_motif(graph, selection["motif"]) if graph and "motif" in selection else None
@@ -204,7 +204,7 @@ def _draw(app: Dash, workspace: Workspace) -> None:
 
 
 def curves_of(workspace: Workspace, shown: Mapping[str, Any] | None) -> ClipCurves | None:
-    """The curves of the clip that is shown; None where it has gone meanwhile."""
+    """The curves of the clip that is shown; None where the clip no longer exists."""
     if not shown:
         return None
     try:
@@ -215,7 +215,7 @@ def curves_of(workspace: Workspace, shown: Mapping[str, Any] | None) -> ClipCurv
 
 
 def _spans(workspace: Workspace, shown: Mapping[str, Any], view: Mapping[str, Any] | None) -> list[figures.Band]:
-    """Bands of what people labelled and of the motifs that were found in this clip."""
+    """Bands of the labels and of the motifs in this clip."""
     dataset = workspace.open(shown["dataset"])
     actions = sorted({label.action for label in dataset.labels})
     labels = [
@@ -238,7 +238,7 @@ def _spans(workspace: Workspace, shown: Mapping[str, Any], view: Mapping[str, An
 
 
 def _browser(app: Dash) -> None:
-    """What assets/clip/*.mjs must hear of."""
+    """Registers the clientside callbacks."""
     app.clientside_callback(
         ClientsideFunction("clip", "drawn"),
         Output(names.CLIP_DRAWN, "data"),

@@ -1,4 +1,4 @@
-"""Clips as the Clip page needs them: their curves, kept while one looks at them, and what is chosen to be shown."""
+"""Curves of clips for the Clip page, with the last few kept in memory, and what the page shows of them."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _DEFAULT = {
 
 
 class Choice(NamedTuple):
-    """What of a clip is shown, read from the store "view".
+    """The part of a clip that is shown, read from the store "view".
 
     chart: one of :data:`CHARTS`; kind: of angles, one of :data:`KINDS`; joints: names of what has such curves (numbers
     of joints where the kind is "file"); channels: names of angles; span: seconds from and to, None for the whole clip.
@@ -35,7 +35,7 @@ class Choice(NamedTuple):
 
 
 def clip_curves(dataset: Dataset, name: str) -> ClipCurves:
-    """The curves of a clip; the last few looked at stay in memory. Raises KeyError where there is no such clip."""
+    """The curves of a clip; the last few stay in memory. Raises KeyError where there is no such clip."""
 
     def compute() -> ClipCurves:
         clip = dataset.clip(name)
@@ -53,7 +53,7 @@ def frames_of(dataset: Dataset, skeleton: Skeleton) -> BodyFrames:
 
 
 def choice(view: Mapping[str, str] | None, curves: ClipCurves) -> Choice:
-    """What ``view`` asks for, as far as this clip has it; defaults for the rest."""
+    """What ``view`` asks for where this clip has it; defaults for the rest."""
     view = view or {}
     chart, kind = view.get("chart", ""), view.get("angles", "")
     chart = chart if chart in CHARTS else "angles"
@@ -65,8 +65,8 @@ def choice(view: Mapping[str, str] | None, curves: ClipCurves) -> Choice:
         name for name in _words(view, "rig" if chart == "angles" and kind == "file" else "joints") if name in offered
     )
     if not joints:
-        wanted = offered[:3] if kind == "file" and chart == "angles" else _DEFAULT.get(chart, ())
-        joints = tuple(name for name in wanted if name in offered) or offered[:2]
+        defaults = offered[:3] if kind == "file" and chart == "angles" else _DEFAULT.get(chart, ())
+        joints = tuple(name for name in defaults if name in offered) or offered[:2]
     channels = tuple(_words(view, "channels")) or ("flexion", "tilt")
     return Choice(chart, kind, joints, channels, _span(view.get("span"), curves.clip.seconds))
 
@@ -88,11 +88,11 @@ def chosen_curves(curves: ClipCurves, chosen: Choice) -> list[Curve]:
         return []
     if chosen.kind == "file":
         return curves.channels(map(int, chosen.joints))
-    found = []
+    chosen_angles = []
     for joint in chosen.joints:
         names = [channel.name for channel in JOINTS[joint].channels]
-        found += curves.angles([joint], [n for n in names if n in chosen.channels] or names[:1])
-    return found
+        chosen_angles += curves.angles([joint], [n for n in names if n in chosen.channels] or names[:1])
+    return chosen_angles
 
 
 def joint_words(name: str) -> str:

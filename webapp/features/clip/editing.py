@@ -1,4 +1,4 @@
-"""Edits of the clip that is shown: asked for in a dialog, done as a job, told like all changes of a dataset."""
+"""Edits of the clip that is shown: chosen in a dialog, run as a job, announced like all changes of a dataset."""
 
 from __future__ import annotations
 
@@ -89,7 +89,7 @@ def dialogs() -> list[Component]:
 
 
 def problem(dataset: Dataset, clip: str, action: str, options: Mapping[str, Any]) -> str:
-    """Why an edit cannot be made, "" where it can; costs next to nothing."""
+    """Why an edit cannot be made, "" where it can; a cheap check."""
     try:
         recording, labels = dataset.clip(clip), [label for label in dataset.labels if label.clip == clip]
         if action == "trim":
@@ -109,7 +109,7 @@ def problem(dataset: Dataset, clip: str, action: str, options: Mapping[str, Any]
 
 
 def effect(workspace: Workspace, name: str, where: str) -> str:
-    """What the edit means for results that are there already."""
+    """What the edit means for existing results."""
     if where == NEW:
         return f"{name} and its results stay as they are."
     if not settings.earlier(workspace, MOTIFS, name):
@@ -121,13 +121,13 @@ def effect(workspace: Workspace, name: str, where: str) -> str:
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """The dialog, and the job it starts; webapp/jobs/changes.py tells its end and undoes it."""
+    """Registers the dialog and the job it starts; webapp/jobs/changes.py announces its end and undoes it."""
     _open(app, workspace)
     _do(app, workspace)
 
 
 def _open(app: Dash, workspace: Workspace) -> None:
-    app.clientside_callback(  # the frame at the cursor goes with what was asked
+    app.clientside_callback(  # the frame at the cursor is part of the request
         ClientsideFunction("clip", "asked"), Output(names.CLIP_EDIT_ASKED, "data"), Input(names.CLIP_EDIT, "data")
     )
 
@@ -146,8 +146,8 @@ def _open(app: Dash, workspace: Workspace) -> None:
         State(SELECTION, "data"),
         prevent_initial_call=True,
     )
-    def open_dialog(asked, shown, selection):
-        action = (asked or {}).get("action")
+    def open_dialog(request, shown, selection):
+        action = (request or {}).get("action")
         if action not in ACTIONS or not shown:
             return (no_update,) * 9
         title, says, button = ACTIONS[action]
@@ -161,7 +161,7 @@ def _open(app: Dash, workspace: Workspace) -> None:
         elif action == "rate":
             says = f"{says} It has {shown['fps']:g} frames per second now."
         hidden = {"display": "none"}
-        frame = min(max(int(asked.get("frame") or 0), 1), max(shown["frames"] - 1, 1))
+        frame = min(max(int(request.get("frame") or 0), 1), max(shown["frames"] - 1, 1))
         name = workspace.free_name(f"{shown['clip']} {'parts' if action in ('split', 'labels') else 'edited'}")
         return (
             *(True, title, says, button),
@@ -198,8 +198,8 @@ def _do(app: Dash, workspace: Workspace) -> None:
         State(names.CLIP_EDIT_NAME, "value"),
         prevent_initial_call=True,
     )
-    def do(_clicks, asked, shown, selection, fps, frame, where, name):
-        action = (asked or {}).get("action")
+    def do(_clicks, request, shown, selection, fps, frame, where, name):
+        action = (request or {}).get("action")
         if action not in ACTIONS or not shown:
             return no_update, False
         options = _options(action, shown, selection, fps, frame)
@@ -209,14 +209,14 @@ def _do(app: Dash, workspace: Workspace) -> None:
                 return wrong, no_update
             if where == NEW:
                 options["into"] = workspace.check_free(check_name(name or ""))
-            changes.ask(workspace, requests.edit_request(dataset.name, shown["clip"], action, **options))
+            changes.start(workspace, requests.edit_request(dataset.name, shown["clip"], action, **options))
         except (WorkspaceError, ParameterError) as error:
             return str(error), no_update
         return None, False
 
 
 def selected(shown: Mapping[str, Any], selection: Mapping[str, Any] | None) -> tuple[int | None, int | None]:
-    """The selected frames of the clip that is shown, cut to it; None twice where there are none."""
+    """The selected frames of the clip that is shown, clipped to it; (None, None) where none are."""
     chosen = selection or {}
     if chosen.get("clip") != shown["clip"] or "end" not in chosen or "start" not in chosen:
         return None, None

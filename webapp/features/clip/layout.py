@@ -1,4 +1,4 @@
-"""What the Clip page consists of."""
+"""The layout of the Clip page."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ HINT = (
 
 
 def page() -> Component:
-    """The page before it knows what there is to show."""
+    """The page before any data is loaded."""
     return html.Div(
         className="clip-page",
         children=[
@@ -167,7 +167,7 @@ def _zoom(symbol: str, label: str, what: str) -> Component:
 
 
 def nothing(dataset: Dataset | None, clip: str | None) -> Component:
-    """What stands in place of a clip that is not there."""
+    """The message shown in place of a clip that does not exist."""
     if dataset is None:
         link = dcc.Link("Go to the library", href="/library", className="text-link")
         state = empty_state("person", "No dataset yet", "Add recordings, or make the demo, in the library.", link)
@@ -181,16 +181,16 @@ def nothing(dataset: Dataset | None, clip: str | None) -> Component:
 
 
 def facts(curves: ClipCurves) -> list[Component]:
-    """Length, rate and body of the clip, and what was found odd about it."""
+    """Length, rate and body of the clip, and remarks of the import."""
     clip = curves.clip
     turning = len(curves.turning_joints)
-    said = [
+    facts = [
         f"{clip.seconds:.2f} s",
         f"{clip.n_frames:,} frames",
         f"{clip.fps:g} frames per second",
         f"{turning} joints",
     ]
-    parts: list[Component] = [html.Span(" · ".join(said), className="number")]
+    parts: list[Component] = [html.Span(" · ".join(facts), className="number")]
     if clip.notes:
         note = clip.notes[0]
         parts.append(html.Span(f" · {note}", className="clip-note", title=" ".join(clip.notes)))
@@ -198,7 +198,7 @@ def facts(curves: ClipCurves) -> list[Component]:
 
 
 def joint_options(curves: ClipCurves, chosen: Choice) -> list[dict[str, str]]:
-    """What the joint chooser offers."""
+    """The options of the joint chooser."""
     offered = offered_joints(curves, chosen.chart, chosen.kind)
     if chosen.chart == "angles" and chosen.kind == "file":
         return [{"value": name, "label": curves.clip.skeleton.names[int(name)]} for name in offered]
@@ -240,17 +240,17 @@ def _unit(unit: str) -> str:
 
 
 def range_bar(clip: str, fps: float, frames: int, start: int | None, end: int | None) -> list[Component]:
-    """What is selected of the clip, which has so many frames, and what can be done with it."""
+    """The selected range of a clip of so many frames, and buttons for it."""
     first, last = (0, frames) if start is None or end is None else (start, end)
     alike = dmc.Button("More like this", size="compact-sm", variant="default", **similar(clip, first, last))
     if start is None or end is None:
         hint = "No range selected: drag over the chart, and it plays on the Stage."
         return [html.Span(hint, className="muted"), html.Div(className="spacer"), alike]
-    said = f"{start / fps:.2f} to {end / fps:.2f} s"
+    seconds = f"{start / fps:.2f} to {end / fps:.2f} s"
     more = f"{(end - start) / fps:.2f} s, frames {start} to {end}"
     whole = sends(SELECTION, {"clip": clip})
     return [
-        html.Span(["Selected ", html.B(said, className="number")]),
+        html.Span(["Selected ", html.B(seconds, className="number")]),
         html.Span(more, className="muted number"),
         html.Div(className="spacer"),
         alike,

@@ -14,7 +14,7 @@ from flask import Blueprint, Response, request, stream_with_context
 from core.editing.curves import ClipCurves, Curve, csv_blocks
 from core.workspace import Workspace
 from webapp.features.clip import clips
-from webapp.shell.routes import BadRequest, OpenDataset, answer_errors, cached, find_interval
+from webapp.shell.routes import BadRequest, OpenDataset, answer_errors, cached_response, find_interval
 from webapp.shell.virtual import opener
 
 COLUMNS = {  # of a table: what they are called in the address, and for people
@@ -39,35 +39,35 @@ def clip_blueprint(open_dataset: OpenDataset) -> Blueprint:
 
     @routes.get("/clip-table/<dataset>/<path:clip>", merge_slashes=False)
     def clip_table(dataset: str, clip: str) -> Response:
-        asked = find_interval(open_dataset, dataset, clip)
-        curves = clips.clip_curves(asked.dataset, asked.clip.name)
-        table = csv_blocks(asked.clip, _columns(curves), asked.start, asked.end)
+        interval = find_interval(open_dataset, dataset, clip)
+        curves = clips.clip_curves(interval.dataset, interval.clip.name)
+        table = csv_blocks(interval.clip, _columns(curves), interval.start, interval.end)
         answer = Response(stream_with_context(table), mimetype="text/csv")
-        part = "" if asked.end - asked.start == asked.clip.n_frames else f" {asked.start}-{asked.end}"
-        name = f"{asked.clip.name}{part}.csv".replace("/", "_")
+        part = "" if interval.end - interval.start == interval.clip.n_frames else f" {interval.start}-{interval.end}"
+        name = f"{interval.clip.name}{part}.csv".replace("/", "_")
         answer.headers["Content-Disposition"] = f"attachment; filename*=UTF-8''{quote(name)}"
         return answer
 
     @routes.get("/clip-values/<dataset>/<path:clip>", merge_slashes=False)
     def clip_values(dataset: str, clip: str) -> Response:
-        asked = find_interval(open_dataset, dataset, clip)
-        curves = clips.clip_curves(asked.dataset, asked.clip.name)
+        interval = find_interval(open_dataset, dataset, clip)
+        curves = clips.clip_curves(interval.dataset, interval.clip.name)
         view = {key: request.args.get(key, "") for key in ("chart", "angles", "joints", "rig", "channels")}
         chosen = clips.choice(view, curves)
 
         def make() -> bytes:
-            found = [curve.values for curve in clips.chosen_curves(curves, chosen)]
-            return np.array(found, "<f4").tobytes()
+            arrays = [curve.values for curve in clips.chosen_curves(curves, chosen)]
+            return np.array(arrays, "<f4").tobytes()
 
-        return cached(asked, "values", tuple(chosen[:4]), make, "application/octet-stream")
+        return cached_response(interval, "values", tuple(chosen[:4]), make, "application/octet-stream")
 
     return routes
 
 
 def _columns(curves: ClipCurves) -> list[Curve]:
     """The curves that ``columns`` and ``joints`` of the current request name. Raises BadRequest."""
-    wanted = [word for word in request.args.get("columns", "angles,speeds,feet").split(",") if word]
-    if unknown := [word for word in wanted if word not in COLUMNS]:
+    columns = [word for word in request.args.get("columns", "angles,speeds,feet").split(",") if word]
+    if unknown := [word for word in columns if word not in COLUMNS]:
         raise BadRequest(f"“{unknown[0][:40]}” is no kind of column; there are {', '.join(COLUMNS)}.")
     joints = [word for word in request.args.get("joints", "").split(",") if word] or None
     angles, places = curves.angle_joints, (clips.TRAVEL, *curves.joints)
@@ -85,4 +85,4 @@ def _columns(curves: ClipCurves) -> list[Curve]:
         "feet": curves.feet,
         "gait": curves.events,
     }
-    return [curve for word in COLUMNS if word in wanted for curve in makers[word]()]
+    return [curve for word in COLUMNS if word in columns for curve in makers[word]()]

@@ -25,7 +25,7 @@ def button() -> Component:
 
 
 def dialogs() -> list[Component]:
-    """What to put into the table."""
+    """The dialog that chooses the columns and frames of the table."""
 
     def radios(name: str, choices: Mapping[str, str], value: str, label: str) -> Component:
         group = dmc.Group([dmc.Radio(text, value=key) for key, text in choices.items()], gap="md", mt=4)
@@ -65,7 +65,7 @@ def address(
     joints: Sequence[str] | None,
     whole: bool,
 ) -> str:
-    """Where the table is; ``joints``: only these (None: all); ``whole``: all frames, not only the selected ones."""
+    """The address of the table; ``joints``: only these (None: all); ``whole``: all frames, not the selected ones."""
     query = {"columns": ",".join(name for name in COLUMNS if name in columns)}
     if joints:
         query["joints"] = ",".join(joints)
@@ -75,7 +75,7 @@ def address(
 
 
 def register(app: Dash) -> None:
-    """The dialog and its link."""
+    """Registers the callbacks of the dialog and its link."""
 
     @app.callback(
         Output(names.CLIP_TABLE_DIALOG, "opened"), Input(names.CLIP_TABLE_OPEN, "n_clicks"), prevent_initial_call=True

@@ -1,4 +1,4 @@
-"""Adding recordings: a dialog that takes files, says where they go, and asks for the job."""
+"""Adding recordings: a dialog that takes files, asks where to add them, and starts the job."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ HIDDEN = {"display": "none"}  # not by a class: the dialog's focus trap looks at
 
 
 def dialog(limits: Limits) -> Component:
-    """Choose or drop files, see each arrive, say where they go, add them."""
+    """The dialog: choose or drop files, follow the upload, choose where to add them, add them."""
     return dmc.Modal(
         id=names.UPLOAD_DIALOG,
         title="Add recordings or labels",
@@ -120,19 +120,19 @@ def _drop_zone(limits: Limits) -> Component:
 
 
 def targets(datasets: Sequence[str]) -> list[dict[str, Any]]:
-    """What the files can be added to: a new dataset, or one of ``datasets``."""
-    here = [{"value": f"{INTO}{name}", "label": name} for name in datasets]
+    """Options of where the files are added: a new dataset, or one of ``datasets``."""
+    existing = [{"value": f"{INTO}{name}", "label": name} for name in datasets]
     new = {"value": NEW, "label": "A new dataset"}
-    return [new, {"group": "Datasets here", "items": here}] if here else [new]
+    return [new, {"group": "Datasets here", "items": existing}] if existing else [new]
 
 
 def into(target: str | None) -> str | None:
-    """The dataset that is meant by a choice of the dialog; None for a new one."""
+    """The dataset of a choice in the dialog; None for a new one."""
     return target.removeprefix(INTO) if target and target.startswith(INTO) else None
 
 
-def ready(upload: Mapping[str, Any] | None, name: str | None) -> str:
-    """Why what has arrived cannot be added yet to the dataset ``name`` (None: a new one); empty where it can."""
+def problem_of(upload: Mapping[str, Any] | None, name: str | None) -> str:
+    """Why the upload cannot be added to the dataset ``name`` (None: a new one) yet; empty where it can."""
     upload = upload or {}
     if not (upload.get("done") and upload.get("received")):
         return "Add at least one file, and wait until all have arrived."
@@ -148,8 +148,8 @@ def request_for(upload: Mapping[str, Any], name: str | None, new: str, labels: s
 
     Raises WorkspaceError, ParameterError.
     """
-    asked = fps not in (None, "") and (upload.get("amc") or upload.get("archives"))
-    options = {"fps": _frame_rate(fps)} if asked else {}
+    uses_fps = fps not in (None, "") and (upload.get("amc") or upload.get("archives"))
+    options = {"fps": _frame_rate(fps)} if uses_fps else {}
     token = str(upload.get("token"))
     if name:
         return requests.add_request(name, token, labels=labels or "add", **options)
@@ -187,12 +187,12 @@ def _open(app: Dash, workspace: Workspace) -> None:
         Input(names.UPLOAD_INTO, "data"),
         prevent_initial_call=True,
     )
-    def open_dialog(clicked, others, asked):
+    def open_dialog(clicked, others, target):
         if ctx.triggered_id != names.UPLOAD_INTO and not (clicked or any(others)):
             return no_update, no_update, no_update
         datasets = [info.name for info in workspace.datasets()]
-        wanted = (asked or {}).get("dataset") if ctx.triggered_id == names.UPLOAD_INTO else None
-        return True, targets(datasets), f"{INTO}{wanted}" if wanted in datasets else NEW
+        requested = (target or {}).get("dataset") if ctx.triggered_id == names.UPLOAD_INTO else None
+        return True, targets(datasets), f"{INTO}{requested}" if requested in datasets else NEW
 
 
 def _choose(app: Dash, workspace: Workspace) -> None:
@@ -234,14 +234,14 @@ def _choose(app: Dash, workspace: Workspace) -> None:
     def show_choices(upload, target):
         upload, name = upload or {}, into(target)
         shown = {True: {}, False: HIDDEN}
-        why = ready(upload, name)
+        problem = problem_of(upload, name)
         return (
-            bool(why),
+            bool(problem),
             "Add" if name else "Import",
             shown[name is None],
             shown[name is not None and bool(upload.get("labels") or upload.get("archives"))],
             shown[bool(upload.get("amc") or upload.get("archives"))],
-            why if upload.get("done") and upload.get("received") else None,
+            problem if upload.get("done") and upload.get("received") else None,
         )
 
 
@@ -261,12 +261,12 @@ def _ask(app: Dash, workspace: Workspace) -> None:
     )
     def add_upload(_clicks, _submits, upload, target, new, labels, fps):
         name = into(target)
-        if why := ready(upload, name):
-            return why, no_update, no_update
+        if problem := problem_of(upload, name):
+            return problem, no_update, no_update
         try:
             request = request_for(upload, name, new or "", labels, fps)
             if name:
-                changes.ask(workspace, request)
+                changes.start(workspace, request)
             else:
                 set_props(JOB_STARTED, {"data": jobs.start(workspace, request).id})
                 set_props(AWAITED, {"data": request.dataset})

@@ -1,4 +1,4 @@
-"""The Library page's callbacks: look at the workspace, show; take an action, do it."""
+"""The Library page's callbacks: they show the workspace and carry out actions on it."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from webapp.ui.tables import grid
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """All of the page's callbacks."""
+    """Registers the page's callbacks."""
     _show(app, workspace)
     _act(app, workspace)
     _choose_clips(app, workspace)
@@ -47,7 +47,7 @@ def _show(app: Dash, workspace: Workspace) -> None:
             dataset = workspace.open(name)
         except WorkspaceError as error:
             return empty_state("warning", "This dataset cannot be shown", str(error))
-        tab, files = _looked_at(view)
+        tab, files = _shown_parts(view)
         shown = {
             "clips": grid(
                 names.CLIPS_TABLE, tables.clip_columns(dataset), tables.clip_rows(dataset), "Clips", **tables.CHOICE
@@ -86,7 +86,7 @@ def _show(app: Dash, workspace: Workspace) -> None:
     )
 
 
-def _looked_at(view: Mapping[str, str] | None) -> tuple[str, str]:
+def _shown_parts(view: Mapping[str, str] | None) -> tuple[str, str]:
     """The tab and the files of the report that the store "view" names."""
     tab, files = ((view or {}).get(key) for key in ("tab", "files"))
     return tab if tab == "report" else "clips", files if files in dict(layout.REPORTS) else "all"
@@ -98,7 +98,7 @@ def _act(app: Dash, workspace: Workspace) -> None:
         try:
             perform(workspace, request or {})
         except WorkspaceError as error:
-            _say(notice("That did not work", str(error), "red"))
+            _notify(notice("That did not work", str(error), "red"))
         set_props(JOB_POKE, {"data": time.time()})
 
     @app.callback(
@@ -134,12 +134,12 @@ def _act(app: Dash, workspace: Workspace) -> None:
     @app.callback(Input(names.DEMO(ALL), "n_clicks"), prevent_initial_call=True)
     def open_demo(clicks):
         if any(clicks):
-            _ask(workspace, analyses.Request(analyses.DEMO, "demo"))
-            _say(notice("Making the demo", "It appears here in a moment, with its motif graph."))
+            _start(workspace, analyses.Request(analyses.DEMO, "demo"))
+            _notify(notice("Making the demo", "It appears here in a moment, with its motif graph."))
 
 
 def perform(workspace: Workspace, request: Mapping[str, object]) -> None:
-    """Does what a button of a dataset's card or of the trash asks for; raises WorkspaceError."""
+    """Carries out the action of a button on a dataset's card or in the trash. Raises WorkspaceError."""
     action, name = (str(request.get(key) or "") for key in ("action", "dataset"))
     if action == "rename":
         set_props(names.RENAME_OLD, {"data": name})
@@ -147,11 +147,11 @@ def perform(workspace: Workspace, request: Mapping[str, object]) -> None:
         set_props(names.RENAME_PROBLEM, {"children": None})
         set_props(names.RENAME_DIALOG, {"opened": True})
     elif action == "trash":
-        _say(changes.undo_notice("Dataset deleted", f"{name} is in the trash.", {"restore": workspace.trash(name)}))
+        _notify(changes.undo_notice("Dataset deleted", f"{name} is in the trash.", {"restore": workspace.trash(name)}))
     elif action == "empty":
-        gone = workspace.empty_trash()
+        deleted = workspace.empty_trash()
         set_props(names.TRASH_LIST, {"children": layout.trash_list(workspace.trashed())})
-        _say(notice("Trash emptied", f"{gone} dataset{'s' if gone != 1 else ''} deleted for good."))
+        _notify(notice("Trash emptied", f"{deleted} dataset{'s' if deleted != 1 else ''} deleted for good."))
 
 
 def _choose_clips(app: Dash, workspace: Workspace) -> None:
@@ -171,19 +171,19 @@ def _choose_clips(app: Dash, workspace: Workspace) -> None:
             try:
                 if len(rows) == workspace.info(name).clips:
                     raise WorkspaceError("These are all its clips; delete the dataset instead.")
-                changes.ask(workspace, requests.remove_request(name, [row["clip"] for row in rows]))
+                changes.start(workspace, requests.remove_request(name, [row["clip"] for row in rows]))
             except WorkspaceError as error:
-                _say(notice("That did not work", str(error), "red"))
+                _notify(notice("That did not work", str(error), "red"))
                 return no_update
         return []
 
 
-def _ask(workspace: Workspace, request: analyses.Request) -> None:
-    """Enters a job and has the bar look at once; raises WorkspaceError, ParameterError."""
+def _start(workspace: Workspace, request: analyses.Request) -> None:
+    """Starts a job and updates the job bar. Raises WorkspaceError, ParameterError."""
     job = jobs.start(workspace, request)
     set_props(JOB_STARTED, {"data": job.id})
     set_props(JOB_POKE, {"data": time.time()})
 
 
-def _say(message: dict) -> None:
+def _notify(message: dict) -> None:
     set_props(NOTICES, {"sendNotifications": [message]})

@@ -1,4 +1,4 @@
-"""The commands that bring recordings in, or say what is odd about them: ``import``, ``inspect``, ``demo``."""
+"""The commands that import recordings or check them: ``import``, ``inspect``, ``demo``."""
 
 from __future__ import annotations
 
@@ -36,8 +36,8 @@ def import_(arguments: Namespace) -> int:
             labels=arguments.labels,
             report=report,
         )
-    came = [file for file in imported.files if file.addition == imported.last_addition]
-    bad = [file for file in came if file.verdict == "error"]
+    added = [file for file in imported.files if file.addition == imported.last_addition]
+    bad = [file for file in added if file.verdict == "error"]
     for file in bad[:SHOWN]:
         print(line_of(file), file=sys.stderr)
     if len(bad) > SHOWN:

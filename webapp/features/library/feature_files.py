@@ -1,4 +1,4 @@
-"""Features of a dataset for other tools: asked for in the Library, computed as a job, downloaded when there."""
+"""Features of a dataset for other tools: requested in the Library, computed as a job, downloaded when ready."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from webapp.shell.names import JOB_STARTED, NOTICES
 
 
 def stores() -> list[Component]:
-    """For the frame of the app: features may be done when one has gone to another page."""
+    """Stores for the frame of the app: features may become ready while another page is open."""
     return [
         dcc.Store(id=names.FEATURES_ASKED),  # {"dataset": name, "suffix": ".npz"} that someone waits for
         dcc.Store(id=names.FEATURES_READY),  # address of the download
@@ -27,7 +27,7 @@ def stores() -> list[Component]:
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """Start what is missing; hand over what is there."""
+    """Registers the callback that starts the job of missing features and downloads those that are ready."""
 
     @app.callback(
         Output(names.FEATURES_READY, "data"),
@@ -36,20 +36,20 @@ def register(app: Dash, workspace: Workspace) -> None:
         State(names.FEATURES_ASKED, "data"),
         prevent_initial_call=True,
     )
-    def give(_asked, _finished, asked):
-        if not asked:
+    def deliver(_request, _finished, wanted):
+        if not wanted:
             return no_update
-        request = analyses.Request(str(asked.get("dataset")), "features")
+        request = analyses.Request(str(wanted.get("dataset")), "features")
         try:
             if analyses.stored(workspace, request) is not None:
                 set_props(names.FEATURES_ASKED, {"data": None})
-                address = f"/api/features/{quote(request.dataset, safe='')}{asked.get('suffix')}"
-                return {"address": address, "at": asked.get("at")}
+                address = f"/api/features/{quote(request.dataset, safe='')}{wanted.get('suffix')}"
+                return {"address": address, "at": wanted.get("at")}
             job = workspace.jobs.latest(analyses.key(workspace, request))
-            if asked.get("job") is None:
+            if wanted.get("job") is None:
                 job = jobs.start(workspace, request)
                 set_props(JOB_STARTED, {"data": job.id})
-                set_props(names.FEATURES_ASKED, {"data": asked | {"job": job.id}})
+                set_props(names.FEATURES_ASKED, {"data": wanted | {"job": job.id}})
             elif job is None or not job.alive:
                 set_props(names.FEATURES_ASKED, {"data": None})
                 if job is not None and job.state == "failed":

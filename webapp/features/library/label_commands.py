@@ -1,4 +1,4 @@
-"""The command that brings labels to a data set of a workspace."""
+"""The command that adds labels to a data set of a workspace."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the Library page consists of."""
+"""The layout of the Library page."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ REPORTS = (("all", "All"), ("added", "Added last"), ("error", "Not read"), ("war
 
 
 def page() -> Component:
-    """The page before it knows what the workspace holds."""
+    """The page before any data is loaded."""
     limits = Limits.from_environment()
     return html.Div(
         className="library",
@@ -47,8 +47,8 @@ def page() -> Component:
             dcc.Store(id=names.CLIPS_ACTION),  # {"action": "remove" | "clear"}
             dcc.Store(id=names.UPLOAD_INTO),  # {"dataset": name}: open the dialog for it
             dcc.Store(id=names.UPLOAD, data={}),  # written by assets/library/upload.mjs
-            dcc.Store(id=names.UPLOAD_SUGGESTED),  # a name for what is sent; "" where nothing is
-            dcc.Store(id=names.UPLOADED),  # the token whose import was asked for
+            dcc.Store(id=names.UPLOAD_SUGGESTED),  # a name for the upload; "" where there is none
+            dcc.Store(id=names.UPLOADED),  # the token whose import was started
         ],
     )
 
@@ -195,17 +195,17 @@ def detail(name: str, tables: dict[str, Component], report: ImportReport, tab: s
 
 
 def report_chips(report: ImportReport) -> list[dict[str, str]]:
-    """What of a report one can look at, with the number of its files; only what there is."""
+    """Filters of the import report that match any files, each with the number of files."""
     counts: Counter[str] = Counter(file.verdict for file in report.files)
     counts["all"] = len(report.files)
     newest = report.last_addition
     counts["added"] = sum(file.addition == newest for file in report.files) if newest else 0
-    kept = [(key, label) for key, label in REPORTS if counts[key] or key == "all"]
-    return [{"value": key, "label": f"{label} {counts[key]:,}"} for key, label in kept]
+    choices = [(key, label) for key, label in REPORTS if counts[key] or key == "all"]
+    return [{"value": key, "label": f"{label} {counts[key]:,}"} for key, label in choices]
 
 
 def clips_chosen(chosen: int) -> Component | None:
-    """What can be done to the clips that are chosen; nothing where none is."""
+    """Buttons for the chosen clips; None where none is chosen."""
     if not chosen:
         return None
     words = f"{chosen:,} clip{'s' if chosen != 1 else ''} chosen"
@@ -247,7 +247,7 @@ def _rename_dialog() -> Component:
 
 
 def trash_list(trashed: Sequence[DatasetInfo]) -> Component:
-    """What lies in the trash, newest first, each with a way back."""
+    """The contents of the trash, newest first, each with a button to restore it."""
     if not trashed:
         return dmc.Text("The trash is empty.", c="dimmed", size="sm")
     rows = [

@@ -120,7 +120,7 @@ UPLOAD_IMPORT = Id("upload-import")
 UPLOAD_PROBLEM = Id("upload-problem")
 UPLOAD = Store("upload", Upload)
 UPLOAD_INTO = Store("upload-into", UploadInto)
-UPLOAD_SUGGESTED = Store("upload-suggested", Name)  # a name for what is sent; "" where nothing is
+UPLOAD_SUGGESTED = Store("upload-suggested", Name)  # a name for the upload; "" where there is none
 UPLOADED = Store("uploaded", Name)  # the token whose import was started
 
 FEATURES_ASKED = Store("features-asked", FeaturesAsked)

@@ -32,10 +32,10 @@ def recordings_blueprint(workspace: Workspace, open_dataset: Callable[[str], Dat
 
     @blueprint.get("/bvh/<dataset>/<path:clip>", merge_slashes=False)
     def bvh(dataset: str, clip: str) -> Response:
-        asked = find_interval(open_dataset, dataset, clip)
-        whole = asked.end - asked.start == asked.clip.n_frames
-        name = asked.clip.name if whole else f"{asked.clip.name} {asked.start}-{asked.end}"
-        return _file(f"{name}.bvh", lambda path: write_bvh(path, asked.clip.cut(asked.start, asked.end, name)))
+        interval = find_interval(open_dataset, dataset, clip)
+        whole = interval.end - interval.start == interval.clip.n_frames
+        name = interval.clip.name if whole else f"{interval.clip.name} {interval.start}-{interval.end}"
+        return _file(f"{name}.bvh", lambda path: write_bvh(path, interval.clip.cut(interval.start, interval.end, name)))
 
     @blueprint.get("/features/<name>")
     def features(name: str) -> Response:
@@ -60,7 +60,7 @@ def recordings_blueprint(workspace: Workspace, open_dataset: Callable[[str], Dat
 
 
 def _file(name: str, write: Callable[[Path], None]) -> Response:
-    """What ``write`` writes, as a download of this name."""
+    """A download of this name with the content that ``write`` writes."""
     with tempfile.TemporaryDirectory(prefix="motionscape-") as folder:
         path = Path(folder, "file" + Path(name).suffix)
         write(path)

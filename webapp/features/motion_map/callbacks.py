@@ -29,7 +29,7 @@ METHOD = layout.METHOD
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """All of the page's callbacks."""
+    """Registers the page's callbacks."""
     method_page.register(app, workspace, METHOD)
     _show(app, workspace)
     _draw(app, workspace)
@@ -41,9 +41,9 @@ def opened(
     workspace: Workspace, dataset: str | None, view: Mapping[str, Any] | None
 ) -> tuple[MotionMap, Dataset] | None:
     """The map that a view shows and its data set; None where there is none."""
-    found = settings.result_of(workspace, "map", dataset, view)
+    motion_map = settings.result_of(workspace, "map", dataset, view)
     try:
-        return (found, workspace.open(dataset)) if dataset and found is not None else None
+        return (motion_map, workspace.open(dataset)) if dataset and motion_map is not None else None
     except WorkspaceError:
         return None
 
@@ -58,7 +58,7 @@ def lit_nodes(motion_map: MotionMap, graph: MotifGraph | None, selection: Mappin
 
 
 def facts_of(motion_map: MotionMap, dataset: Dataset) -> dict[str, Any]:
-    """What is said of a node beside its posture: names of labels, and per node [[label, seconds], ...], most first."""
+    """What is shown about a node beside its posture: names of labels, and [[label, seconds], ...] of each node."""
     groups: dict[str, list[Segment]] = figures.label_segments(dataset)
     seconds = layers.seconds_on_nodes(motion_map, list(groups.values()))
     seconds = seconds.reshape(len(groups), motion_map.grid[0] * motion_map.grid[1])
@@ -95,9 +95,9 @@ def _show(app: Dash, workspace: Workspace) -> None:
         return known, "", layout.menus(key, earlier, copies), note
 
     @app.callback(Input(names.MAP_EXTEND, "data"), State(DATASET, "data"), prevent_initial_call=True)
-    def extend(asked, name):
+    def extend(request, name):
         try:
-            method_page.ask(workspace, "map", name, {"model": str((asked or {}).get("model", ""))})
+            method_page.ask(workspace, "map", name, {"model": str((request or {}).get("model", ""))})
         except (ParameterError, WorkspaceError) as error:
             set_props(NOTICES, {"sendNotifications": [notice("Cannot lay the clips on that map", str(error), "red")]})
 
@@ -121,13 +121,15 @@ def _draw(app: Dash, workspace: Workspace) -> None:
         colouring = str((look or {}).get("colour") or "")
         graph = results.motif_graph(workspace, name, view) if colouring == "motif" else None
         layer = figures.layer_of(*shown, graph, colouring)
-        wanted = colouring in ("label", "motif") and not layer.names
+        unavailable = colouring in ("label", "motif") and not layer.names
         missing = {"label": "These recordings have no labels.", "motif": "No motifs have been found yet (Motifs page)."}
-        said = missing[colouring] if wanted else figures.COLOURINGS.get(colouring, figures.COLOURINGS["height"])[1]
+        explanation = (
+            missing[colouring] if unavailable else figures.COLOURINGS.get(colouring, figures.COLOURINGS["height"])[1]
+        )
         return (
             figures.map_figure(shown[0], layer, scheme),
             layout.legend(figures.legend(layer), figures.scale_of(layer, scheme)),
-            said,
+            missing[colouring] if unavailable else explanation,
         )
 
     @app.callback(
@@ -186,7 +188,7 @@ def _below(app: Dash, workspace: Workspace) -> None:
 
 
 def _browser(app: Dash) -> None:
-    """What the browser does alone."""
+    """Registers the clientside callbacks."""
     app.clientside_callback(
         ClientsideFunction("map", "load"),
         Output(names.MAP_LOADED, "data"),

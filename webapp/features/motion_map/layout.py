@@ -179,7 +179,7 @@ def _do(action: str, symbol: str, label: str) -> Component:
 
 
 def _pick(name: str, choices: Sequence[tuple[str, str]], label: str) -> Component:
-    data = [{"value": value or "any", "label": said} for value, said in choices]
+    data = [{"value": value or "any", "label": label} for value, label in choices]
     return dmc.Select(
         id=names.MAP_CONTROLS[name], data=data, value="any", size="xs", allowDeselect=False, className="map-pick",
         **attributes(aria_label=label),
@@ -224,7 +224,7 @@ def _panels() -> list[Component]:
 
 
 def menus(key: str | None, earlier: list[Component], copies: list[Component]) -> list[Component]:
-    """Earlier maps; downloads of the one shown, and how to have it elsewhere."""
+    """Menus of earlier maps, of downloads of the map that is shown, and of recipes for it."""
     if not key:
         return earlier
     items = [
@@ -256,7 +256,7 @@ def others_menu(others: Sequence[OtherMap]) -> list[Component]:
         dmc.MenuItem(
             [
                 html.Div(other.dataset, className="menu-title"),
-                html.Div(f"{other.said}, {other.when}", className="muted menu-note"),
+                html.Div(f"{other.summary}, {other.when}", className="muted menu-note"),
             ],
             **sends(names.MAP_EXTEND, {"model": other.key}, every_time=True),
         )

@@ -17,7 +17,7 @@ class OtherMap(NamedTuple):
 
     key: str
     dataset: str
-    said: str
+    summary: str
     when: str
 
 
@@ -27,14 +27,14 @@ def other_maps(workspace: Workspace, dataset: str | None) -> list[OtherMap]:
         fingerprint = workspace.info(dataset).fingerprint if dataset else None
     except WorkspaceError:
         return []
-    found: dict[str, OtherMap] = {}
+    maps: dict[str, OtherMap] = {}
     for job in workspace.jobs.list(200) if fingerprint else ():
         request = job.request
         if job.state != "done" or request.get("method") != "map" or request.get("fingerprint") == fingerprint:
             continue
-        if request["parameters"].get("model") or job.key in found or not workspace.results.has(job.key):
+        if request["parameters"].get("model") or job.key in maps or not workspace.results.has(job.key):
             continue
         when = datetime.fromtimestamp(job.finished).strftime("%d %b, %H:%M") if job.finished else ""
-        said = summary(not_default("map", request["parameters"]))
-        found[job.key] = OtherMap(job.key, str(request["dataset"]), said, when)
-    return sorted(found.values(), key=lambda other: other.dataset != dataset)[:MOST]
+        text = summary(not_default("map", request["parameters"]))
+        maps[job.key] = OtherMap(job.key, str(request["dataset"]), text, when)
+    return sorted(maps.values(), key=lambda other: other.dataset != dataset)[:MOST]

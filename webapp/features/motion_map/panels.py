@@ -53,7 +53,7 @@ def multiples(motion_map: MotionMap, dataset: Dataset, scheme: str | None) -> li
 
 
 def multiples_figure(motion_map: MotionMap, dataset: Dataset, scheme: str | None) -> go.Figure:
-    """A heatmap of seconds per label, each on a scale of its own, the U-matrix faint behind nothing."""
+    """A heatmap of seconds per label, each on a scale of its own, the U-matrix faint behind them."""
     groups = figures.label_segments(dataset)
     labels = list(groups)[:MOST_LABELS]
     seconds = layers.seconds_on_nodes(motion_map, [groups[name] for name in labels])
@@ -135,12 +135,12 @@ def region(motion_map: MotionMap, dataset: Dataset, graph: MotifGraph | None, ch
 def _motifs(motion_map: MotionMap, graph: MotifGraph | None, nodes: np.ndarray) -> Component:
     if graph is None:
         return html.P("No motifs have been found yet (Motifs page).", className="muted map-hint")
-    found = layers.passing(motion_map, nodes, {motif.id: motif.segments for motif in graph.motifs})
-    if not found:
+    passing = layers.passing(motion_map, nodes, {motif.id: motif.segments for motif in graph.motifs})
+    if not passing:
         return html.P("None of the motifs does.", className="muted map-hint")
     sizes = {motif.id: motif.n_motions for motif in graph.motifs}
-    order: Sequence[int] = sorted(found, key=lambda motif: (-len(found[motif]) / sizes[motif], motif))
-    buttons = [_choice(f"Motif {m}", f"{len(found[m])} of {sizes[m]} motions", {"motif": m}) for m in order[:60]]
+    order: Sequence[int] = sorted(passing, key=lambda motif: (-len(passing[motif]) / sizes[motif], motif))
+    buttons = [_choice(f"Motif {m}", f"{len(passing[m])} of {sizes[m]} motions", {"motif": m}) for m in order[:60]]
     all_of_them = {"motifs": "-".join(map(str, order[:300]))}
     together = html.Button(
         "Mark them in the motif graph", className="soft-button", **sends(SELECTION, all_of_them, page="motifs")
@@ -148,9 +148,9 @@ def _motifs(motion_map: MotionMap, graph: MotifGraph | None, nodes: np.ndarray) 
     return html.Div([html.Div(buttons, className="map-region-groups"), together])
 
 
-def _choice(name: str, said: str, selection: dict[str, Any]) -> Component:
+def _choice(name: str, detail: str, selection: dict[str, Any]) -> Component:
     return html.Button(
-        [html.Span(name), html.Span(said, className="muted number")],
+        [html.Span(name), html.Span(detail, className="muted number")],
         className="soft-button map-choice",
         **sends(SELECTION, selection),
     )

@@ -1,4 +1,4 @@
-"""Where clips go over a map: computed once a clip, kept in memory, cut for the segments that are shown."""
+"""Paths of clips over a map: computed once for each clip, kept in memory, cut to the segments that are shown."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ _FINE_NODES = 40_000  # virtual and real: finer grids cost more than they show
 
 
 def path_of(motion_map: MotionMap, key: str, dataset: Dataset, clip: Clip, start: int, end: int) -> dict[str, Any]:
-    """The way of frames ``[start, end)`` of a clip over a map, for assets/motion_map/paths.mjs.
+    """The path of frames ``[start, end)`` of a clip over a map, for assets/motion_map/paths.mjs.
 
     clip, start, end, and ``step``, frames of the clip's own rate between two of ``points`` [[x, y], ...], in node
     units. Raises ValueError for a clip that lacks a joint of the map.

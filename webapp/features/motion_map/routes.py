@@ -27,7 +27,7 @@ from core.motion_map.motion_map import MotionMap
 from core.motion_map.path_queries import search_path
 from core.workspace import Workspace, WorkspaceError
 from webapp.features.motion_map.paths import path_of
-from webapp.shell.routes import BadRequest, OpenDataset, answer_errors, interval, kept, read_whole
+from webapp.shell.routes import BadRequest, OpenDataset, answer_errors, parse_interval, read_whole, response_with_etag
 from webapp.shell.virtual import opener
 
 MOST_PATHS = 48
@@ -54,20 +54,20 @@ def map_blueprint(workspace: Workspace, open_dataset: OpenDataset) -> Blueprint:
     @routes.get("/<key>.bin")
     def whole(key: str) -> Response:
         motion_map = _map(workspace, key)
-        return kept(["map", key], True, lambda: packed(motion_map), "application/octet-stream")
+        return response_with_etag(["map", key], True, lambda: packed(motion_map), "application/octet-stream")
 
     @routes.get("/<key>/paths")
-    def paths(key: str) -> Response:
+    def map_paths(key: str) -> Response:
         motion_map = _map(workspace, key)
-        asked = zip(*(request.args.getlist(name) for name in ("clip", "start", "end")), strict=False)
-        found = []
-        for clip, start, end in list(asked)[:MOST_PATHS]:
-            wanted = interval(open_dataset, request.args.get("dataset", ""), clip, start, end)
+        rows = zip(*(request.args.getlist(name) for name in ("clip", "start", "end")), strict=False)
+        paths = []
+        for clip, start, end in list(rows)[:MOST_PATHS]:
+            interval = parse_interval(open_dataset, request.args.get("dataset", ""), clip, start, end)
             try:
-                found.append(path_of(motion_map, key, wanted.dataset, wanted.clip, wanted.start, wanted.end))
+                paths.append(path_of(motion_map, key, interval.dataset, interval.clip, interval.start, interval.end))
             except AnalysisError as error:
                 raise BadRequest(f"{error}.") from None
-        return jsonify(found)
+        return jsonify(paths)
 
     @routes.get("/<key>/drawn")
     def drawn(key: str) -> Response:
@@ -82,11 +82,11 @@ def map_blueprint(workspace: Workspace, open_dataset: OpenDataset) -> Blueprint:
     def node(key: str) -> Response:
         motion_map = _map(workspace, key)
         frame = read_whole("frame", request.args.get("frame", ""), 0)
-        asked = interval(
+        interval = parse_interval(
             open_dataset, request.args.get("dataset", ""), request.args.get("clip", ""), str(frame), str(frame + 1)
         )
         try:
-            vectors, _ = motion_map.vectors_of(asked.clip.cut(asked.start, asked.end))
+            vectors, _ = motion_map.vectors_of(interval.clip.cut(interval.start, interval.end))
         except AnalysisError as error:
             raise BadRequest(f"{error}.") from None
         at, apart = motion_map.nearest(vectors[0])
@@ -145,21 +145,21 @@ def nodes_csv(motion_map: MotionMap) -> str:
     for k, clip in enumerate(motion_map.clips):
         scale, frames = motion_map.clip_fps[k] / motion_map.fps, motion_map.clip_frames[k]
         for i, node in enumerate(nodes[starts[k] : starts[k + 1]].tolist()):
-            own = min(round(i * scale), frames - 1)
-            rows.writerow([clip, own, f"{i / motion_map.fps:.4f}", node // ny, node % ny, regions[node]])
+            clip_frame = min(round(i * scale), frames - 1)
+            rows.writerow([clip, clip_frame, f"{i / motion_map.fps:.4f}", node // ny, node % ny, regions[node]])
     return text.getvalue()
 
 
 def _map(workspace: Workspace, key: str) -> MotionMap:
-    found = None
+    motion_map = None
     if re.fullmatch(r"[0-9a-f]{8,64}", key):
         try:
-            found = analyses.kept(workspace, "map", key)
+            motion_map = analyses.kept(workspace, "map", key)
         except WorkspaceError:
-            found = None
-    if found is None:
+            motion_map = None
+    if motion_map is None:
         raise BadRequest("This motion map is no longer there; build it again on the Map page.", 404)
-    return found
+    return motion_map
 
 
 def _name(workspace: Workspace, key: str, ending: str) -> str:

@@ -84,10 +84,17 @@ def test_words_for_durations_and_trash():
 def test_what_has_arrived_decides_what_can_be_done_with_it():
     arrived = {"done": True, "received": 2, "token": "0" * 16, "recordings": 1, "labels": 1}
     only_labels = arrived | {"recordings": 0}
-    assert adding.ready(arrived, None) == adding.ready(arrived, "walks") == adding.ready(only_labels, "walks") == ""
-    assert "choose it under" in adding.ready(only_labels, None)
-    assert "no recording" in adding.ready(only_labels | {"labels": 0}, "walks")
-    assert "wait until" in adding.ready(arrived | {"done": False}, None) and "at least one" in adding.ready(None, None)
+    assert (
+        adding.problem_of(arrived, None)
+        == adding.problem_of(arrived, "walks")
+        == adding.problem_of(only_labels, "walks")
+        == ""
+    )
+    assert "choose it under" in adding.problem_of(only_labels, None)
+    assert "no recording" in adding.problem_of(only_labels | {"labels": 0}, "walks")
+    assert "wait until" in adding.problem_of(arrived | {"done": False}, None) and "at least one" in adding.problem_of(
+        None, None
+    )
     new = adding.request_for(arrived | {"amc": 1}, None, " park ", "add", "60")
     assert (new.dataset, new.method, new.parameters) == ("park", "import", {"upload": "0" * 16, "fps": 60.0})
     more = adding.request_for(arrived, "walks", "", "replace", 60)  # no AMC: the rate is not asked for
@@ -99,9 +106,9 @@ def test_what_has_arrived_decides_what_can_be_done_with_it():
 
 
 def test_a_change_is_told_in_one_sentence():
-    assert changes.what_came("walks", ImportReport(REPORTS)) == "2 clips to walks; 1 not read, 1 warning."
+    assert changes.addition_summary("walks", ImportReport(REPORTS)) == "2 clips to walks; 1 not read, 1 warning."
     later = (*REPORTS, FileReport("l.csv", None, "ok", (), 1))
-    assert changes.what_came("walks", ImportReport(later)) == "labels to walks."
+    assert changes.addition_summary("walks", ImportReport(later)) == "labels to walks."
 
 
 def test_a_report_offers_what_there_is():

@@ -22,9 +22,9 @@ from core.sequences.envelope import envelope
 from webapp.features.clip.clips import Choice, joint_words, side_of
 from webapp.shell import theme
 
-MOST_POINTS = 2400  # of a line: more than one a pixel, in what is seen and in what lies beside it
+MOST_POINTS = 2400  # of a line: more than one for each pixel, the margins included
 MOST_MARKS = 150  # of a band
-AROUND = 0.5  # spans drawn on either side of what is seen, so that moving and zooming out show something at once
+AROUND = 0.5  # visible spans drawn beyond either end, so that panning and zooming out show curves immediately
 PANEL, ROW, GAP, TOP, BOTTOM, LEFT, RIGHT = 132, 20, 24, 22, 40, 78, 12  # pixels
 DASHES = ("solid", "6px,3px", "1.5px,3px", "9px,3px,2px,3px")
 AXES = {"X": "#d9534f", "Y": "#3a9b5c", "Z": "#4a7cd8"}  # the colours 3D programs give to axes
@@ -48,7 +48,7 @@ class Line(NamedTuple):
 
 
 class Panel(NamedTuple):
-    """Curves of one unit over one another."""
+    """Curves that share a unit and an axis."""
 
     title: str
     unit: str
@@ -82,24 +82,24 @@ class Band:
     marks: tuple[Mark, ...] = ()
 
 
-def panels_of(found: Sequence[Curve], chosen: Choice, scheme: str) -> tuple[Panel, ...]:
+def panels_of(curves: Sequence[Curve], chosen: Choice, scheme: str) -> tuple[Panel, ...]:
     """Panels for the curves of a chart: left and right of a joint share one."""
     if chosen.chart == "speeds":
-        return (Panel("Speed", "m/s", tuple(_speed_line(k, curve, scheme) for k, curve in enumerate(found))),)
+        return (Panel("Speed", "m/s", tuple(_speed_line(k, curve, scheme) for k, curve in enumerate(curves))),)
     if chosen.chart == "contacts":
         colours = SIDE_COLOURS[scheme]
         lines = (
             Line(c, joint_words(c.part), "above where it is when it stands", colours[side_of(c.part)], "solid")
-            for c in found
+            for c in curves
         )
         return (Panel("Foot height", "m", tuple(lines)),)
     if chosen.kind == "file":
         return tuple(
             Panel(part, "deg", tuple(Line(c, f"{part} {c.name}", "", AXES[c.name[0]], "solid") for c in group))
-            for part, group in groupby(found, lambda curve: curve.part)
+            for part, group in groupby(curves, lambda curve: curve.part)
         )
     by_joint: dict[str, list[Curve]] = {}
-    for curve in found:
+    for curve in curves:
         by_joint.setdefault(_without_side(curve.part), []).append(curve)
     return tuple(
         Panel(joint_words(name), "deg", tuple(_angle_line(curve, group, scheme) for curve in group))
@@ -128,7 +128,7 @@ def _speed_line(k: int, curve: Curve, scheme: str) -> Line:
 
 
 def foot_bands(curves: ClipCurves, scheme: str) -> list[Band]:
-    """A band a foot: when it stands, and its heel strikes and toe-offs where there is gait."""
+    """A band a foot: when it stands, and its heel strikes and toe-offs where gait was found."""
     bands = []
     for k, side in enumerate(SIDES):
         colour = SIDE_COLOURS[scheme][side]
@@ -152,7 +152,7 @@ def foot_bands(curves: ClipCurves, scheme: str) -> list[Band]:
 
 
 def lanes(title: str, blocks: Iterable[Block]) -> list[Band]:
-    """As few bands as keep blocks from covering one another."""
+    """The blocks in as few bands as possible without overlaps."""
     rows: list[list[Block]] = []
     for block in sorted(blocks):
         row = next((row for row in rows if row[-1].end <= block.start), None)
@@ -165,7 +165,7 @@ def lanes(title: str, blocks: Iterable[Block]) -> list[Band]:
 def time_chart(
     curves: ClipCurves, panels: Sequence[Panel], bands: Sequence[Band], chosen: Choice, scheme: str
 ) -> Document:
-    """Panels above bands on one time axis, in seconds; what is drawn reaches half a span beyond either end."""
+    """Panels above bands on one time axis, in seconds; curves are drawn half a span beyond either end."""
     clip, colours = curves.clip, theme.CANVAS[scheme]
     low, high = chosen.span or (0.0, max((clip.n_frames - 1) / clip.fps, 1 / clip.fps))
     room = (high - low) * AROUND
@@ -201,7 +201,7 @@ def time_chart(
 
 
 def _within(band: Band, first: int, last: int) -> Band:
-    """What of a band lies within frames; marks only where there is room to tell them apart."""
+    """The part of a band within these frames; marks only where there is room to tell them apart."""
     blocks = tuple(block for block in band.blocks if block.start < last and block.end > first)
     marks = tuple(mark for mark in band.marks if first <= mark.frame < last)
     return Band(band.title, blocks, marks if len(marks) <= MOST_MARKS else ())
@@ -209,13 +209,13 @@ def _within(band: Band, first: int, last: int) -> Band:
 
 def _trace(line: Line, axis: str, first: int, last: int, fps: float) -> Document:
     values = line.curve.values[first:last]
-    kept = envelope(values, MOST_POINTS)
+    drawn = envelope(values, MOST_POINTS)
     return {
         "type": "scatter",
         "mode": "lines",
         "name": line.label,
-        "x": np.round((first + kept) / fps, 4).tolist(),
-        "y": [round(float(v), 3) for v in values[kept]],
+        "x": np.round((first + drawn) / fps, 4).tolist(),
+        "y": [round(float(v), 3) for v in values[drawn]],
         "yaxis": axis.replace("axis", ""),
         "line": {"color": line.colour, "width": 1.6, "dash": line.dash},
         "hoverinfo": "skip",
@@ -254,7 +254,7 @@ def _band(row: int, band: Band, axis: str, fps: float) -> list[Document]:
 
 
 def _plain_blocks(row: int, band: Band, fps: float) -> Document:
-    """Blocks without words as one broken line: thousands of them cost no more than a few."""
+    """Blocks without text as one broken line, which draws thousands of them as fast as a few."""
     ends = [[round(b.start / fps, 4), round(b.end / fps, 4), None] for b in band.blocks]
     return {
         "type": "scatter",

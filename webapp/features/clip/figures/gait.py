@@ -1,4 +1,4 @@
-"""What the gait of a clip comes to, in words and numbers for assets/clip/gait.mjs to lay out."""
+"""The gait of a clip in words and numbers, laid out by assets/clip/gait.mjs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The path of a clip seen from above: where the pelvis goes, which way, and where the feet stand."""
+"""The path of a clip seen from above: the way of the pelvis, its direction, and where the feet stand."""
 
 from __future__ import annotations
 
@@ -22,9 +22,9 @@ def path_chart(curves: ClipCurves, selection: Mapping[str, Any], scheme: str) ->
     """X to the right and Z down, as seen from above, metres; the selected frames drawn thicker."""
     clip, colours = curves.clip, theme.CANVAS[scheme]
     ground = curves.place("pelvis")[:, [0, 2]].astype(np.float64)
-    kept = np.unique(np.linspace(0, clip.n_frames - 1, min(clip.n_frames, MOST_POINTS)).round().astype(int))
+    drawn = np.unique(np.linspace(0, clip.n_frames - 1, min(clip.n_frames, MOST_POINTS)).round().astype(int))
     data = [
-        _line(ground, kept, {"color": colours["muted"], "width": 1.6}, clip.fps),
+        _line(ground, drawn, {"color": colours["muted"], "width": 1.6}, clip.fps),
         selected_part(curves, selection, scheme),
         *_footprints(curves, scheme),
         _arrows(ground, colours),
@@ -93,14 +93,14 @@ def _line(ground: np.ndarray, frames: np.ndarray, look: Document, fps: float) ->
 
 def _footprints(curves: ClipCurves, scheme: str) -> list[Document]:
     """A dot where the ankle is, on average, while a foot stands."""
-    found = []
+    traces = []
     for k, side in enumerate(SIDES):
         if f"{side}_ankle" not in curves.joints:
             continue
         ankle = curves.place(f"{side}_ankle")[:, [0, 2]]
         stances = runs(curves.contacts[:, k])
         at = np.array([ankle[start:end].mean(0) for start, end in stances]).reshape(-1, 2)
-        found.append(
+        traces.append(
             {
                 "type": "scatter",
                 "mode": "markers",
@@ -113,7 +113,7 @@ def _footprints(curves: ClipCurves, scheme: str) -> list[Document]:
                 "marker": {"size": 8, "color": SIDE_COLOURS[scheme][side], "opacity": 0.75},
             }
         )
-    return found
+    return traces
 
 
 def _arrows(ground: np.ndarray, colours: dict[str, str]) -> Document:
@@ -160,7 +160,7 @@ def _ends(ground: np.ndarray, colours: dict[str, str]) -> Document:
 
 
 def _around(values: np.ndarray) -> tuple[float, float]:
-    """A range with room on both sides, never less than a stride wide."""
+    """A range with a margin on both sides, at least a stride wide."""
     low, high = float(values.min()), float(values.max())
     room = max(0.12 * (high - low), 0.35, 0.75 - (high - low) / 2)
     return low - room, high + room

@@ -104,13 +104,13 @@ def report_rows(files: Iterable[FileReport]) -> list[Row]:
 
 
 def messages(file: FileReport) -> str:
-    """What the report says of a file, in sentences; many of them stand on lines of their own."""
-    said = [_sentence(in_the_browser(_without_file(message, file.path))) for message in file.messages]
-    return ("\n" if len(said) > 3 else " ").join(said) or "Read without remarks."
+    """What the report says of a file, in sentences, on separate lines where there are many."""
+    sentences = [_sentence(in_the_browser(_without_file(message, file.path))) for message in file.messages]
+    return ("\n" if len(sentences) > 3 else " ").join(sentences) or "Read without remarks."
 
 
 def _without_file(message: str, path: str) -> str:
-    """The file stands in a column of its own: ``a.bvh:7: what`` becomes ``Line 7: what``."""
+    """A message without the file, which has its own column: ``a.bvh:7: what`` becomes ``Line 7: what``."""
     place, _, what = message.partition(": ")
     name, _, line = place.partition(PurePath(path).name)
     if name or not what or place == line:

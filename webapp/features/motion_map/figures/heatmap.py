@@ -53,10 +53,10 @@ class Layer(NamedTuple):
 
 def label_segments(dataset: Dataset) -> dict[str, list[Segment]]:
     """The segments of every label, by name, in the order of names."""
-    found: dict[str, list[Segment]] = {}
+    segments: dict[str, list[Segment]] = {}
     for label in dataset.labels:
-        found.setdefault(label.action, []).append(Segment(label.clip, label.start, label.end))
-    return dict(sorted(found.items()))
+        segments.setdefault(label.action, []).append(Segment(label.clip, label.start, label.end))
+    return dict(sorted(segments.items()))
 
 
 def layer_of(motion_map: MotionMap, dataset: Dataset, graph: MotifGraph | None, colouring: str | None) -> Layer:
@@ -141,12 +141,12 @@ def scale_of(layer: Layer, scheme: str | None) -> dict[str, str] | None:
 def icon_sizes(icons: np.ndarray, regions: np.ndarray) -> np.ndarray:
     """Side of each icon in nodes ``(n_regions,)``: larger in larger regions, never much into the next icon."""
     areas = np.bincount(regions.ravel(), minlength=len(icons))
-    wanted = np.clip(0.95 * np.sqrt(areas), 1.7, 0.16 * max(regions.shape) + 1.2)
+    sizes = np.clip(0.95 * np.sqrt(areas), 1.7, 0.16 * max(regions.shape) + 1.2)
     if len(icons) < 2:
-        return wanted
+        return sizes
     apart = np.abs(icons[:, None] - icons[None]).max(axis=-1).astype(float)
     np.fill_diagonal(apart, np.inf)
-    return np.clip(wanted, 1.0, np.maximum(1.1 * apart.min(axis=1), 1.0))
+    return np.clip(sizes, 1.0, np.maximum(1.1 * apart.min(axis=1), 1.0))
 
 
 def icons_svg(motion_map: MotionMap, scheme: str) -> str:
