@@ -12,7 +12,7 @@ from core.analyses import Request
 from webapp.shell.feature import features
 
 
-def both(workspace: Path, request: Request) -> dict[str, str]:
+def texts(workspace: Path, request: Request) -> dict[str, str]:
     """What the menus of a result offer to copy: label -> text; the command only where a feature gives one."""
     texts = {"Copy as Python": script(workspace, request)}
     recipe = next((f.recipes[request.method] for f in features() if request.method in f.recipes), None)

@@ -240,7 +240,7 @@ def earlier_menu(workspace: Workspace, of: MethodPage, dataset: str | None, read
 def copy_items(workspace: Workspace, of: MethodPage, dataset: str, view: Mapping[str, str] | None) -> list[Component]:
     """Menu items that copy the result shown as a command and as Python."""
     request = settings.request_of(of.page, dataset, view)
-    return [dmc.MenuItem(label, **copies(text)) for label, text in recipes.both(workspace.path, request).items()]
+    return [dmc.MenuItem(label, **copies(text)) for label, text in recipes.texts(workspace.path, request).items()]
 
 
 def _when(moment: float | None) -> str:

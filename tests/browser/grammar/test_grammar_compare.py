@@ -33,7 +33,7 @@ def test_four_ways_are_compared_and_play_side_by_side(show, workspace):
     page.get_by_role("button", name="Compare four ways").click()
     expect(page.locator("#bakeoff-table .ag-row")).not_to_have_count(0, timeout=2 * PATIENCE)
     view = settings.view_of("grammar", {"n_terminals": 14, "analysis_fps": 15.0})
-    found, key = bakeoffs.found(workspace, "demo", view)
+    found, key = bakeoffs.find(workspace, "demo", view)
     accepted = {c.name: 100 * c.accepted for c in found.contenders}
     page.wait_for_function(  # the chart is drawn
         "document.querySelector('#bakeoff-chart .js-plotly-plot')?._fullData?.some((trace) => trace.type === 'bar')"

@@ -54,14 +54,14 @@ def test_a_walk_has_two_commands(workspace, tmp_path, monkeypatch, path):
     request = analyses.Request("two walkers", "walk", values)
     wanted = analyses.run(workspace, request)
     monkeypatch.chdir(tmp_path)
-    first, second = recipes.both(workspace.path, request)["Copy as commands"].split("\n")
+    first, second = recipes.texts(workspace.path, request)["Copy as commands"].split("\n")
     assert main([*shlex.split(first)[1:], "--quiet"]) == 0 and main([*shlex.split(second)[1:], "--quiet"]) == 0
     assert read_bvh(tmp_path / "walk.bvh").n_frames == wanted.clip.n_frames
 
 
 def test_any_result_has_a_script(workspace):
     request = analyses.Request("two walkers", "redundancy", {"kappa": 30, "alike": 0.2})
-    assert list(recipes.both(workspace.path, request)) == ["Copy as Python"]
+    assert list(recipes.texts(workspace.path, request)) == ["Copy as Python"]
     found = {}
     exec(recipes.script(workspace.path, request), found)
     assert found["result"].to_json() == analyses.run(workspace, request).to_json()
@@ -72,7 +72,7 @@ def test_stability_has_a_command(workspace, tmp_path, monkeypatch):
     wanted = analyses.run(workspace, request).to_json()
     monkeypatch.chdir(tmp_path)
     workspace.results.remove(analyses.key(workspace, request))
-    text = recipes.both(workspace.path, request)["Copy as command"]
+    text = recipes.texts(workspace.path, request)["Copy as command"]
     assert main([*shlex.split(text)[1:], "--quiet"]) == 0
     found = json.loads((tmp_path / "stability.json").read_text())
     assert found["motifs"] == wanted["motifs"] and found["repeats"] == wanted["repeats"]

@@ -1,4 +1,4 @@
-"""What several numbers of actions give: which ones a link asks for, and what there is of them."""
+"""Comparison of several numbers of actions: those a link asks for, and the results that exist."""
 
 from __future__ import annotations
 
@@ -19,12 +19,12 @@ View = Mapping[str, str] | None
 
 
 def counts_text(view: View) -> str:
-    """The numbers of a view, as people read them."""
+    """The numbers of a view as text for people."""
     return ", ".join(((view or {}).get("counts") or USUAL).replace(",", " ").split())
 
 
 def counts_change(text: str | None) -> str:
-    """What stands in the link for numbers that someone typed: nothing for the usual ones."""
+    """The numbers that someone typed, as a link has them: empty for the defaults."""
     numbers = ",".join((text or "").replace(",", " ").split())
     return "" if numbers == USUAL else numbers
 
@@ -39,12 +39,12 @@ def table_parameters(view: View) -> TableParameters:
 
 def request(dataset: str, view: View) -> analyses.Request:
     """The request for a job that computes what is missing. Raises ParameterError."""
-    asked = table_parameters(view)
-    return analyses.Request(dataset, TABLE, {"counts": asked.counts, "base": asked.base})
+    sweep = table_parameters(view)
+    return analyses.Request(dataset, TABLE, {"counts": sweep.counts, "base": sweep.base})
 
 
 def points(workspace: Workspace, dataset: str | None, view: View) -> list[Point | None]:
-    """What each number gives, in order; None where it has not been computed. Raises ParameterError, WorkspaceError."""
+    """The results in order; None where it has not been computed. Raises ParameterError, WorkspaceError."""
     return [_point(workspace, dataset, point) for point in table_parameters(view).points()]
 
 
@@ -52,20 +52,20 @@ def _point(workspace: Workspace, dataset: str | None, values: Mapping[str, objec
     change = settings.view_of(grammars.PAGE, analyses.normalise(analyses.Request("", "grammar", values)).parameters)
     view = {key: text for key, text in change.items() if text}
     key = settings.key_of(workspace, grammars.PAGE, dataset, view)
-    found = grammars.learned(workspace, dataset, view) if key else None
-    if key is None or found is None:
+    learned = grammars.learned(workspace, dataset, view) if key else None
+    if key is None or learned is None:
         return None
-    terminals, objective = found.terminals, found.terminals.objective
+    terminals, objective = learned.terminals, learned.terminals.objective
     return Point(
         actions=terminals.n_terminals,
         frames=sum(frames for _, frames, _ in terminals.clips),
         segments=sum(map(len, terminals.segments)),
         **{name: objective[name] for name in ("F", "R", "E")},
-        rules=len(found.grammar.rules),
-        phrases=len(found.grammar.nonterminals) - 1,
-        sentences=len(found.sentences),
-        bits=found.bits.total,
-        seconds=sum(found.seconds.values()),
+        rules=len(learned.grammar.rules),
+        phrases=len(learned.grammar.nonterminals) - 1,
+        sentences=len(learned.sentences),
+        bits=learned.bits.total,
+        seconds=sum(learned.seconds.values()),
         key=key,
         change=change,
     )

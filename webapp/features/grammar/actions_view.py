@@ -83,7 +83,7 @@ def _one() -> list[Component]:
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """Fill the field with the name, and keep what is typed."""
+    """Registers the callbacks that fill the field with the name and save what is typed."""
 
     @app.callback(
         Output(names.ACTION_NAME, "value"),
@@ -115,7 +115,7 @@ def register(app: Dash, workspace: Workspace) -> None:
         if action is None or not name:
             return no_update, no_update
         try:
-            kept = grammars.name_action(workspace, name, view, action, text or "")
+            saved = grammars.name_action(workspace, name, view, action, text or "")
         except WorkspaceError as error:
             return html.Span(str(error), className="error-text"), no_update
-        return ("Saved.", grammars.names_mark(workspace, name, view)) if kept else (no_update, no_update)
+        return ("Saved.", grammars.names_mark(workspace, name, view)) if saved else (no_update, no_update)

@@ -1,4 +1,4 @@
-"""The comparison of four ways to make motion, in the app: its request, its motions, what the Stage plays of them.
+"""The comparison of four ways to make motion, in the app: its request, its motions, and how the Stage plays them.
 
 ``~bakeoff~KEY`` holds a clip a way that made one, named as the way; KEY is that of the result.
 """
@@ -30,12 +30,12 @@ def request(dataset: str, view: View) -> analyses.Request:
     return analyses.Request(dataset, BAKEOFF, settings.request_of(grammars.PAGE, dataset, view).parameters)
 
 
-def found(workspace: Workspace, dataset: str | None, view: View) -> tuple[Bakeoff, str] | None:
+def find(workspace: Workspace, dataset: str | None, view: View) -> tuple[Bakeoff, str] | None:
     """The comparison and its key where it has been made."""
     try:
-        asked = request(dataset or "", view)
-        result = analyses.stored(workspace, asked) if dataset else None
-        return None if result is None else (result, analyses.key(workspace, asked))
+        analysis_request = request(dataset or "", view)
+        result = analyses.stored(workspace, analysis_request) if dataset else None
+        return None if result is None else (result, analyses.key(workspace, analysis_request))
     except (ParameterError, WorkspaceError):
         return None
 
@@ -48,14 +48,14 @@ def latest_job(workspace: Workspace, dataset: str, view: View) -> Job | None:
         return None
 
 
-def kept(workspace: Workspace, key: str) -> Bakeoff | None:
+def kept_bakeoff(workspace: Workspace, key: str) -> Bakeoff | None:
     """A comparison that has been made, or None."""
     return analyses.kept(workspace, BAKEOFF, key) if re.fullmatch(r"[0-9a-f]{8,64}", key) else None
 
 
 def open_bakeoff(workspace: Workspace, key: str) -> Dataset:
     """The made-up data set of a kept comparison. Raises WorkspaceError where there is none."""
-    result = kept(workspace, key)
+    result = kept_bakeoff(workspace, key)
     if result is None or not result.clips:
         raise WorkspaceError("This comparison is no longer there; make it again on the Grammar page.")
     return Dataset(virtual_name(BAKEOFF, key), tuple(result.clips))

@@ -1,4 +1,4 @@
-"""The Grammar page's callbacks: what is there, and the data that the browser draws."""
+"""The Grammar page's callbacks: its results, and the data that the browser draws."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from webapp.ui import method_page
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """All of the page's callbacks."""
+    """Registers the page's callbacks."""
     method_page.register(app, workspace, METHOD)
     _show(app, workspace)
     views.register(app, workspace)
@@ -32,13 +32,13 @@ def _show(app: Dash, workspace: Workspace) -> None:
         State(names.METHOD.settings, "data"),
     )
     def show_result(key, name, view):
-        found = grammars.learned(workspace, name, view) if key and name else None
-        menus = method_page.earlier_menu(workspace, METHOD, name, found is not None)
-        if found is None:
+        learned = grammars.learned(workspace, name, view) if key and name else None
+        menus = method_page.earlier_menu(workspace, METHOD, name, learned is not None)
+        if learned is None:
             return [], menus
         query = urlencode({"dataset": name, **(view or {})})
         copies = method_page.copy_items(workspace, METHOD, name, view)
-        return layout.result(tiles(workspace.open(name), found)), [*menus, layout.downloads(query, copies)]
+        return layout.result(tiles(workspace.open(name), learned)), [*menus, layout.downloads(query, copies)]
 
     @app.callback(
         Output(names.GRAMMAR_DATA, "data"),
@@ -50,14 +50,14 @@ def _show(app: Dash, workspace: Workspace) -> None:
         State(names.GRAMMAR_DATA, "data"),
     )
     def gather(key, _names, _revision, name, view, before):
-        found = grammars.learned(workspace, name, view) if key and name else None
-        if found is None or settings.key_of(workspace, grammars.PAGE, name, view) != key:
+        learned = grammars.learned(workspace, name, view) if key and name else None
+        if learned is None or settings.key_of(workspace, grammars.PAGE, name, view) != key:
             return no_update
         notes = grammars.notes_of(workspace, name, view) or {}
         mark = grammars.names_mark(workspace, name, view)
         if before and (before["key"], before["names"], before["dataset"]) == (key, mark, name):
             return no_update
-        return grammars.page_data(workspace.open(name), found, key, notes) | {"names": mark}
+        return grammars.page_data(workspace.open(name), learned, key, notes) | {"names": mark}
 
     app.clientside_callback(
         ClientsideFunction("grammar", "draw"),

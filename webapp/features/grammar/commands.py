@@ -59,8 +59,8 @@ def derive_(arguments: Namespace) -> int:
 
 
 def _grammar_summary(learned: LearnedGrammar, arguments: Namespace) -> Iterator[str]:
-    for stage, taken in learned.seconds.items():
-        yield f"  {stage:<14}{taken:8.2f} s"
+    for stage, duration in learned.seconds.items():
+        yield f"  {stage:<14}{duration:8.2f} s"
     rules, bits = learned.grammar.rules, learned.bits
     pieces = sum(len(sentence.pieces) for sentence in learned.sentences)
     yield f"{learned.terminals.n_terminals} terminals, {pieces} segments, {len(learned.sentences)} sentences"

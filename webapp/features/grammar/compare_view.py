@@ -1,4 +1,4 @@
-"""The rules held against three simpler ways of making motion: figures as a table and a chart, motions side by side."""
+"""The rules compared with three simpler ways of making motion: a table, a chart, and motions side by side."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ HINT = (
 
 
 def layout() -> Component:
-    """The place of the figures, or of what stands there until they are known."""
+    """The container of the figures, or of a message until they are computed."""
     return html.Div(
         [
             html.Div(id=names.BAKEOFF_PLACE),
@@ -47,7 +47,7 @@ def layout() -> Component:
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """Ask, follow, show, play."""
+    """Registers the callbacks that start the job, follow it, show the result and play its motions."""
 
     @app.callback(
         Output(names.BAKEOFF_ASKED, "data"),
@@ -79,15 +79,15 @@ def register(app: Dash, workspace: Workspace) -> None:
     def show(view, _asked, _finished, scheme, _place, shown, name):
         if (view or {}).get("show") != "compare" or not name:
             return no_update, no_update
-        there = bakeoffs.found(workspace, name, view)
-        job = None if there else bakeoffs.latest_job(workspace, name, view)
-        now = [name, scheme, there[1] if there else "", [job.id, job.state] if job else None]
+        comparison = bakeoffs.find(workspace, name, view)
+        job = None if comparison else bakeoffs.latest_job(workspace, name, view)
+        now = [name, scheme, comparison[1] if comparison else "", [job.id, job.state] if job else None]
         if now == shown:
             return no_update, no_update
-        if there is None:
+        if comparison is None:
             return html.Div(_waiting(job), className="card"), now
-        again = recipes.both(workspace.path, bakeoffs.request(name, view))
-        return _result(*there, scheme, again), now
+        again = recipes.texts(workspace.path, bakeoffs.request(name, view))
+        return _result(*comparison, scheme, again), now
 
     @app.callback(
         Output(STAGE_REQUEST, "data", allow_duplicate=True),
@@ -96,9 +96,11 @@ def register(app: Dash, workspace: Workspace) -> None:
         State(VIEW, "data"),
         prevent_initial_call=True,
     )
-    def play(asked, name, view):
-        there = bakeoffs.found(workspace, name, view) if asked else None  # it is called when the view appears, too
-        return bakeoffs.stage_request(*there, asked.get("only")) if there else no_update
+    def play(play_request, name, view):
+        comparison = (
+            bakeoffs.find(workspace, name, view) if play_request else None
+        )  # it is called when the view appears, too
+        return bakeoffs.stage_request(*comparison, play_request.get("only")) if comparison else no_update
 
 
 def _waiting(job: Job | None) -> Component:
@@ -124,10 +126,12 @@ def _result(result, key: str, scheme: str | None, again: dict[str, str]) -> list
         row_height=36,
         headerHeight=50,
     )
-    said = f"{result.sentences} routines were held out in turn, and {result.shuffles} shuffles of them tried."
+    explanation = f"{result.sentences} routines were held out in turn, and {result.shuffles} shuffles of them tried."
     return [
         html.Div(plays, className="compose-bar", role="group", **attributes(aria_label="Play")),
-        html.P([said, *(f" {note[:1].upper()}{note[1:]}." for note in result.notes)], className="muted view-hint"),
+        html.P(
+            [explanation, *(f" {note[:1].upper()}{note[1:]}." for note in result.notes)], className="muted view-hint"
+        ),
         html.Div(
             [
                 html.Div(

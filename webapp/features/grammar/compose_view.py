@@ -16,7 +16,7 @@ from webapp.shell.names import DATASET, SELECTION, VIEW
 
 
 def layout() -> Component:
-    """The controls; what they stand for comes with the routine."""
+    """The controls; their content comes with the routine."""
     return html.Div(
         className="compose-view",
         children=[
@@ -118,7 +118,7 @@ def _button(label, action: str, tip: str) -> Component:
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """The routine of the link and its alternatives are made on the server; all else happens in the browser."""
+    """Registers the callbacks: the server makes routines and alternatives, the browser does the rest."""
 
     @app.callback(
         Output(names.COMPOSE_DATA, "data"),
@@ -134,7 +134,7 @@ def register(app: Dash, workspace: Workspace) -> None:
         try:
             data = compositions.composed(workspace, name, view)
         except WorkspaceError as error:
-            data = {"asked": compositions.asked_of(view), "error": str(error)}
+            data = {"asked": compositions.link_keys_of(view), "error": str(error)}
         return no_update if data is None or data == before else data
 
     @app.callback(
@@ -150,7 +150,7 @@ def register(app: Dash, workspace: Workspace) -> None:
         try:
             data = compositions.alternatives(workspace, name, view)
         except WorkspaceError as error:
-            data = {"asked": compositions.asked_of(view), "error": str(error)}
+            data = {"asked": compositions.link_keys_of(view), "error": str(error)}
         return no_update if data is None or data == before else data
 
     @app.callback(

@@ -1,4 +1,4 @@
-"""New routines in the app: what the link says of one, its tree and motion, other ways for a part of it.
+"""New routines in the app: how a link describes one, its tree and motion, alternatives for a part of it.
 
 A link says ``sentence=random:SEED:MOST`` (by chance, at most so many actions) or the routine's rule indices,
 ``sentence=0.3.1`` (SYN 5.1); ``pick`` is the number of the chosen action and ``up`` how many phrases further out the
@@ -43,72 +43,72 @@ def is_composing(view: View) -> bool:
     return (view or {}).get("show") == "compose"
 
 
-def asked_of(view: View, *more: str) -> dict[str, str]:
-    """What of the link says which routine it is, and what of it is chosen."""
+def link_keys_of(view: View, *more: str) -> dict[str, str]:
+    """The keys of a link that name a routine and its chosen part."""
     return {key: text for key in (*ASKED, *more) if (text := (view or {}).get(key))}
 
 
-def kept(workspace: Workspace, key: str) -> Derivation | None:
+def find_derivation(workspace: Workspace, key: str) -> Derivation | None:
     """A routine that has been made, or None."""
     return analyses.kept(workspace, DERIVE, key) if re.fullmatch(r"[0-9a-f]{8,64}", key) else None
 
 
 def open_derivation(workspace: Workspace, key: str) -> Dataset:
     """The made-up data set of a kept routine. Raises WorkspaceError where there is none."""
-    made = kept(workspace, key)
-    if made is None:
+    derivation = find_derivation(workspace, key)
+    if derivation is None:
         raise WorkspaceError("This routine is no longer there; make it again on the Grammar page.")
-    return Dataset(virtual_name(DERIVE, key), (made.clip,))
+    return Dataset(virtual_name(DERIVE, key), (derivation.clip,))
 
 
-def tree_of(found: LearnedGrammar, sentence: str) -> Node:
+def tree_of(learned: LearnedGrammar, sentence: str) -> Node:
     """The tree that a link's ``sentence`` stands for. Raises ParameterError."""
     try:
-        return read_sentence(found.grammar, sentence)
+        return read_sentence(learned.grammar, sentence)
     except ParameterError as error:
         if sentence.startswith("random"):
             raise
         raise ParameterError("The routine of the link does not obey these rules: it was made with others") from error
 
 
-def code_of(found: LearnedGrammar, tree: Node) -> str:
-    """A tree as it stands in a link."""
-    return ".".join(map(str, found.grammar.rule_indices(tree)))
+def code_of(learned: LearnedGrammar, tree: Node) -> str:
+    """A tree as a link writes it."""
+    return ".".join(map(str, learned.grammar.rule_indices(tree)))
 
 
 def composed(workspace: Workspace, name: str, view: View) -> dict[str, Any] | None:
     """All that assets/grammar/compose.mjs shows of a routine; None while there is no grammar. Raises WorkspaceError."""
-    found, key = grammars.learned(workspace, name, view), settings.key_of(workspace, grammars.PAGE, name, view)
-    if found is None or key is None:
+    learned, key = grammars.learned(workspace, name, view), settings.key_of(workspace, grammars.PAGE, name, view)
+    if learned is None or key is None:
         return None
-    data = {"key": key, "asked": asked_of(view)}
+    data = {"key": key, "asked": link_keys_of(view)}
     try:
-        tree = tree_of(found, (view or {})["sentence"])
-        request = derive_request(found, name, view, tree)
-        made = analyses.result_now(workspace, request)
+        tree = tree_of(learned, (view or {})["sentence"])
+        request = derive_request(learned, name, view, tree)
+        derivation = analyses.result_now(workspace, request)
     except MotionscapeError as error:
         return data | {"error": _sentence(str(error))}
     dataset, notes = workspace.open(name), grammars.notes_of(workspace, name, view) or {}
-    again = {"recipes": recipes.both(workspace.path, request)}
-    shown = shown_routine(found, made, analyses.key(workspace, request), notes)
-    chosen = chosen_part(found, tree, view)
+    again = {"recipes": recipes.texts(workspace.path, request)}
+    shown = shown_routine(learned, derivation, analyses.key(workspace, request), notes)
+    chosen = chosen_part(learned, tree, view)
     svg = grammars.routine_svg(
         dataset,
-        found,
+        learned,
         tree,
-        made.pieces,
+        derivation.pieces,
         notes,
         marked=chosen and chosen["at"],
         picked=_number(view, "pick"),
     )
     return (
-        data | shown | again | {"code": code_of(found, tree), "svg": svg, "chosen": chosen, "parents": _parents(tree)}
+        data | shown | again | {"code": code_of(learned, tree), "svg": svg, "chosen": chosen, "parents": _parents(tree)}
     )
 
 
-def derive_request(found: LearnedGrammar, dataset: str, view: View, tree: Node) -> analyses.Request:
+def derive_request(learned: LearnedGrammar, dataset: str, view: View, tree: Node) -> analyses.Request:
     """The request for the motion of a routine. Raises ParameterError where it is too long for a link."""
-    code = code_of(found, tree)
+    code = code_of(learned, tree)
     if len(code) > LONGEST:
         raise ParameterError("This routine is too long for a link; choose fewer actions")
     return analyses.Request(
@@ -116,25 +116,25 @@ def derive_request(found: LearnedGrammar, dataset: str, view: View, tree: Node) 
     )
 
 
-def shown_routine(found: LearnedGrammar, made: Derivation, key: str, notes: actions.Notes) -> dict[str, Any]:
-    """The motion: its actions, when which one is on, its meters, and where it is played and saved from."""
+def shown_routine(learned: LearnedGrammar, derivation: Derivation, key: str, notes: actions.Notes) -> dict[str, Any]:
+    """The motion: its actions and their times, its measures, and where it is played and saved from."""
     return {
         "name": virtual_name(DERIVE, key),
-        "clip": made.clip.name,
-        "actions": list(made.terminals),
-        "spans": [list(span) for span in made.spans],
-        "frames": made.clip.n_frames,
-        "seconds": round(made.clip.seconds, 2),
-        "skate": [round(value, 4) for value in made.skate],
-        "speeds": [round(value, 2) for value in made.speeds],
-        "jump": made.speeds.jump,
-        "warnings": list(made.warnings),
-        "bands": bands(made, notes),
-        "novel": tuple(made.terminals) not in {sentence.terminals for sentence in found.sentences},
+        "clip": derivation.clip.name,
+        "actions": list(derivation.terminals),
+        "spans": [list(span) for span in derivation.spans],
+        "frames": derivation.clip.n_frames,
+        "seconds": round(derivation.clip.seconds, 2),
+        "skate": [round(value, 4) for value in derivation.skate],
+        "speeds": [round(value, 2) for value in derivation.speeds],
+        "jump": derivation.speeds.jump,
+        "warnings": list(derivation.warnings),
+        "bands": bands(derivation, notes),
+        "novel": tuple(derivation.terminals) not in {sentence.terminals for sentence in learned.sentences},
     }
 
 
-def bands(made: Derivation, notes: actions.Notes) -> list[dict[str, Any]]:
+def bands(derivation: Derivation, notes: actions.Notes) -> list[dict[str, Any]]:
     """Coloured spans for the Stage, one an action."""
     return [
         {
@@ -143,12 +143,12 @@ def bands(made: Derivation, notes: actions.Notes) -> list[dict[str, Any]]:
             "colour": actions.action_colour(action),
             "label": actions.short_name(action, notes),
         }
-        for action, (start, end) in zip(made.terminals, made.spans, strict=True)
+        for action, (start, end) in zip(derivation.terminals, derivation.spans, strict=True)
         if end > start
     ]
 
 
-def chosen_part(found: LearnedGrammar, tree: Node, view: View) -> dict[str, Any] | None:
+def chosen_part(learned: LearnedGrammar, tree: Node, view: View) -> dict[str, Any] | None:
     """The part that the link chooses: see the keys below; None where there is none.
 
     ways: rules for it; varies: whether it, or a part of it, can go in another way.
@@ -165,29 +165,29 @@ def chosen_part(found: LearnedGrammar, tree: Node, view: View) -> dict[str, Any]
         "path": ".".join(map(str, path)),
         "first": node.start,
         "end": node.end,
-        "name": grammars.tree_names(found, {})(node.symbol),
-        "ways": len(found.grammar.choices[node.name]),
-        "varies": any(len(found.grammar.choices[n.name]) > 1 for n in preorder(node) if not n.is_leaf),
+        "name": grammars.tree_names(learned, {})(node.symbol),
+        "ways": len(learned.grammar.choices[node.name]),
+        "varies": any(len(learned.grammar.choices[n.name]) > 1 for n in preorder(node) if not n.is_leaf),
         "larger": level + 1 < len(around),
         "smaller": level > 0,
     }
 
 
 def alternatives(workspace: Workspace, name: str, view: View) -> dict[str, Any] | None:
-    """Four other ways for the chosen part, each with its motion; None without a grammar. Raises WorkspaceError."""
-    found = grammars.learned(workspace, name, view)
-    if found is None:
+    """Four alternatives for the chosen part, each with its motion; None without a grammar. Raises WorkspaceError."""
+    learned = grammars.learned(workspace, name, view)
+    if learned is None:
         return None
-    data = {"asked": asked_of(view, "alt")}
+    data = {"asked": link_keys_of(view, "alt")}
     notes = grammars.notes_of(workspace, name, view) or {}
     try:
-        tree = tree_of(found, (view or {})["sentence"])
-        chosen = chosen_part(found, tree, view)
+        tree = tree_of(learned, (view or {})["sentence"])
+        chosen = chosen_part(learned, tree, view)
         if chosen is None:
             return data | {"error": "Choose an action first."}
         seed = _number(view, "alt") or 1
-        others = authoring.alternatives(found.grammar, tree, chosen["at"], N_OTHERS, seed)
-        shown = [_alternative(workspace, found, name, view, other, chosen["at"], notes) for other in others]
+        others = authoring.alternatives(learned.grammar, tree, chosen["at"], N_OTHERS, seed)
+        shown = [_alternative(workspace, learned, name, view, other, chosen["at"], notes) for other in others]
     except MotionscapeError as error:
         return data | {"error": _sentence(str(error))}
     return data | {"part": chosen["name"], "others": shown}
@@ -195,62 +195,64 @@ def alternatives(workspace: Workspace, name: str, view: View) -> dict[str, Any] 
 
 def _alternative(
     workspace: Workspace,
-    found: LearnedGrammar,
+    learned: LearnedGrammar,
     name: str,
     view: View,
     tree: Node,
     path: tuple[int, ...],
     notes: actions.Notes,
 ) -> dict[str, Any]:
-    request = derive_request(found, name, view, tree)
-    made = analyses.result_now(workspace, request)
+    request = derive_request(learned, name, view, tree)
+    derivation = analyses.result_now(workspace, request)
     node = at_path(tree, path)
-    frames, fps = made.clip.n_frames, made.clip.fps
-    start = made.spans[node.start][0] if node.start < len(made.spans) else frames
-    stop = made.spans[node.end - 1][1] if node.end > node.start else start
+    frames, fps = derivation.clip.n_frames, derivation.clip.fps
+    start = derivation.spans[node.start][0] if node.start < len(derivation.spans) else frames
+    stop = derivation.spans[node.end - 1][1] if node.end > node.start else start
     margin = round(CONTEXT * fps)
     return {
-        "code": code_of(found, tree),
+        "code": code_of(learned, tree),
         "name": virtual_name(DERIVE, analyses.key(workspace, request)),
-        "clip": made.clip.name,
-        "actions": list(made.terminals),
+        "clip": derivation.clip.name,
+        "actions": list(derivation.terminals),
         "first": node.start,
         "end": node.end,
         "start": max(0, start - margin),
         "stop": min(frames, stop + margin),
         "seconds": round((stop - start) / fps, 2),
-        "bands": bands(made, notes),
+        "bands": bands(derivation, notes),
     }
 
 
-def keep(workspace: Workspace, name: str | None, view: View, called: str) -> str:
-    """Keeps the routine of the link as a clip of the data set ``NAME routines``; what to tell of it.
+def keep(workspace: Workspace, name: str | None, view: View, routine_name: str) -> str:
+    """Keeps the routine of the link as a clip of the data set ``NAME routines``; returns the message for the person.
 
     Raises WorkspaceError (no name, a name that is taken).
     """
-    called = " ".join(called.split())
-    if not called:
+    routine_name = " ".join(routine_name.split())
+    if not routine_name:
         raise WorkspaceError("Give it a name first.")
-    found = grammars.learned(workspace, name, view)
-    if found is None or name is None or not view or not view.get("sentence"):
+    learned = grammars.learned(workspace, name, view)
+    if learned is None or name is None or not view or not view.get("sentence"):
         raise WorkspaceError("There is no routine to keep.")
     try:
-        made = analyses.result_now(workspace, derive_request(found, name, view, tree_of(found, view["sentence"])))
+        derivation = analyses.result_now(
+            workspace, derive_request(learned, name, view, tree_of(learned, view["sentence"]))
+        )
     except MotionscapeError as error:
         raise WorkspaceError(_sentence(str(error))) from error
     notes = grammars.notes_of(workspace, name, view) or {}
     labels = tuple(
-        Label(called, start, end, actions.action_name(action, notes))
-        for action, (start, end) in zip(made.terminals, made.spans, strict=True)
+        Label(routine_name, start, end, actions.action_name(action, notes))
+        for action, (start, end) in zip(derivation.terminals, derivation.spans, strict=True)
         if end > start
     )
     home = f"{name} routines"
-    more = Dataset(home, (replace(made.clip, name=called),), labels)
+    more = Dataset(home, (replace(derivation.clip, name=routine_name),), labels)
     if home in {info.name for info in workspace.datasets()}:
         workspace.add_clips(home, more)
     else:
         workspace.add_dataset(home, more)
-    return f"Kept as “{called}” in the data set “{home}”."
+    return f"Kept as “{routine_name}” in the data set “{home}”."
 
 
 def _parents(tree: Node) -> list[str]:

@@ -1,4 +1,4 @@
-"""Grammars in the app: what a link says of one, the result behind it, and what people call its actions."""
+"""Grammars in the app: how a link names one, its result, and the names that people give to its actions."""
 
 from __future__ import annotations
 
@@ -27,49 +27,49 @@ def learned(workspace: Workspace, dataset: str | None, view: View) -> LearnedGra
 
 
 def notes_of(workspace: Workspace, dataset: str, view: View) -> dict[int, MotifNote] | None:
-    """What people said of the actions of this result, by number; None where there is no result."""
-    found, key = learned(workspace, dataset, view), settings.key_of(workspace, PAGE, dataset, view)
-    if found is None or key is None:
+    """People's notes on the actions of this result, by number; None where there is no result."""
+    result, key = learned(workspace, dataset, view), settings.key_of(workspace, PAGE, dataset, view)
+    if result is None or key is None:
         return None
-    segments = dict(enumerate(found.terminals.segments))
+    segments = dict(enumerate(result.terminals.segments))
     return workspace.notes.of(workspace.info(dataset).id, key, segments)
 
 
 def name_action(workspace: Workspace, dataset: str, view: View, action: int, name: str) -> bool:
-    """Keeps what someone calls an action; False where nothing changes. Raises WorkspaceError (too long)."""
+    """Saves the name of an action; False where nothing changes. Raises WorkspaceError if it is too long."""
     notes, key = notes_of(workspace, dataset, view), settings.key_of(workspace, PAGE, dataset, view)
-    found = learned(workspace, dataset, view)
-    if notes is None or key is None or found is None or not 0 <= action < found.terminals.n_terminals:
+    result = learned(workspace, dataset, view)
+    if notes is None or key is None or result is None or not 0 <= action < result.terminals.n_terminals:
         return False
     before = notes.get(action, MotifNote())
     if name.strip() == before.name:
         return False
-    home, own = workspace.info(dataset).id, found.terminals.segments[action]
-    workspace.notes.put(home, key, action, own, name=name, tags=before.tags, note=before.note)
+    dataset_id, segments = workspace.info(dataset).id, result.terminals.segments[action]
+    workspace.notes.put(dataset_id, key, action, segments, name=name, tags=before.tags, note=before.note)
     return True
 
 
 def names_mark(workspace: Workspace, dataset: str, view: View) -> str:
-    """Changes whenever an action is called something else, or the labels of the recordings change."""
-    said = {action: note.name for action, note in (notes_of(workspace, dataset, view) or {}).items()}
-    known = (sorted(said.items()), workspace.open(dataset).labels)
+    """A mark that changes with the names of the actions and the labels of the recordings."""
+    names = {action: note.name for action, note in (notes_of(workspace, dataset, view) or {}).items()}
+    known = (sorted(names.items()), workspace.open(dataset).labels)
     return hashlib.blake2b(repr(known).encode(), digest_size=6).hexdigest()
 
 
-def page_data(dataset: Dataset, found: LearnedGrammar, key: str, notes: Mapping[int, MotifNote]) -> dict[str, Any]:
-    """All that assets/grammar/*.mjs draw of a result, but for trees and new routines."""
-    segments = found.terminals.segments
+def page_data(dataset: Dataset, result: LearnedGrammar, key: str, notes: Mapping[int, MotifNote]) -> dict[str, Any]:
+    """All that assets/grammar/*.mjs draw of a result, except trees and new routines."""
+    segments = result.terminals.segments
     cuts: dict[str, list[int]] = {}
-    for routine in routines(found):
+    for routine in routines(result):
         cuts.setdefault(routine.span.clip, []).append(routine.span.start)
     return {
         "key": key,
         "dataset": dataset.name,
         "version": dataset.fingerprint[:8],
-        "actions": actions.actions_data(dataset, segments, found.terminals.medoids, notes),
+        "actions": actions.actions_data(dataset, segments, result.terminals.medoids, notes),
         "rows": actions.string_rows(dataset, segments, cuts),
-        "rules": rules.rules_data(found.grammar.rules, found.grammar.start),
-        "routines": [routine_data(dataset, routine) for routine in routines(found)],
+        "rules": rules.rules_data(result.grammar.rules, result.grammar.start),
+        "routines": [routine_data(dataset, routine) for routine in routines(result)],
     }
 
 
@@ -81,11 +81,11 @@ class Routine(NamedTuple):
     tree: Node
 
 
-def routines(found: LearnedGrammar) -> list[Routine]:
+def routines(result: LearnedGrammar) -> list[Routine]:
     """The sentences of the recordings, with their trees."""
     return [
         Routine(Segment(sentence.clip, sentence.pieces[0][1].start, sentence.pieces[-1][1].end), sentence.pieces, tree)
-        for sentence, tree in zip(found.sentences, found.trees, strict=True)
+        for sentence, tree in zip(result.sentences, result.trees, strict=True)
     ]
 
 
@@ -103,21 +103,21 @@ def routine_data(dataset: Dataset, routine: Routine) -> dict[str, Any]:
     }
 
 
-def routine_number(found: LearnedGrammar, view: View) -> int:
-    """The routine that a view shows: the first where it says none that is there."""
+def routine_number(result: LearnedGrammar, view: View) -> int:
+    """The number of the routine that a view shows: the first where it names none that exists."""
     text = (view or {}).get("routine", "")
-    return int(text) if text.isdecimal() and int(text) < len(found.sentences) else 0
+    return int(text) if text.isdecimal() and int(text) < len(result.sentences) else 0
 
 
-def tree_names(found: LearnedGrammar, notes: Mapping[int, MotifNote]) -> Callable[[Symbol], str]:
-    """What stands in the boxes of a tree."""
-    phrases = rules.phrase_names(found.grammar.rules, found.grammar.start)
+def tree_names(result: LearnedGrammar, notes: Mapping[int, MotifNote]) -> Callable[[Symbol], str]:
+    """The function that gives the text in a box of a tree."""
+    phrases = rules.phrase_names(result.grammar.rules, result.grammar.start)
     return lambda symbol: phrases[symbol] if isinstance(symbol, str) else actions.short_name(symbol, notes)
 
 
 def routine_svg(
     dataset: Dataset,
-    found: LearnedGrammar,
+    result: LearnedGrammar,
     tree: Node,
     segments: Iterable[Segment],
     notes: Mapping[int, MotifNote],
@@ -130,8 +130,8 @@ def routine_svg(
     pictures = [actions.icon_address(dataset, segment) for segment in segments]
     return tree_svg(
         tree,
-        tree_names(found, notes),
-        actions.tones(found.terminals.n_terminals),
+        tree_names(result, notes),
+        actions.tones(result.terminals.n_terminals),
         **({"pictures": pictures} | look),
     )
 

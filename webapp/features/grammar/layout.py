@@ -1,4 +1,4 @@
-"""What the Grammar page consists of."""
+"""The layout of the Grammar page."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ METHOD = MethodPage(
 
 
 def page() -> Component:
-    """The page before it knows what there is to show."""
+    """The page before any data is loaded."""
     return html.Div(
         className="grammar",
         children=[
@@ -89,7 +89,7 @@ def _zoom(symbol: str, label: str, direction: str) -> Component:
 
 
 def downloads(query: str, copies: Sequence[Component]) -> Component:
-    """The menu of what can be saved; copies: items that give the result elsewhere."""
+    """The menu of downloads; copies: items that copy recipes for the result."""
     items = [
         _download("Everything (JSON)", f"/api/grammar.json?{query}"),
         _download("All occurrences (CSV)", f"/api/grammar-actions.csv?{query}"),

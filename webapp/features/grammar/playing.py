@@ -19,7 +19,7 @@ def plays(workspace: Workspace, dataset: Dataset, shown: Shown) -> StageRequest 
 
 
 def missing(workspace: Workspace, shown: Shown) -> str | None:
-    """What a selection names that is not there, in plain words; None where it is, or where nobody can tell yet."""
+    """A sentence about what a selection names that does not exist; None where it exists or cannot be checked yet."""
     learned, selection = grammars.learned(workspace, shown.dataset, shown.view), shown.selection
     if learned is None or int(selection["action"]) < learned.terminals.n_terminals:
         return None
@@ -30,30 +30,30 @@ def stage_request(
     workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None, selection: Mapping[str, Any]
 ) -> StageRequest | None:
     """What plays for a selection of an action, or of a clip ``as`` actions; None where there is nothing to play."""
-    found = grammars.learned(workspace, dataset.name, view)
-    if found is None:
+    learned = grammars.learned(workspace, dataset.name, view)
+    if learned is None:
         return None
     notes = grammars.notes_of(workspace, dataset.name, view) or {}
-    segments = found.terminals.segments
+    segments = learned.terminals.segments
     if "action" not in selection:
         return _stretch(dataset, segments, notes, selection)
     action, number = int(selection["action"]), selection.get("segment")
     if not 0 <= action < len(segments):
         return None
-    own, name = segments[action], actions.action_name(action, notes)
-    if number is not None and 0 <= int(number) < len(own):
-        title = f"{name}, {int(number) + 1} of {len(own)}"
-        return _request(dataset, [_item(own[int(number)])], title)
-    shown = typical_first(own, found.terminals.medoids[action])
-    count = f"{len(shown)} of {len(own)}" if len(shown) < len(own) else str(len(own))
-    title = f"{name}: {count} time{'s' if len(own) != 1 else ''}"
+    occurrences, name = segments[action], actions.action_name(action, notes)
+    if number is not None and 0 <= int(number) < len(occurrences):
+        title = f"{name}, {int(number) + 1} of {len(occurrences)}"
+        return _request(dataset, [_item(occurrences[int(number)])], title)
+    shown = typical_first(occurrences, learned.terminals.medoids[action])
+    count = f"{len(shown)} of {len(occurrences)}" if len(shown) < len(occurrences) else str(len(occurrences))
+    title = f"{name}: {count} time{'s' if len(occurrences) != 1 else ''}"
     return _request(dataset, [_item(segment) for segment in shown], title)
 
 
-def typical_first(own: Sequence[Segment], typical: Segment, most: int = MOST_FIGURES) -> list[Segment]:
+def typical_first(occurrences: Sequence[Segment], typical: Segment, most: int = MOST_FIGURES) -> list[Segment]:
     """Segments that play together: all, or the typical one and others spread evenly over the list; it comes first."""
-    others = [segment for segment in own if segment != typical]
-    if len(own) > most:
+    others = [segment for segment in occurrences if segment != typical]
+    if len(occurrences) > most:
         others = [others[round(i * (len(others) - 1) / (most - 2))] for i in range(most - 1)]
     return [typical, *others]
 

@@ -43,12 +43,12 @@ def grammar_blueprint(workspace: Workspace) -> Blueprint:
 
 
 def _learned(routes: Blueprint, workspace: Workspace) -> None:
-    """What was learned from recordings."""
+    """Registers the routes of grammars."""
 
     @routes.get("/grammar.json")
     def grammar_json() -> Response:
-        dataset, found, notes = _asked(workspace)
-        document = found.to_json()
+        dataset, learned, notes = _requested_grammar(workspace)
+        document = learned.to_json()
         for terminal in document["terminals"]:
             note = notes.get(terminal["id"])
             if note is not None and note.name:
@@ -58,35 +58,35 @@ def _learned(routes: Blueprint, workspace: Workspace) -> None:
 
     @routes.get("/grammar-actions.csv")
     def actions_csv() -> Response:
-        dataset, found, notes = _asked(workspace)
-        text = actions.segments_csv(dataset, found.terminals.segments, notes)
+        dataset, learned, notes = _requested_grammar(workspace)
+        text = actions.segments_csv(dataset, learned.terminals.segments, notes)
         return attachment(text, "text/csv", f"{dataset.name}-actions.csv")
 
     @routes.get("/grammar-rules.csv")
     def rules_csv() -> Response:
-        dataset, found, notes = _asked(workspace)
-        names = {k: actions.action_name(k, notes) for k in range(found.terminals.n_terminals)}
-        text = rules.rules_csv(found.grammar.rules, found.grammar.start, names)
+        dataset, learned, notes = _requested_grammar(workspace)
+        names = {k: actions.action_name(k, notes) for k in range(learned.terminals.n_terminals)}
+        text = rules.rules_csv(learned.grammar.rules, learned.grammar.start, names)
         return attachment(text, "text/csv", f"{dataset.name}-rules.csv")
 
     @routes.get("/grammar-tree.svg")
     def tree() -> Response:
-        dataset, found, notes = _asked(workspace)
+        dataset, learned, notes = _requested_grammar(workspace)
         if request.args.get("sentence"):
             try:
-                drawn = compositions.tree_of(found, request.args["sentence"])
+                drawn = compositions.tree_of(learned, request.args["sentence"])
             except ParameterError as error:
                 raise Refusal(f"{error}.", 400) from error
-            typical = found.terminals.medoids
+            typical = learned.terminals.medoids
             segments = [typical[action] for action in leaves(drawn)]
         else:
-            number = grammars.routine_number(found, dict(request.args))
-            routine = grammars.routines(found)[number]
+            number = grammars.routine_number(learned, dict(request.args))
+            routine = grammars.routines(learned)[number]
             drawn, segments = routine.tree, [segment for _, segment in routine.pieces]
         svg = tree_svg(
             drawn,
-            grammars.tree_names(found, notes),
-            actions.tones(found.terminals.n_terminals),
+            grammars.tree_names(learned, notes),
+            actions.tones(learned.terminals.n_terminals),
             colours=COLOURS,
             pictures=[icon_data_uri(dataset, segment, "light") for segment in segments],
         )
@@ -94,24 +94,24 @@ def _learned(routes: Blueprint, workspace: Workspace) -> None:
 
 
 def _made(routes: Blueprint, workspace: Workspace) -> None:
-    """What was made with it."""
+    """Registers the routes of new routines and comparisons."""
 
     @routes.get("/derivation/<key>.json")
     def derivation(key: str) -> Response:
-        made = compositions.kept(workspace, key)
-        if made is None:
+        result = compositions.find_derivation(workspace, key)
+        if result is None:
             raise Refusal("This routine is no longer there; make it again on the Grammar page.", 404)
-        return attachment(json.dumps(derivation_json(made)), "application/json", "routine.json")
+        return attachment(json.dumps(derivation_json(result)), "application/json", "routine.json")
 
     @routes.get("/bakeoff/<key>.json")
     def bakeoff(key: str) -> Response:
-        made = bakeoffs.kept(workspace, key)
-        if made is None:
+        result = bakeoffs.kept_bakeoff(workspace, key)
+        if result is None:
             raise Refusal("This comparison is no longer there; make it again on the Grammar page.", 404)
-        return attachment(json.dumps(bakeoff_json(made)), "application/json", "comparison.json")
+        return attachment(json.dumps(bakeoff_json(result)), "application/json", "comparison.json")
 
 
-def _asked(workspace: Workspace) -> tuple[Dataset, LearnedGrammar, dict[int, MotifNote]]:
+def _requested_grammar(workspace: Workspace) -> tuple[Dataset, LearnedGrammar, dict[int, MotifNote]]:
     """Data set, grammar and notes of the current request; raises Refusal."""
     name, view = request.args.get("dataset", ""), dict(request.args)
     problems = settings.refused(grammars.PAGE, view)
@@ -121,7 +121,7 @@ def _asked(workspace: Workspace) -> tuple[Dataset, LearnedGrammar, dict[int, Mot
         dataset = workspace.open(name)
     except WorkspaceError as error:
         raise Refusal(str(error), 404) from error
-    found = grammars.learned(workspace, name, view)
-    if found is None:
+    learned = grammars.learned(workspace, name, view)
+    if learned is None:
         raise Refusal("This has not been computed yet; press Learn the rules on the Grammar page.", 404)
-    return dataset, found, grammars.notes_of(workspace, name, view) or {}
+    return dataset, learned, grammars.notes_of(workspace, name, view) or {}

@@ -83,14 +83,14 @@ def register(app: Dash, workspace: Workspace) -> None:
     def draw(view, _data, _place, name, before):
         if (view or {}).get("show") != "routines" or not name:
             return no_update
-        found, key = grammars.learned(workspace, name, view), settings.key_of(workspace, grammars.PAGE, name, view)
-        if found is None or key is None:
+        learned, key = grammars.learned(workspace, name, view), settings.key_of(workspace, grammars.PAGE, name, view)
+        if learned is None or key is None:
             return no_update
         notes = grammars.notes_of(workspace, name, view) or {}
-        number = grammars.routine_number(found, view)
-        routine = grammars.routines(found)[number]
+        number = grammars.routine_number(learned, view)
+        routine = grammars.routines(learned)[number]
         segments = [segment for _, segment in routine.pieces]
-        svg = grammars.routine_svg(workspace.open(name), found, routine.tree, segments, notes)
+        svg = grammars.routine_svg(workspace.open(name), learned, routine.tree, segments, notes)
         data = {"key": key, "number": number, "svg": svg}
         return no_update if data == before else data
 

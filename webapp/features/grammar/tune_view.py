@@ -1,4 +1,4 @@
-"""How many actions to tell apart: a table and charts of what each number gives, filled as they are computed."""
+"""How many actions to distinguish: a table and charts of each number's result, filled as they are computed."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ EXPLAINED = (
 
 
 def layout() -> Component:
-    """Two sliders, what to try, the charts and the table."""
+    """Two sliders, the numbers to try, the charts and the table."""
     return html.Div(
         className="tune-view",
         children=[
@@ -129,7 +129,7 @@ def _chart(identity: str, title: str, name: str) -> Component:
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """Fill, ask, follow and draw."""
+    """Registers the callbacks that fill the form, start the job, follow it and draw the results."""
     _fill(app, workspace)
     _ask(app, workspace)
     _follow(app, workspace)
@@ -144,7 +144,7 @@ def _fill(app: Dash, workspace: Workspace) -> None:
         Input(VIEW, "data"),
         Input(names.TUNE_RUN, "id"),
     )
-    def fill(view, _there):
+    def fill(view, _run_button):
         values = analyses.normalise(settings.request_of(grammars.PAGE, "", view)).parameters
         return action_counts.counts_text(view), values["n_terminals"], values["weight"]
 
@@ -175,12 +175,12 @@ def _ask(app: Dash, workspace: Workspace) -> None:
         prevent_initial_call=True,
     )
     def run(_clicks, text, name, view):
-        wanted = {**(view or {}), "counts": text or ""}
+        comparison_view = {**(view or {}), "counts": text or ""}
         try:
             if not name:
                 raise WorkspaceError("Choose a dataset first; the library has none yet.")
-            if any(point is None for point in action_counts.points(workspace, name, wanted)):
-                set_props(JOB_STARTED, {"data": jobs.start(workspace, action_counts.request(name, wanted)).id})
+            if any(point is None for point in action_counts.points(workspace, name, comparison_view)):
+                set_props(JOB_STARTED, {"data": jobs.start(workspace, action_counts.request(name, comparison_view)).id})
             set_props(VIEW_CHANGE, {"data": {"counts": action_counts.counts_change(text)}})
         except (ParameterError, WorkspaceError) as error:
             set_props(NOTICES, {"sendNotifications": [notice("Cannot compare these", str(error), "red")]})
@@ -222,7 +222,7 @@ def _follow(app: Dash, workspace: Workspace) -> None:
         State(names.TUNE_STATUS_OF, "data"),
         State(names.TUNE_SEEN, "data"),
     )
-    def look(view, name, _seen, _finished, _there, spoken, seen):
+    def look(view, name, _seen, _finished, _run_button, shown_status, seen):
         if (view or {}).get("show") != "tune" or not name:
             return (no_update,) * 4
         try:
@@ -237,8 +237,8 @@ def _follow(app: Dash, workspace: Workspace) -> None:
         else:
             strip = _ended(job)
         return (
-            no_update if now == spoken else strip,
-            no_update if now == spoken else now,
+            no_update if now == shown_status else strip,
+            no_update if now == shown_status else now,
             no_update if ready == seen else ready,
             "" if ready else "hidden",
         )

@@ -30,7 +30,7 @@ def _rules() -> Component:
 
 
 def _nothing(app: Dash, workspace: Workspace) -> None:
-    """Its callbacks stand in callbacks.py."""
+    """Nothing to register: its callbacks are in callbacks.py."""
 
 
 PARTS = (
@@ -44,7 +44,7 @@ PARTS = (
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """The switch, and the callbacks of every view."""
+    """Registers the switch and the callbacks of every view."""
     for part in PARTS:
         part.register(app, workspace)
     app.clientside_callback(

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from core import analyses
 from core.analyses import Request
-from webapp.shell.recipes import command, given
+from webapp.shell.recipes import command, keyword_arguments
 
 
 def walk_commands(workspace: Path, request: Request) -> str:
@@ -35,7 +35,10 @@ def compare_script(workspace: Path, first: Request, second: Request) -> str:
         "from core.motifs.compare import compare",
         "",
         f"dataset = Workspace({str(workspace)!r}).open({first.dataset!r})",
-        *(f"{name} = find_motifs(dataset, MotifParameters({given(r)}))" for name, r in (("a", first), ("b", second))),
+        *(
+            f"{name} = find_motifs(dataset, MotifParameters({keyword_arguments(r)}))"
+            for name, r in (("a", first), ("b", second))
+        ),
         "result = compare(a, b)",
         "print([(fate.motif, fate.change, fate.partners) for fate in result.a])",
     ]

@@ -158,7 +158,7 @@ def register(app: Dash, workspace: Workspace) -> None:
             return (no_update,) * 4
         words = "Stability" if percent is None else f"Stability {percent} %"
         link = {"dataset": name or "", **settings.texts(results.MOTIFS, view), "stability": text or ""}
-        copied = recipes.both(workspace.path, stability_request.request(name, view, text)) if measured else {}
+        copied = recipes.texts(workspace.path, stability_request.request(name, view, text)) if measured else {}
         return shown_values(measured), status(text, measured, job, urlencode(link), copied), words, now
 
     app.clientside_callback(

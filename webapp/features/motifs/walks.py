@@ -81,7 +81,7 @@ def walk_data(
         return data | {"error": _sentence(str(error))}
     try:
         walk = analyses.result_now(workspace, request)
-        again = {"recipes": recipes.both(workspace.path, request)}
+        again = {"recipes": recipes.texts(workspace.path, request)}
         return data | shown_walk(walk, analyses.key(workspace, request), names) | again
     except MotionscapeError as error:
         refused = {"error": _sentence(str(error)), "path": _listed(asked["walk"])}

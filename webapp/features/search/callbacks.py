@@ -110,7 +110,7 @@ def _search(app: Dash, workspace: Workspace) -> None:
         State(names.SEARCH_FOUND, "data"),
     )
     def search(view, key, name, revision, before):
-        asked = searching.asked_of(view) | {"index": key, "dataset": name, "revision": revision}
+        asked = searching.search_keys_of(view) | {"index": key, "dataset": name, "revision": revision}
         if before and before["asked"] == asked:
             return no_update
         try:
@@ -151,18 +151,18 @@ def found_data(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] |
         "request": figures.query_request(dataset, sources, query),
     }
     try:
-        found = searching.find(workspace, dataset, view)
-        if found is None:
+        result = searching.find(workspace, dataset, view)
+        if result is None:
             return data
         labels = labels_by_clip(dataset)
         rows = [
             figures.hit_row(dataset, hit, rank, searching.label_of(labels, hit.segment))
-            for rank, hit in enumerate(found.hits, 1)
+            for rank, hit in enumerate(result.hits, 1)
         ]
         doubt = searching.doubt(workspace, dataset, view, query)
     except MotionscapeError as error:
         return data | {"error": sentence(error)}
-    return data | {"hits": rows, "total": found.total, "milliseconds": round(found.milliseconds, 1), "doubt": doubt}
+    return data | {"hits": rows, "total": result.total, "milliseconds": round(result.milliseconds, 1), "doubt": doubt}
 
 
 def _menus(app: Dash, workspace: Workspace) -> None:
@@ -173,20 +173,20 @@ def _menus(app: Dash, workspace: Workspace) -> None:
         State(DATASET, "data"),
         State(VIEW, "data"),
     )
-    def show_menus(found, key, name, view):
+    def show_menus(result, key, name, view):
         if not key or not name:
             return []
-        search = searching.read(view) if found and found.get("hits") else None
-        return [_download(workspace, name, view, search, found["level"])] if search else []
+        search = searching.read(view) if result and result.get("hits") else None
+        return [_download(workspace, name, view, search, result["level"])] if search else []
 
 
 def _download(
-    workspace: Workspace, name: str, view: Mapping[str, str], search: searching.Asked, level: str
+    workspace: Workspace, name: str, view: Mapping[str, str], search: searching.Search, level: str
 ) -> Component:
     settled = settings.view_of(PAGE, settings.request_of(PAGE, name, view).parameters)
-    query = urlencode({"dataset": name, **searching.asked_of(view), **{k: v for k, v in settled.items() if v}})
+    query = urlencode({"dataset": name, **searching.search_keys_of(view), **{k: v for k, v in settled.items() if v}})
     request = settings.request_of(PAGE, name, view)
-    again = recipes.both(workspace.path, request, search, level)
+    again = recipes.texts(workspace.path, request, search, level)
     items = [
         dmc.MenuItem("Hits (CSV)", href=f"/api/search/hits.csv?{query}", refresh=True),
         dmc.MenuItem("Hits (JSON)", href=f"/api/search/hits.json?{query}", refresh=True),

@@ -138,12 +138,12 @@ def _answer(index: SearchIndex, one: _Query, arguments: Namespace) -> dict[str, 
         only=arguments.clips,
         exclude=one.clips if level == "clip" else (),
     )
-    taken = 1000 * (time.perf_counter() - started)
+    duration = 1000 * (time.perf_counter() - started)
     rows = [{"clip": h.segment.clip, "start": h.segment.start, "end": h.segment.end, "score": h.score} for h in hits]
     for row, hit in zip(rows, hits, strict=True):
         if hit.query_segment is not None:
             row["query"] = {"start": hit.query_segment.start, "end": hit.query_segment.end}
-    return {"milliseconds": round(taken, 3), "hits": rows}
+    return {"milliseconds": round(duration, 3), "hits": rows}
 
 
 def _document(index: SearchIndex, answers, values, arguments: Namespace, seconds) -> dict[str, Any]:
@@ -158,14 +158,14 @@ def _document(index: SearchIndex, answers, values, arguments: Namespace, seconds
         "dataset": dict(index.dataset),
         "clips": [{"name": c.name, "frames": c.frames, "fps": c.fps} for c in index.clips],
         "parameters": dict(values) | searched,
-        "seconds": {stage: round(taken, 4) for stage, taken in seconds.items()},
+        "seconds": {stage: round(duration, 4) for stage, duration in seconds.items()},
         "queries": answers,
     }
 
 
 def _summary(answers: Mapping[str, Any], seconds: Mapping[str, float], arguments: Namespace) -> Iterator[str]:
-    for stage, taken in seconds.items():
-        yield f"  {stage:<14}{taken:8.2f} s"
+    for stage, duration in seconds.items():
+        yield f"  {stage:<14}{duration:8.2f} s"
     if len(answers) == 1:
         hits = next(iter(answers.values()))["hits"]
         for hit in hits[:_SHOWN]:

@@ -1,4 +1,4 @@
-"""What people call the engines."""
+"""Everyday names of the engines."""
 
 from __future__ import annotations
 

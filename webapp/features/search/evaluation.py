@@ -55,7 +55,7 @@ HINT = (
 
 
 def layout() -> Component:
-    """The panel."""
+    """The panel of the evaluation."""
     usual = next(p.default for p in settings.parameters(PAGE) if p.name == "engines")
     chips = [dmc.Chip(NAMES[name], value=name, size="xs", variant="outline") for name in KNOWN]
     return html.Div(
@@ -88,7 +88,7 @@ def layout() -> Component:
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """The panel's callbacks."""
+    """Registers the panel's callbacks."""
     method_page.register(app, workspace, METHOD)
     _choose(app)
     _show(app, workspace)
@@ -137,7 +137,7 @@ def _show(app: Dash, workspace: Workspace) -> None:
             return []
         try:
             dataset = workspace.open(name)
-            found = evaluation_of(workspace, dataset, key, view)
+            measured = evaluation_of(workspace, dataset, key, view)
         except WorkspaceError:
             return []
         except AnalysisError as error:
@@ -145,7 +145,7 @@ def _show(app: Dash, workspace: Workspace) -> None:
                 f"{sentence(error)} Add labels in the Library: a CSV file with clip, start_frame, end_frame and action."
             )
             return [html.Div(empty_state("warning", "No labels to compare with", words), className="card section")]
-        return result(dataset, found, view, scheme) if found else []
+        return result(dataset, measured, view, scheme) if measured else []
 
 
 def evaluation_of(
@@ -161,16 +161,18 @@ def evaluation_of(
     return _evaluations.get_or_compute(place, lambda: evaluate(rankings, dataset))
 
 
-def result(dataset: Dataset, found: Evaluation, view: Mapping[str, str] | None, scheme: str | None) -> list[Component]:
+def result(
+    dataset: Dataset, measured: Evaluation, view: Mapping[str, str] | None, scheme: str | None
+) -> list[Component]:
     """Table, curves and confusion of what a view shows."""
-    engines = list(found.engines)
-    regimes = [r for r in figures.REGIMES if any(r in by for by in found.engines.values())]
+    engines = list(measured.engines)
+    regimes = [r for r in figures.REGIMES if any(r in by for by in measured.engines.values())]
     regime, _, engine = (view or {}).get("measure", "").partition(":")
     regime = regime if regime in regimes else regimes[-1]
     engine = engine if engine in engines else engines[0]
     query = urlencode({"dataset": dataset.name, **{k: v for k, v in (view or {}).items() if k.startswith("ranking-")}})
-    scores = found.engines[engine][regime]
-    count = f"{found.queries:,} clips searched for, {scores.queries:,} of them with something to find"
+    scores = measured.engines[engine][regime]
+    count = f"{measured.queries:,} clips searched for, {scores.queries:,} of them with something to find"
     head = html.Div(
         [
             dmc.SegmentedControl(
@@ -202,13 +204,16 @@ def result(dataset: Dataset, found: Evaluation, view: Mapping[str, str] | None, 
         head,
         html.Div(
             [
-                figures.measures_table(found.engines, regime, NAMES),
-                html.P([count, ". ", figures.explained(found.engines, regime)], className="muted ranking-words"),
+                figures.measures_table(measured.engines, regime, NAMES),
+                html.P([count, ". ", figures.explained(measured.engines, regime)], className="muted ranking-words"),
             ],
             className="card study-figures",
         ),
         _chart(
-            names.RANKING_CURVES, "Precision and recall", figures.curves_chart(found.engines, regime, NAMES, scheme), []
+            names.RANKING_CURVES,
+            "Precision and recall",
+            figures.curves_chart(measured.engines, regime, NAMES, scheme),
+            [],
         ),
         _chart(names.RANKING_CONFUSION, "What is taken for what", figures.confusion_chart(scores, scheme), [confused]),
     ]

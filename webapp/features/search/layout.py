@@ -1,4 +1,4 @@
-"""What the Search page consists of: skeletons that assets/search/*.mjs fill, and the controls of the search."""
+"""The layout of the Search page: containers that assets/search/*.mjs fill, and the controls of the search."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ METHOD = MethodPage(
 
 
 def page(panels: dict[str, Component]) -> Component:
-    """The page before it knows what there is to show; ``panels``: of the views beside the search itself."""
+    """The page before any data is loaded; ``panels``: of the views beside the search itself."""
     return html.Div(
         className="search-page",
         children=[
@@ -84,7 +84,7 @@ def _search() -> Component:
 
 
 def _query() -> Component:
-    """Where the motion that is looked for comes from; assets/search/sources.mjs draws the sources."""
+    """The sources of the query; assets/search/sources.mjs draws them."""
     return html.Div(
         className="search-from",
         children=[
@@ -119,7 +119,7 @@ def _query() -> Component:
 
 
 def _fold() -> Component:
-    """Opens and closes what counts, and says in a line what is chosen there."""
+    """Opens and closes the options, and sums up the choices in a line."""
     return html.Button(
         [
             icon("chevron", 14),
@@ -134,7 +134,7 @@ def _fold() -> Component:
 
 
 def _wanted() -> Component:
-    """What counts: parts of the body (assets/search/body.mjs), kind of hits, path, filters (options.mjs)."""
+    """The options: parts of the body (assets/search/body.mjs), kind of hits, path, filters (options.mjs)."""
     engines = [{"value": value, "label": label} for value, label in ENGINES.items()]
     return html.Div(
         id=names.SEARCH_WANTED,

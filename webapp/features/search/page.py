@@ -1,4 +1,4 @@
-"""The Search page: the search itself, and what people and labels say of it."""
+"""The Search page: the search itself, its evaluation by labels, and the study with people."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from webapp.features.search import callbacks, evaluation, layout, study
 
 
 def page() -> Component:
-    """The page before it knows what there is to show."""
+    """The page before any data is loaded."""
     return layout.page({"agree": study.layout(), "evaluate": evaluation.layout()})
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """All of the page's callbacks."""
+    """Registers the page's callbacks."""
     callbacks.register(app, workspace)
     study.register(app, workspace)
     evaluation.register(app, workspace)

@@ -1,4 +1,4 @@
-"""A search as it stands in a link: what is looked for, how much each part of the body counts, which hit is looked at.
+"""A search as a link writes it: the query, the weights of the parts of the body, and the hit that is shown.
 
 One piece is ``[part+part:]clip:start-end[:dataset]``, pieces are joined by commas: the parts of the body it gives (all
 where none is named), the clip, its frames at its own rate (end exclusive), and the data set where it is another than
@@ -37,14 +37,14 @@ def read_query(text: str) -> tuple[Piece, ...]:
     if not 1 <= len(words) <= MOST_PIECES:
         raise ParameterError(f"a query has 1 to {MOST_PIECES} pieces, not {len(words)}")
     pieces = tuple(_read_piece(word) for word in words)
-    given = [leaf for piece in pieces for leaf in piece.leaves]
-    if len(given) != len(set(given)):
+    leaves_given = [leaf for piece in pieces for leaf in piece.leaves]
+    if len(leaves_given) != len(set(leaves_given)):
         raise ParameterError("each part of the body comes from one piece only")
     return pieces
 
 
 def write_query(pieces: Iterable[Piece]) -> str:
-    """The pieces as they stand in a link; :func:`read_query` gives them back."""
+    """The pieces as a link writes them; :func:`read_query` gives them back."""
     return ",".join(map(_write_piece, pieces))
 
 
@@ -58,7 +58,7 @@ def read_hit(text: str) -> Segment | None:
 
 
 def write_hit(segment: Segment) -> str:
-    """A hit as it stands in a link."""
+    """A hit as a link writes it."""
     return f"{escape(segment.clip)}:{segment.start}-{segment.end}"
 
 
@@ -81,18 +81,18 @@ def read_weights(text: str | None) -> dict[str, float] | None:
 
 
 def write_weights(weights: Mapping[str, float] | None) -> str:
-    """Weights as they stand in a link; parts without weight are left out."""
+    """Weights as a link writes them; parts without weight are left out."""
     return ",".join(f"{part}:{weight:g}" for part, weight in (weights or {}).items() if weight > 0)
 
 
 def nodes_of(leaves: Sequence[str]) -> tuple[str, ...]:
     """The fewest nodes of the hierarchy that have exactly these leaves below them."""
-    wanted = set(leaves)
+    target = set(leaves)
 
     def cover(node: str) -> tuple[str, ...]:
-        if wanted.issuperset(leaves_of(node)):
+        if target.issuperset(leaves_of(node)):
             return (node,)
-        return tuple(found for child in CHILDREN[node] for found in cover(child))
+        return tuple(named for child in CHILDREN[node] for named in cover(child))
 
     return cover("whole_body")
 
@@ -106,7 +106,7 @@ def unescape(text: str) -> str:
     """The name back from :func:`escape`. Raises ParameterError where it is damaged."""
     if re.search(r"~(?![0-9a-f]{2})", text):
         raise ParameterError("a name in the link is damaged")
-    encoded = re.sub(rb"~([0-9a-f]{2})", lambda found: bytes([int(found[1], 16)]), text.encode())
+    encoded = re.sub(rb"~([0-9a-f]{2})", lambda named: bytes([int(named[1], 16)]), text.encode())
     try:
         return encoded.decode()
     except UnicodeDecodeError:
@@ -129,8 +129,8 @@ def _read_piece(word: str) -> Piece:
 
 
 def _leaves(nodes: Iterable[str]) -> tuple[str, ...]:
-    found = {leaf for node in nodes for leaf in leaves_of(node)}
-    return tuple(leaf for leaf in LEAVES if leaf in found)
+    named = {leaf for node in nodes for leaf in leaves_of(node)}
+    return tuple(leaf for leaf in LEAVES if leaf in named)
 
 
 def _write_piece(piece: Piece) -> str:

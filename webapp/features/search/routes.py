@@ -1,4 +1,4 @@
-"""``GET /api/search/explain?<link>&hit=``: why a hit is one; ``/api/search/hits.csv``, ``.json``: all of its hits."""
+"""``GET /api/search/explain?<link>&hit=`` explains a hit; ``/api/search/hits.csv``, ``.json``: all hits of a search."""
 
 from __future__ import annotations
 
@@ -26,13 +26,13 @@ def blueprints(workspace: Workspace) -> list[Blueprint]:
 
 
 def search_blueprint(workspace: Workspace) -> Blueprint:
-    """The routes of one workspace; what they are asked for stands in the query string as in a link to the page."""
+    """The routes of one workspace; their query string is that of a link to the page."""
     routes = Blueprint("search", __name__, url_prefix="/api/search")
     answer_errors(routes)
 
     @routes.get("/explain")
     def explain() -> Response:
-        dataset, view = _asked(workspace)
+        dataset, view = _requested_view(workspace)
         hit = read_hit(view.get("hit", ""))
         if hit is None:
             raise BadRequest("The link names no hit.")
@@ -51,26 +51,26 @@ def search_blueprint(workspace: Workspace) -> Blueprint:
 
     @routes.get("/hits.csv")
     def hits_csv() -> Response:
-        dataset, found = _found(workspace)
+        dataset, result = _requested_result(workspace)
         labels = labels_by_clip(dataset)
-        rows = [(hit, searching.label_of(labels, hit.segment)) for hit in found.hits]
+        rows = [(hit, searching.label_of(labels, hit.segment)) for hit in result.hits]
         return _attachment(figures.hits_csv(dataset, rows), "text/csv", f"{dataset.name}-hits.csv")
 
     @routes.get("/hits.json")
     def hits_json() -> Response:
-        dataset, found = _found(workspace)
-        _, view = _asked(workspace)
+        dataset, result = _requested_result(workspace)
+        _, view = _requested_view(workspace)
         parameters = dict(settings.request_of(searching.PAGE, dataset.name, view).parameters)
-        parameters |= {"weights": found.asked.weights, "level": found.level, "root_path": found.asked.route}
+        parameters |= {"weights": result.search.weights, "level": result.level, "root_path": result.search.route}
         index = searching.index_of(workspace, dataset.name, view)
         document = figures.hits_json(
-            dataset, found.query, found.hits, parameters, index.seconds if index else {}, found.milliseconds
+            dataset, result.query, result.hits, parameters, index.seconds if index else {}, result.milliseconds
         )
         return _attachment(json.dumps(document, ensure_ascii=False), "application/json", f"{dataset.name}-hits.json")
 
     @routes.get("/ranking.json")
     def ranking_json() -> Response:
-        dataset, view = _asked(workspace)
+        dataset, view = _requested_view(workspace)
         rankings = settings.result_of(workspace, "ranking", dataset.name, view)
         if rankings is None:
             raise BadRequest("The engines have not been compared with these settings yet.", 404)
@@ -104,7 +104,7 @@ def _id(workspace: Workspace, name: str) -> str:
         raise BadRequest(str(error), 404) from None
 
 
-def _asked(workspace: Workspace) -> tuple[Dataset, dict[str, str]]:
+def _requested_view(workspace: Workspace) -> tuple[Dataset, dict[str, str]]:
     """Data set and view of the current request. Raises BadRequest."""
     view, _ = links.parse("/search", request.query_string.decode("utf-8", "replace"))
     try:
@@ -113,15 +113,15 @@ def _asked(workspace: Workspace) -> tuple[Dataset, dict[str, str]]:
         raise BadRequest(str(error), 404) from None
 
 
-def _found(workspace: Workspace) -> tuple[Dataset, searching.Found]:
-    dataset, view = _asked(workspace)
+def _requested_result(workspace: Workspace) -> tuple[Dataset, searching.SearchResult]:
+    dataset, view = _requested_view(workspace)
     try:
-        found = searching.find(workspace, dataset, {**view, "top": view.get("top") or str(searching.MOST)})
+        result = searching.find(workspace, dataset, {**view, "top": view.get("top") or str(searching.MOST)})
     except MotionscapeError as error:
         raise BadRequest(sentence(error)) from None
-    if found is None:
+    if result is None:
         raise BadRequest("There is no query, or the index has not been built yet.", 404)
-    return dataset, found
+    return dataset, result
 
 
 def _attachment(text: str, mimetype: str, name: str) -> Response:

@@ -1,4 +1,4 @@
-"""Searches in the app: what a link asks for, its hits, and why a hit is one; for pages, routes and exports alike."""
+"""Searches in the app: the search of a link, its hits, and explanations of hits, for pages, routes and exports."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ SAME = 0.5  # share of frames in common from which on a hit is the query itself
 
 
 @dataclass(frozen=True)
-class Asked:
+class Search:
     """A search as a link asks for it.
 
     weights: of nodes or leaves, None for all alike. level: "clip" or "interval". route: 0 to 1, how much the path over
@@ -53,10 +53,10 @@ class Asked:
 
 
 @dataclass(frozen=True)
-class Found:
+class SearchResult:
     """The hits of a search, best first; ``total``: how many there are without the limit of what is shown."""
 
-    asked: Asked
+    search: Search
     query: Query
     level: str
     hits: tuple[Hit, ...]
@@ -64,18 +64,18 @@ class Found:
     milliseconds: float
 
 
-def asked_of(view: Mapping[str, str] | None) -> dict[str, str]:
-    """What of a view says which search it is."""
+def search_keys_of(view: Mapping[str, str] | None) -> dict[str, str]:
+    """The keys of a view that say which search it is."""
     return {key: text for key in KEYS if (text := (view or {}).get(key))}
 
 
-def read(view: Mapping[str, str] | None) -> Asked | None:
+def read(view: Mapping[str, str] | None) -> Search | None:
     """The search a view asks for, None where it has no query. Raises ParameterError."""
     view = view or {}
     if not view.get("query"):
         return None
     route = _number(view.get("route"), 0.0)
-    return Asked(
+    return Search(
         read_query(view["query"]),
         read_weights(view.get("parts")),
         view["level"] if view.get("level") in ("clip", "interval") else "",
@@ -97,10 +97,10 @@ def source_of(workspace: Workspace, dataset: Dataset, piece: Piece) -> Dataset:
     return open_any(workspace, piece.dataset) if piece.dataset else dataset
 
 
-def level_of(asked: Asked, query: Query) -> str:
-    """What is looked for: whole clips where the query is a whole clip, else moments, unless the link says which."""
+def level_of(search: Search, query: Query) -> str:
+    """The kind of hits: whole clips if the query is a whole clip, else intervals, unless the link says which."""
     whole = all(part.start == 0 and part.end == part.clip.n_frames for part in query.parts)
-    return asked.level or ("clip" if whole else "interval")
+    return search.level or ("clip" if whole else "interval")
 
 
 def index_of(workspace: Workspace, dataset: str | None, view: Mapping[str, str] | None) -> SearchIndex | None:
@@ -108,26 +108,26 @@ def index_of(workspace: Workspace, dataset: str | None, view: Mapping[str, str] 
     return settings.result_of(workspace, PAGE, dataset, view)
 
 
-def find(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None) -> Found | None:
-    """The hits of what a view asks for; None where it asks for nothing or the index has not been built.
+def find(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None) -> SearchResult | None:
+    """The hits of a view's search; None where it has no query or the index has not been built.
 
     Raises MotionscapeError for a query that cannot be searched for.
     """
-    asked = read(view)
+    search = read(view)
     request = settings.request_of(PAGE, dataset.name, view)
-    index = index_of(workspace, dataset.name, view) if asked else None
-    if asked is None or index is None:
+    index = index_of(workspace, dataset.name, view) if search else None
+    if search is None or index is None:
         return None
-    place = analyses.key(workspace, request), repr((asked, dataset.name, _marks(dataset, asked)))
+    place = analyses.key(workspace, request), repr((search, dataset.name, _marks(dataset, search)))
     return _recent.get_or_compute(
-        place, lambda: _search(index, dataset, asked, query_of(workspace, dataset, asked.pieces))
+        place, lambda: _search(index, dataset, search, query_of(workspace, dataset, search.pieces))
     )
 
 
 def warm(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None) -> threading.Thread | None:
-    """Opens the index of a view, and searches it once, behind the scenes: the first search that a person waits for is
+    """Opens the index of a view and searches it once in a thread, so that the first search of a person is fast.
 
-    then as quick as any. None where there is none, or it is warm.
+    Returns the thread, or None where there is no index or it has been opened before.
     """
     key = settings.key_of(workspace, PAGE, dataset.name, view)
     with _warm_lock:
@@ -151,17 +151,17 @@ def warm(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None)
 
 
 def explain(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None, hit: Segment) -> Explanation:
-    """Why a stretch is like the query of a view. Raises MotionscapeError, KeyError for a clip that is not indexed."""
-    asked, index = read(view), index_of(workspace, dataset.name, view)
-    if asked is None or index is None:
+    """Why an interval is like the query of a view. Raises MotionscapeError, KeyError for a clip that is not indexed."""
+    search, index = read(view), index_of(workspace, dataset.name, view)
+    if search is None or index is None:
         raise WorkspaceError("There is no query, or the index has not been built yet.")
-    return index.explain(query_of(workspace, dataset, asked.pieces), hit, weights=asked.weights)
+    return index.explain(query_of(workspace, dataset, search.pieces), hit, weights=search.weights)
 
 
 def doubt(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None, query: Query) -> str:
-    """Why a query in pieces looks like nobody's motion, in plain words; "" where it does not, or nobody can tell.
+    """Why a query in pieces is not plausible as a motion, as a sentence; "" where it is, or cannot be checked.
 
-    The default engine knows the postures; where only another's index is there, nothing is said.
+    The default engine knows the postures; without its index the query is not checked.
     """
     index = index_of(workspace, dataset.name, dict(view or {}) | {f"{PAGE}-method": "bounded-edit"})
     if index is None or not query.hybrid:
@@ -182,48 +182,48 @@ def label_of(labels: Mapping[str, Sequence[Label]], segment: Segment) -> str:
     return max(covered, key=covered.__getitem__, default="")
 
 
-def _search(index: SearchIndex, dataset: Dataset, asked: Asked, query: Query) -> Found:
-    level = level_of(asked, query)
+def _search(index: SearchIndex, dataset: Dataset, search: Search, query: Query) -> SearchResult:
+    level = level_of(search, query)
     started = time.perf_counter()
-    only = _clips_that_may(dataset, asked, level)
+    only = _possible_clips(dataset, search, level)
     if level == "clip":
-        own = {piece.clip for piece in asked.pieces if not piece.dataset}
-        options: dict[str, Any] = {"only": [name for name in only if name not in own]}
+        query_clips = {piece.clip for piece in search.pieces if not piece.dataset}
+        options: dict[str, Any] = {"only": [name for name in only if name not in query_clips]}
     else:
         options = {"only": only, "top": MOST}
-    hits = index.search(query, weights=asked.weights, level=level, root_path=asked.route, **options)
-    labels = labels_by_clip(dataset) if asked.label else {}
-    hits = [hit for hit in hits if level == "clip" or _wanted(dataset, asked, labels, hit)]
+    hits = index.search(query, weights=search.weights, level=level, root_path=search.route, **options)
+    labels = labels_by_clip(dataset) if search.label else {}
+    hits = [hit for hit in hits if level == "clip" or _passes_filters(dataset, search, labels, hit)]
     milliseconds = 1000 * (time.perf_counter() - started)
-    return Found(asked, query, level, tuple(hits[: asked.top]), len(hits), milliseconds)
+    return SearchResult(search, query, level, tuple(hits[: search.top]), len(hits), milliseconds)
 
 
-def _clips_that_may(dataset: Dataset, asked: Asked, level: str) -> list[str]:
+def _possible_clips(dataset: Dataset, search: Search, level: str) -> list[str]:
     """Names of the clips in which hits may lie."""
-    labelled = {label.clip for label in dataset.labels if label.action == asked.label}
-    low, high = asked.lasting
+    labelled = {label.clip for label in dataset.labels if label.action == search.label}
+    low, high = search.lasting
     return [
         clip.name
         for clip in dataset.clips
-        if asked.named.lower() in clip.name.lower()
-        and (not asked.label or clip.name in labelled)
+        if search.named.lower() in clip.name.lower()
+        and (not search.label or clip.name in labelled)
         and (level != "clip" or low <= clip.seconds <= high)
     ]
 
 
-def _wanted(dataset: Dataset, asked: Asked, labels: Mapping[str, Sequence[Label]], hit: Hit) -> bool:
+def _passes_filters(dataset: Dataset, search: Search, labels: Mapping[str, Sequence[Label]], hit: Hit) -> bool:
     """Whether a moment passes the filters, and is not the query itself."""
     segment = hit.segment
-    low, high = asked.lasting
+    low, high = search.lasting
     if not low <= segment.n_frames / dataset.clip(segment.clip).fps <= high:
         return False
-    if asked.label and label_of(labels, segment) != asked.label:
+    if search.label and label_of(labels, segment) != search.label:
         return False
-    return not any(_overlap(segment, piece) > SAME for piece in asked.pieces if not piece.dataset)
+    return not any(_overlap(segment, piece) > SAME for piece in search.pieces if not piece.dataset)
 
 
 def _overlap(segment: Segment, piece: Piece) -> float:
-    """Share of frames in common, of those in either."""
+    """Frames in common as a share of those in either."""
     common = min(segment.end, piece.end) - max(segment.start, piece.start) if segment.clip == piece.clip else 0
     return max(common, 0) / (segment.n_frames + piece.end - piece.start - max(common, 0))
 
@@ -239,9 +239,9 @@ def _piece_name(piece: Piece) -> str:
     return f"{piece.clip}:{piece.start}-{piece.end}"
 
 
-def _marks(dataset: Dataset, asked: Asked) -> int:
-    """Changes with the labels, where they matter: the index does not know of them."""
-    return hash(dataset.labels) if asked.label else 0
+def _marks(dataset: Dataset, search: Search) -> int:
+    """A mark that changes with the labels where they matter, since the index does not hold them."""
+    return hash(dataset.labels) if search.label else 0
 
 
 def _number(text: str | None, default: float) -> float:
@@ -256,4 +256,4 @@ def _lasting(text: str | None) -> tuple[float, float]:
 
 _warm: set[tuple] = set()  # workspace and key of indexes that have been searched
 _warm_lock = threading.Lock()
-_recent: RecentCache[tuple[str, str], Found] = RecentCache(64)
+_recent: RecentCache[tuple[str, str], SearchResult] = RecentCache(64)

@@ -74,7 +74,7 @@ def _panel(value: str, child: Component) -> Component:
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """The study's callbacks."""
+    """Registers the study's callbacks."""
     _show(app, workspace)
     _take(app, workspace)
     app.clientside_callback(
@@ -111,8 +111,8 @@ def _show(app: Dash, workspace: Workspace) -> None:
         if not name:
             return {"asked": [None], "error": "Add recordings, or make the demo, in the Library first."}
         who = person_of(person)
-        kept = {key: text for key, text in view.items() if key == "asks" or key.startswith("search-")}
-        asked = [name, kept, who, finished]
+        relevant = {key: text for key, text in view.items() if key == "asks" or key.startswith("search-")}
+        asked = [name, relevant, who, finished]
         if before and before["asked"] == asked:
             return no_update
         try:
@@ -137,7 +137,7 @@ def _show(app: Dash, workspace: Workspace) -> None:
 
 
 def study_data(workspace: Workspace, dataset: Dataset, view: Mapping[str, str], person: str) -> dict[str, Any]:
-    """What the browser shows of the study. Raises WorkspaceError or ValueError in plain words."""
+    """The study as the browser shows it. Raises WorkspaceError or ValueError in plain words."""
     ready = study_rounds.ready_engines(workspace, dataset.name, view)
     queries = [query for query in study_rounds.queries_of(view) if query.clip in dataset.names]
     store = workspace.info(dataset.name).id
@@ -169,8 +169,8 @@ def _take(app: Dash, workspace: Workspace) -> None:
         State(names.STUDY_PERSON, "data"),
         prevent_initial_call=True,
     )
-    def keep(given, name, view, person):
-        answers = (given or {}).get("answers") or []
+    def keep(request, name, view, person):
+        answers = (request or {}).get("answers") or []
         if not answers or not name:
             return no_update
         dataset, who = workspace.open(name), person_of(person)
@@ -205,8 +205,8 @@ def _take(app: Dash, workspace: Workspace) -> None:
                 both = dict.fromkeys([*study_rounds.queries_of(view), *drawn])
                 set_props(VIEW_CHANGE, {"data": {"asks": ",".join(map(write_hit, both))}})
             elif wish.get("clear"):
-                gone = workspace.ratings.clear(workspace.info(name).id)
-                set_props(NOTICES, {"sendNotifications": [notice("Forgotten", f"{gone} answers were removed.")]})
+                removed = workspace.ratings.clear(workspace.info(name).id)
+                set_props(NOTICES, {"sendNotifications": [notice("Forgotten", f"{removed} answers were removed.")]})
                 return {"at": wish.get("at")}
         except (WorkspaceError, ParameterError) as error:
             set_props(NOTICES, {"sendNotifications": [notice("That did not work", str(error), "red")]})
@@ -214,7 +214,7 @@ def _take(app: Dash, workspace: Workspace) -> None:
 
 
 def person_of(stored: Mapping[str, str] | None) -> str:
-    """Who answers: the name one gave, else the browser's own mark."""
+    """The person who answers: the name that was given, else the browser's id."""
     stored = stored or {}
     return str(stored.get("name") or stored.get("id") or "")[:80]
 
@@ -248,13 +248,13 @@ def results(workspace: Workspace, name: str, scheme: str | None) -> list[Compone
     )
     shown: list[Component] = [head]
     if ratings:
-        found = agreement(ratings)
-        ranks = figures.rank_chart(found, ENGINES, scheme)
+        correlations = agreement(ratings)
+        ranks = figures.rank_chart(correlations, ENGINES, scheme)
         chart = dcc.Graph(id=names.STUDY_CHART, figure=ranks, config=CONFIG, style=tall(ranks))
         bar = [html.H2("Rank against rank"), html.Div(className="spacer"), chart_menu(names.STUDY_CHART, "ranks")]
         shown += [
-            html.Div(figures.means_table(found, ENGINES), className="card study-figures"),
-            html.Div(figures.correlations_table(found, ENGINES), className="card study-figures section"),
+            html.Div(figures.means_table(correlations, ENGINES), className="card study-figures"),
+            html.Div(figures.correlations_table(correlations, ENGINES), className="card study-figures section"),
             html.Div([html.Div(bar, className="section-head"), chart], className="card study-figures section"),
         ]
     if votes:

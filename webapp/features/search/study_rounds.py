@@ -1,4 +1,4 @@
-"""The study of PCR section 5.3 as a tool: which pairs people see, and what becomes of their answers.
+"""The study of PCR section 5.3 as a tool: the pairs that people see, and how their answers are kept.
 
 A query's first hits of every engine whose index is there are shown beside the query. Nobody learns which engine found
 what: the browser gets motions without names, and the engines are looked up again when an answer comes.
@@ -51,12 +51,12 @@ class Duel:
 def queries_of(view: Mapping[str, str] | None) -> list[Segment]:
     """The queries of the study that a link names."""
     words = [word for word in (view or {}).get("asks", "").split(",") if word]
-    found = [read_hit(word) for word in words[:MOST_QUERIES]]
-    return list(dict.fromkeys(segment for segment in found if segment is not None))
+    entries = [read_hit(word) for word in words[:MOST_QUERIES]]
+    return list(dict.fromkeys(segment for segment in entries if segment is not None))
 
 
 def ready_engines(workspace: Workspace, dataset: str, view: Mapping[str, str] | None) -> dict[str, bool]:
-    """Every engine, and whether its index is there."""
+    """Every engine, and whether its index has been built."""
     return {
         name: settings.key_of(workspace, searching.PAGE, dataset, with_engine(view, name)) is not None
         for name in ENGINES
@@ -65,19 +65,19 @@ def ready_engines(workspace: Workspace, dataset: str, view: Mapping[str, str] | 
 
 def with_engine(view: Mapping[str, str] | None, engine: str) -> dict[str, str]:
     """The settings of a view with another engine."""
-    kept = {key: text for key, text in (view or {}).items() if key.startswith(f"{searching.PAGE}-")}
-    return kept | {f"{searching.PAGE}-method": engine}
+    index_settings = {key: text for key, text in (view or {}).items() if key.startswith(f"{searching.PAGE}-")}
+    return index_settings | {f"{searching.PAGE}-method": engine}
 
 
 def pairs(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None) -> list[Pair]:
-    """The pairs to be rated: each query with the first hits of every engine; one that several found stands once.
+    """The pairs to be rated: each query with the first hits of every engine, every hit once.
 
     Raises WorkspaceError or ValueError, in plain words, for a query that cannot be searched for.
     """
-    found: dict[tuple[Segment, Segment], dict[str, int]] = {}
+    entries: dict[tuple[Segment, Segment], dict[str, int]] = {}
     for query, engine, rank, hit in _lists(workspace, dataset, view):
-        found.setdefault((query, hit), {})[engine] = rank
-    return [Pair(query, hit, ranks) for (query, hit), ranks in found.items()]
+        entries.setdefault((query, hit), {})[engine] = rank
+    return [Pair(query, hit, ranks) for (query, hit), ranks in entries.items()]
 
 
 def duels(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None, person: str) -> list[Duel]:
@@ -88,15 +88,15 @@ def duels(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None
     lists: dict[tuple[Segment, str], dict[int, Segment]] = {}
     for query, engine, rank, hit in _lists(workspace, dataset, view):
         lists.setdefault((query, engine), {})[rank] = hit
-    found: dict[tuple[Segment, Segment, Segment], list[tuple[str, int, str, int]]] = {}
+    entries: dict[tuple[Segment, Segment, Segment], list[tuple[str, int, str, int]]] = {}
     for query, (a, i, first), (b, j, second) in _compared(lists):
         if first == second:
             continue
         sides = (a, i, b, j)
         if _chance(person, query, *sorted((first, second))).random() < 0.5:
             first, second, sides = second, first, (b, j, a, i)
-        found.setdefault((query, first, second), []).append(sides)
-    return [Duel(*three, tuple(sides)) for three, sides in found.items()]
+        entries.setdefault((query, first, second), []).append(sides)
+    return [Duel(*three, tuple(sides)) for three, sides in entries.items()]
 
 
 def keep_rating(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None, answer: Mapping[str, Any]):
@@ -143,35 +143,37 @@ def draw_queries(dataset: Dataset, seed: int, n: int = DRAWN) -> list[Segment]:
     return drawn
 
 
-def shown_pairs(dataset: Dataset, found: list[Pair], person: str, mine: Mapping[tuple[Segment, Segment], int]):
+def shown_pairs(dataset: Dataset, entries: list[Pair], person: str, answers: Mapping[tuple[Segment, Segment], int]):
     """Pairs for the browser in an order drawn for each person, without a word about engines."""
     rows = [
         {
             "query": write_hit(pair.query),
             "hit": write_hit(pair.hit),
-            "value": mine.get((pair.query, pair.hit)),
+            "value": answers.get((pair.query, pair.hit)),
             "request": _request(dataset, [(pair.query, "Query", "#4a7cd8"), (pair.hit, "Result", "#3a9b7a")]),
         }
-        for pair in found
+        for pair in entries
     ]
     _chance(person, "order", len(rows)).shuffle(rows)
     return rows
 
 
-def shown_duels(dataset: Dataset, found: list[Duel], person: str, mine: Mapping[tuple[Segment, Segment, Segment], str]):
+def shown_duels(
+    dataset: Dataset, entries: list[Duel], person: str, answers: Mapping[tuple[Segment, Segment, Segment], str]
+):
     """Duels for the browser, as :func:`shown_pairs`; the query stands in the middle."""
     rows = [
         {
             "query": write_hit(duel.query),
             "left": write_hit(duel.left),
             "right": write_hit(duel.right),
-            "value": mine.get((duel.query, duel.left, duel.right)),
+            "value": answers.get((duel.query, duel.left, duel.right)),
             "request": _request(
                 dataset,
                 [(duel.left, "A", "#3a9b7a"), (duel.query, "Query", "#4a7cd8"), (duel.right, "B", "#d2762b")],
             ),
         }
-        for duel in found
+        for duel in entries
     ]
     _chance(person, "duels", len(rows)).shuffle(rows)
     return rows
@@ -182,14 +184,14 @@ def _lists(workspace: Workspace, dataset: Dataset, view) -> Iterator[tuple[Segme
     engines = [name for name, ready in ready_engines(workspace, dataset.name, view).items() if ready]
     for query in queries_of(view):
         for engine in engines:
-            asked = with_engine(view, engine) | {"query": write_query([Piece(*query)]), "top": str(PER_QUERY)}
-            found = searching.find(workspace, dataset, asked)
-            for rank, hit in enumerate(found.hits if found else (), 1):
+            search_view = with_engine(view, engine) | {"query": write_query([Piece(*query)]), "top": str(PER_QUERY)}
+            entries = searching.find(workspace, dataset, search_view)
+            for rank, hit in enumerate(entries.hits if entries else (), 1):
                 yield query, engine, rank, hit.segment
 
 
 def _compared(lists: Mapping[tuple[Segment, str], Mapping[int, Segment]]):
-    """(query, (engine, rank, hit), (engine, rank, hit)) of all comparisons that say something."""
+    """(query, (engine, rank, hit), (engine, rank, hit)) of all informative comparisons."""
     engines: dict[Segment, list[str]] = {}
     for query, engine in lists:
         engines.setdefault(query, []).append(engine)
@@ -206,7 +208,7 @@ def _compared(lists: Mapping[tuple[Segment, str], Mapping[int, Segment]]):
 
 
 def _chance(*parts: object) -> random.Random:
-    """Chance that is the same for the same parts, on every machine."""
+    """A random generator that is the same for the same parts, on every machine."""
     return random.Random(hashlib.blake2b(repr(parts).encode(), digest_size=8).hexdigest())
 
 

@@ -19,7 +19,7 @@ GONE = "The uploaded recording is no longer here; upload it again."
 
 
 def start(workspace: Workspace, file: str, token: str) -> Job:
-    """Asks for an upload, called ``file`` for people, to be read. Raises WorkspaceError, ParameterError."""
+    """Starts the job that reads an upload, shown to people as ``file``. Raises WorkspaceError, ParameterError."""
     workspace.uploads.path(token)  # raises where there is none
     return jobs.start(workspace, requests.query_request(file[:80] or "recording", token))
 
@@ -30,7 +30,7 @@ def name_of(job: Job) -> str:
 
 
 def open_upload(workspace: Workspace, key: str) -> Dataset:
-    """The data set ``~upload~`` + key. Raises WorkspaceError where it is not there (any more)."""
+    """The data set ``~upload~`` + key. Raises WorkspaceError where it is not there any more."""
     try:
         clip = kept_query(workspace, key) if re.fullmatch(r"[0-9a-f]{8,64}", key) else None
     except ResultDamaged:

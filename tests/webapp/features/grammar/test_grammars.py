@@ -233,7 +233,7 @@ def test_the_commands_give_the_routine_again(workspace, tmp_path, monkeypatch):
         assert main([*shlex.split(line)[1:], "--quiet"]) == 0
     assert read_bvh(Path("routine.bvh")).n_frames == data["frames"]
     request = settings.request_of("grammar", "demo", VIEW)
-    assert "--n-terminals 8" in recipes.both(workspace.path, request)["Copy as command"]
+    assert "--n-terminals 8" in recipes.texts(workspace.path, request)["Copy as command"]
 
 
 def test_stages_are_told_in_words_with_their_count(workspace):

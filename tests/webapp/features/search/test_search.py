@@ -186,17 +186,17 @@ def test_the_python_recipe_gives_the_hits_of_the_page(workspace, dataset, more):
 def test_recipes_are_offered_only_where_they_can_be_run():
     request = analyses.Request("walkers", "search")
     halves = (Piece("a", 0, 9, leaves_of("upper_body")), Piece("b", 1, 8, leaves_of("lower_body")))
-    both = recipes.both(Path("w"), request, searching.Asked(halves), "interval")
+    both = recipes.texts(Path("w"), request, searching.Search(halves), "interval")
     assert "--query a:0-9 --lower b:1-8" in both["Copy as command"] and "hybrid_query" in both["Copy as Python"]
     odd = (Piece("a", 0, 9, ("head",)),)
-    assert set(recipes.both(Path("w"), request, searching.Asked(odd), "clip")) == {"Copy as Python"}
+    assert set(recipes.texts(Path("w"), request, searching.Search(odd), "clip")) == {"Copy as Python"}
     uploaded = (Piece("a", 0, 9, LEAVES, "~upload~0123456789abcdef"),)
     assert (
         "kept_query(workspace, '0123456789abcdef')"
-        in recipes.both(Path("w"), request, searching.Asked(uploaded), "clip")["Copy as Python"]
+        in recipes.texts(Path("w"), request, searching.Search(uploaded), "clip")["Copy as Python"]
     )
     walked = (Piece("walk", 0, 9, LEAVES, "~walk~0123456789abcdef"),)
-    assert recipes.both(Path("w"), request, searching.Asked(walked), "clip") == {}
+    assert recipes.texts(Path("w"), request, searching.Search(walked), "clip") == {}
 
 
 def test_rows_say_where_a_hit_lies(dataset):

@@ -16,18 +16,18 @@ from webapp.ui.tables import labels_by_clip, majority_label, strip_address
 from webapp.ui.timeline import motif_colour
 
 action_colour = motif_colour
-"""A colour for an action that stays its own in every view."""
+"""Colours of actions, the same in all views."""
 
 Notes = Mapping[int, MotifNote]
 
 
 def action_name(action: int, notes: Notes) -> str:
-    """What people call it, or its number."""
+    """The name that someone gave to an action, or its number."""
     return (notes[action].name if action in notes else "") or f"Action {action}"
 
 
 def short_name(action: int, notes: Notes) -> str:
-    """What stands in a box that has no room: the name that someone gave it, or its number alone."""
+    """The text for a small box: the name that someone gave to an action, or its number alone."""
     return (notes[action].name if action in notes else "") or str(action)
 
 
@@ -53,12 +53,12 @@ def actions_data(
     """
     by_clip = labels_by_clip(dataset)
     rates = {clip.name: clip.fps for clip in dataset.clips}
-    found = []
-    for action, (own, typical) in enumerate(zip(segments, medoids, strict=True)):
-        label = majority_label(own, by_clip)
+    entries = []
+    for action, (occurrences, typical) in enumerate(zip(segments, medoids, strict=True)):
+        label = majority_label(occurrences, by_clip)
         named = action in notes and bool(notes[action].name)
-        seconds = sum(s.n_frames / rates[s.clip] for s in own) / len(own)
-        found.append(
+        seconds = sum(s.n_frames / rates[s.clip] for s in occurrences) / len(occurrences)
+        entries.append(
             {
                 "id": action,
                 "name": action_name(action, notes),
@@ -67,15 +67,15 @@ def actions_data(
                 "hint": "" if named else _hint(label),
                 "colour": action_colour(action),
                 "ink": ink_on(action_colour(action)),
-                "count": len(own),
+                "count": len(occurrences),
                 "seconds": round(seconds, 2),
-                "clips": len({s.clip for s in own}),
+                "clips": len({s.clip for s in occurrences}),
                 "label": label,
                 "strip": strip_address(dataset.name, typical, 6, dataset.fingerprint),
                 "icon": icon_address(dataset, typical),
             }
         )
-    return found
+    return entries
 
 
 def icon_address(dataset: Dataset, segment: Segment, scheme: str = "") -> str:
@@ -94,8 +94,8 @@ def string_rows(
     """
     pieces: dict[str, list[list[float]]] = {clip.name: [] for clip in dataset.clips}
     rates = {clip.name: clip.fps for clip in dataset.clips}
-    for action, own in enumerate(segments):
-        for number, (clip, start, end) in enumerate(own):
+    for action, occurrences in enumerate(segments):
+        for number, (clip, start, end) in enumerate(occurrences):
             if clip in pieces:
                 pieces[clip].append([_short(start / rates[clip]), _short(end / rates[clip]), action, number])
     labels: dict[str, list[list[Any]]] = {clip.name: [] for clip in dataset.clips}
@@ -118,13 +118,13 @@ def string_rows(
 
 def spans(segments: Sequence[Sequence[Segment]], notes: Notes, within: Segment) -> list[dict[str, Any]]:
     """Coloured spans of a stretch of a clip for the Stage, in frames of the clip's own rate."""
-    found = [
+    entries = [
         {"start": start, "end": end, "colour": action_colour(action), "label": short_name(action, notes)}
-        for action, own in enumerate(segments)
-        for clip, start, end in own
+        for action, occurrences in enumerate(segments)
+        for clip, start, end in occurrences
         if clip == within.clip and start < within.end and end > within.start
     ]
-    return sorted(found, key=lambda span: span["start"])
+    return sorted(entries, key=lambda span: span["start"])
 
 
 def segments_csv(dataset: Dataset, segments: Sequence[Sequence[Segment]], notes: Notes) -> str:
@@ -133,9 +133,9 @@ def segments_csv(dataset: Dataset, segments: Sequence[Sequence[Segment]], notes:
     text = io.StringIO()
     lines = csv.writer(text, lineterminator="\n")
     lines.writerow(["action", "name", "clip", "start_frame", "end_frame", "seconds", "label"])
-    for action, own in enumerate(segments):
+    for action, occurrences in enumerate(segments):
         name = notes[action].name if action in notes else ""
-        for segment in own:
+        for segment in occurrences:
             seconds = f"{segment.n_frames / dataset.clip(segment.clip).fps:.3f}"
             label = majority_label([segment], by_clip).rpartition(" (")[0]
             lines.writerow([action, name, *segment, seconds, label])

@@ -1,4 +1,4 @@
-"""Four ways of making new motion held against one another, as a table and a chart (SYN section 7)."""
+"""Four ways of making new motion compared, as a table and a chart (SYN section 7)."""
 
 from __future__ import annotations
 

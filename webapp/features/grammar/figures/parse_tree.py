@@ -1,4 +1,4 @@
-"""How a sentence is built, as an SVG drawing: actions in a row at the bottom, the phrases they form above them."""
+"""The parse tree of a sentence as an SVG drawing: actions in a row at the bottom, the phrases they form above them."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ def _y(one: Placed, depth: int) -> float:
 
 
 def _ground(one: Placed | None, depth: int, height: float, colours: Mapping[str, str]) -> str:
-    """A tinted ground behind everything that the chosen phrase covers."""
+    """A tinted background behind all that the chosen phrase covers."""
     if one is None:
         return ""
     left, right = (_MARGIN + (LEAF + GAP) * at for at in (one.node.start, one.node.end))
@@ -142,7 +142,7 @@ def _picture(one: Placed, depth: int, pictures: Sequence[str]) -> str:
 
 
 def _width(text: str) -> float:
-    """Of a phrase's box around a text, in pixels."""
+    """Width of a phrase's box around a text, in pixels."""
     return _LETTER * len(text) + 18
 
 

@@ -34,14 +34,14 @@ def rules_data(ways: Sequence[Rule], start: str) -> list[dict[str, Any]]:
     inside = _reachable(ways)
     found = []
     for symbol, name in names.items():
-        own = sorted((way for way in ways if way.left == symbol), key=lambda way: (-way.count, str(way.right)))
+        alternatives = sorted((way for way in ways if way.left == symbol), key=lambda way: (-way.count, str(way.right)))
         found.append(
             {
                 "id": symbol,
                 "name": name,
-                "seen": sum(way.count for way in own),
+                "seen": sum(way.count for way in alternatives),
                 "cyclic": symbol in inside.get(symbol, ()),
-                "ways": [{"parts": list(way.right), "count": way.count} for way in own],
+                "ways": [{"parts": list(way.right), "count": way.count} for way in alternatives],
             }
         )
     return found
@@ -54,8 +54,8 @@ def rules_csv(ways: Sequence[Rule], start: str, actions: Mapping[int, str]) -> s
     lines = csv.writer(text, lineterminator="\n")
     lines.writerow(["phrase", "symbol", "may be", "symbols", "times"])
     for way in sorted(ways, key=lambda way: (list(names).index(way.left), -way.count)):
-        said = ", ".join(names[part] if isinstance(part, str) else actions.get(part, str(part)) for part in way.right)
-        lines.writerow([names[way.left], way.left, said or "nothing", " ".join(map(str, way.right)), way.count])
+        words = ", ".join(names[part] if isinstance(part, str) else actions.get(part, str(part)) for part in way.right)
+        lines.writerow([names[way.left], way.left, words or "nothing", " ".join(map(str, way.right)), way.count])
     return text.getvalue()
 
 

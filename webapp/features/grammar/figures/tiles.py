@@ -12,13 +12,15 @@ if TYPE_CHECKING:
 Tile = tuple[str, str, str]
 
 
-def tiles(dataset: Dataset, found: LearnedGrammar) -> list[Tile]:
+def tiles(dataset: Dataset, learned: LearnedGrammar) -> list[Tile]:
     """Name, value and explanation of each figure."""
-    terminals, grammar = found.terminals, found.grammar
+    terminals, grammar = learned.terminals, learned.grammar
     count = sum(map(len, terminals.segments))
     total = max(sum(clip.n_frames for clip in dataset.clips), 1)
-    covered = sum(s.n_frames for own in terminals.segments for s in own) / total
-    recurring = sum(s.n_frames for own in terminals.segments if len(own) > 1 for s in own) / total
+    covered = sum(s.n_frames for occurrences in terminals.segments for s in occurrences) / total
+    recurring = (
+        sum(s.n_frames for occurrences in terminals.segments if len(occurrences) > 1 for s in occurrences) / total
+    )
     objective = terminals.objective
     return [
         ("Actions", str(terminals.n_terminals), "Kinds of short movements that were told apart."),
@@ -52,8 +54,8 @@ def tiles(dataset: Dataset, found: LearnedGrammar) -> list[Tile]:
         ),
         (
             "Bits",
-            f"{found.bits.total:.0f}",
-            f"What it takes to write the rules ({found.bits.grammar:.0f}) and, with them, all {len(found.sentences)} "
-            f"routines ({found.bits.sentences:.0f}). Small: the rules say much.",
+            f"{learned.bits.total:.0f}",
+            f"What it takes to write the rules ({learned.bits.grammar:.0f}) and, with them, all "
+            f"{len(learned.sentences)} routines ({learned.bits.sentences:.0f}). Small: the rules say much.",
         ),
     ]

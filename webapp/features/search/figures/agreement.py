@@ -16,46 +16,46 @@ from webapp.ui.charts import SERIES, themed
 ALL = "All queries"
 
 
-def means_table(found: Agreement, engines: Mapping[str, str]) -> Component:
-    """Mean rating and standard deviation of each engine by query (Table 4); engines: name -> what people call it."""
-    names = _order(found.overall, engines)
-    queries = list(dict.fromkeys(query for _, query in found.by_query))
-    rows = [[query_words(query), *(_spread(found.by_query.get((name, query))) for name in names)] for query in queries]
-    rows.append([ALL, *(_spread(found.overall.get(name)) for name in names)])
+def means_table(result: Agreement, engines: Mapping[str, str]) -> Component:
+    """Mean rating and standard deviation of each engine by query (Table 4); engines: name -> its everyday name."""
+    names = _order(result.overall, engines)
+    queries = list(dict.fromkeys(query for _, query in result.by_query))
+    rows = [[query_words(query), *(_spread(result.by_query.get((name, query))) for name in names)] for query in queries]
+    rows.append([ALL, *(_spread(result.overall.get(name)) for name in names)])
     return table("Mean rating ± standard deviation", ["Query", *(engines.get(n, n) for n in names)], rows)
 
 
-def correlations_table(found: Agreement, engines: Mapping[str, str]) -> Component:
+def correlations_table(result: Agreement, engines: Mapping[str, str]) -> Component:
     """Rank correlations with number of pairs and 95 % interval (Table 5)."""
-    names = _order(found.overall, engines)
-    queries = list(dict.fromkeys(query for _, query in found.by_query))
+    names = _order(result.overall, engines)
+    queries = list(dict.fromkeys(query for _, query in result.by_query))
     rows = []
     for query in queries:
-        cells = (_correlation(found.query_correlations.get((name, query))) for name in names)
+        cells = (_correlation(result.query_correlations.get((name, query))) for name in names)
         rows.append([query_words(query), *cells])
-    rows.append([ALL, *(_correlation(found.correlations.get(name), True) for name in names)])
+    rows.append([ALL, *(_correlation(result.correlations.get(name), True) for name in names)])
     return table("The engine's rank against people's", ["Query", *(engines.get(n, n) for n in names)], rows)
 
 
-def votes_table(found: WinRates, engines: Mapping[str, str]) -> Component:
+def votes_table(result: WinRates, engines: Mapping[str, str]) -> Component:
     """Share of votes that each engine's hits won, and how often people prefer the hit that it ranks higher."""
-    names = [name for name in engines if name in found.engines or name in found.higher_ranked]
-    rows = [[engines[name], _share(found.engines.get(name)), _share(found.higher_ranked.get(name))] for name in names]
+    names = [name for name in engines if name in result.engines or name in result.higher_ranked]
+    rows = [[engines[name], _share(result.engines.get(name)), _share(result.higher_ranked.get(name))] for name in names]
     head = ["Engine", "Won against other engines", "Its higher rank was preferred"]
     return table("Which is more alike?", head, rows)
 
 
-def rank_chart(found: Agreement, engines: Mapping[str, str], scheme: str | None) -> go.Figure:
+def rank_chart(result: Agreement, engines: Mapping[str, str], scheme: str | None) -> go.Figure:
     """The computer's rank against people's (Figure 6); circles grow with the variance of the ratings."""
     figure = go.Figure()
-    names = _order(found.overall, engines)
-    most = max((point.computer_rank for point in found.points), default=6)
+    names = _order(result.overall, engines)
+    most = max((point.computer_rank for point in result.points), default=6)
     figure.add_scatter(
         x=[1, most], y=[1, most], mode="lines", line={"dash": "dot", "color": "#8793a3", "width": 1}, showlegend=False,
         hoverinfo="skip", name="equal ranks",
     )  # fmt: skip
     for number, name in enumerate(names):
-        points = [point for point in found.points if point.engine == name]
+        points = [point for point in result.points if point.engine == name]
         shift = 0.12 * (number - (len(names) - 1) / 2)  # engines beside one another where their ranks are equal
         figure.add_scatter(
             x=[point.computer_rank + shift for point in points],
@@ -81,7 +81,7 @@ def rank_chart(found: Agreement, engines: Mapping[str, str], scheme: str | None)
 
 
 def query_words(segment: Segment) -> str:
-    """A stretch as people read it in a table."""
+    """An interval as text for a table."""
     return f"{segment.clip}, {segment.start} to {segment.end}"
 
 
@@ -109,19 +109,19 @@ def _spread(spread) -> str:
     return "–" if spread is None else f"{spread.mean:.2f} ± {spread.deviation:.2f} ({spread.ratings})"
 
 
-def _correlation(found: Correlation | None, whole: bool = False) -> str:
-    if found is None or not math.isfinite(found.spearman):
-        pairs = 0 if found is None else found.pairs
+def _correlation(result: Correlation | None, whole: bool = False) -> str:
+    if result is None or not math.isfinite(result.spearman):
+        pairs = 0 if result is None else result.pairs
         return f"– ({pairs} pairs)" if pairs else "–"
-    low, high = found.spearman_interval
-    text = f"ρ {found.spearman:.2f} [{low:.2f}, {high:.2f}], τ {found.kendall:.2f}"
+    low, high = result.spearman_interval
+    text = f"ρ {result.spearman:.2f} [{low:.2f}, {high:.2f}], τ {result.kendall:.2f}"
     if whole:
-        text += f" [{found.kendall_interval[0]:.2f}, {found.kendall_interval[1]:.2f}]"
-    return f"{text} ({found.pairs} pairs)"
+        text += f" [{result.kendall_interval[0]:.2f}, {result.kendall_interval[1]:.2f}]"
+    return f"{text} ({result.pairs} pairs)"
 
 
-def _share(found: Share | None) -> str:
-    if found is None or not found.votes:
+def _share(result: Share | None) -> str:
+    if result is None or not result.votes:
         return "–"
-    low, high = 100 * found.low, 100 * found.high
-    return f"{100 * found.share:.0f} % [{low:.0f}, {high:.0f}] ({found.votes} votes)"
+    low, high = 100 * result.low, 100 * result.high
+    return f"{100 * result.share:.0f} % [{low:.0f}, {high:.0f}] ({result.votes} votes)"

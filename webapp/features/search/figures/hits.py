@@ -34,12 +34,12 @@ _LIMBS = {
 
 
 def part_words(node: str) -> str:
-    """What people call a node of the body's hierarchy: ``Left arm and hand``."""
+    """The everyday name of a node of the body's hierarchy: ``Left arm and hand``."""
     return _LIMBS.get(node) or node.replace("_", " ").capitalize()
 
 
 def parts_words(leaves: Sequence[str]) -> str:
-    """What people call several leaves together: ``Upper body, left leg``."""
+    """The everyday name of several leaves together: ``Upper body, left leg``."""
     words = ", ".join(part_words(node) for node in nodes_of(leaves))
     return words[:1] + words[1:].lower()
 
@@ -51,7 +51,7 @@ def body() -> dict[str, Any]:
 
 
 def piece_row(source: Dataset, part: QueryPart, number: int, dataset: Dataset) -> dict[str, Any]:
-    """One piece of the query: where it is from, and what it gives."""
+    """One piece of the query: its source, and the parts of the body that it gives."""
     labels = [[label.start, label.end, label.action] for label in source.labels if label.clip == part.clip.name]
     return {
         "clip": part.clip.name,
@@ -88,9 +88,9 @@ def hit_row(dataset: Dataset, hit: Hit, rank: int, label: str) -> dict[str, Any]
 
 
 def strip_of(explanation: Explanation) -> dict[str, Any]:
-    """Which parts match when: a row a leaf of at most COLUMNS shares in percent, evenly over the query's time (-1:
+    """How well each part matches over time: for each leaf at most COLUMNS shares in percent, evenly over the query
 
-    unknown), and the mean of each row (None where nothing is known).
+    (-1: unknown), and the mean of each row (None where nothing is known).
     """
     similarity = np.asarray(explanation.similarity, float)
     n = similarity.shape[1]
@@ -117,9 +117,9 @@ def pair_request(
     leading = query.leading if query.leading in fitting or not fitting else fitting[0]
     items = []
     for number, (part, source) in enumerate(zip(query.parts, sources, strict=True)):
-        own = np.arange(length) if part is leading else np.linspace(0, part.end - part.start - 1, length)
+        query_frames = np.arange(length) if part is leading else np.linspace(0, part.end - part.start - 1, length)
         name = "Query" if len(query.parts) == 1 else f"Query: {parts_words(part.leaves).lower()}"
-        items.append(_item(source, part, name, SOURCE_COLOURS[number % len(SOURCE_COLOURS)], own))
+        items.append(_item(source, part, name, SOURCE_COLOURS[number % len(SOURCE_COLOURS)], query_frames))
     warp = np.clip(np.asarray(explanation.warp, float) - hit.start, 0, hit.n_frames - 1)
     shown = {"clip": hit.clip, "start": int(hit.start), "end": int(hit.end), "label": f"Hit: {hit.clip}"}
     whose = {"dataset": dataset.name, "version": dataset.fingerprint}
@@ -135,8 +135,8 @@ def query_request(dataset: Dataset, sources: Sequence[Dataset], query: Query) ->
     items = []
     for number, (part, source) in enumerate(zip(query.parts, sources, strict=True)):
         name = part.clip.name if len(query.parts) == 1 else parts_words(part.leaves)
-        own = np.linspace(0, part.end - part.start - 1, length) if len(query.parts) > 1 else None
-        items.append(_item(source, part, name, SOURCE_COLOURS[number % len(SOURCE_COLOURS)], own))
+        query_frames = np.linspace(0, part.end - part.start - 1, length) if len(query.parts) > 1 else None
+        items.append(_item(source, part, name, SOURCE_COLOURS[number % len(SOURCE_COLOURS)], query_frames))
     content = {"dataset": dataset.name, "version": dataset.fingerprint, "title": f"Query: {query.name}", "items": items}
     return {**content, "layout": "overlay" if len(items) == 1 else "side", "sync": "warp"}
 

@@ -1,4 +1,4 @@
-"""How well rankings agree with labels: a table of measures, precision-recall curves, what is taken for what."""
+"""How well rankings agree with labels: a table of measures, precision-recall curves, a confusion matrix."""
 
 from __future__ import annotations
 
@@ -33,18 +33,18 @@ Scores = Mapping[str, Mapping[str, RegimeScores]]
 
 
 def measures_table(scores: Scores, regime: str, engines: Mapping[str, str]) -> Component:
-    """A row an engine; each measure's mean with its 95 % interval. engines: name -> what people call it."""
-    there = {name: by[regime] for name, by in scores.items() if regime in by}
-    measures = list(dict.fromkeys(m for found in there.values() for m in found.measures))
+    """A row an engine; each measure's mean with its 95 % interval. engines: name -> its everyday name."""
+    scores_by_engine = {name: by[regime] for name, by in scores.items() if regime in by}
+    measures = list(dict.fromkeys(m for regime_scores in scores_by_engine.values() for m in regime_scores.measures))
     rows = [
-        [engines.get(name, name), *(_cell(found.measures.get(measure)) for measure in measures)]
-        for name, found in there.items()
+        [engines.get(name, name), *(_cell(regime_scores.measures.get(measure)) for measure in measures)]
+        for name, regime_scores in scores_by_engine.items()
     ]
     return table("Agreement with the labels", ["Engine", *measures], rows)
 
 
 def explained(scores: Scores, regime: str) -> str:
-    """What the measures of the table are, in one line."""
+    """The measures of the table explained in one line."""
     measures = dict.fromkeys(m for by in scores.values() if regime in by for m in by[regime].measures)
     return "; ".join(f"{measure}: {WORDS[measure]}" for measure in measures if measure in WORDS) + "."
 
@@ -68,15 +68,15 @@ def curves_chart(scores: Scores, regime: str, engines: Mapping[str, str], scheme
     return figure
 
 
-def confusion_chart(found: RegimeScores, scheme: str | None) -> go.Figure:
+def confusion_chart(regime_scores: RegimeScores, scheme: str | None) -> go.Figure:
     """Labels of the nearest hits (columns) for queries of each label (rows), in shares."""
-    shares = np.asarray(found.confusion, float)
-    named = len(found.contents) <= MOST_NAMES
+    shares = np.asarray(regime_scores.confusion, float)
+    named = len(regime_scores.contents) <= MOST_NAMES
     figure = go.Figure(
         go.Heatmap(
             z=shares,
-            x=found.contents,
-            y=found.contents,
+            x=regime_scores.contents,
+            y=regime_scores.contents,
             zmin=0,
             zmax=1,
             colorscale=HEAT[scheme if scheme in HEAT else "light"],
@@ -84,12 +84,12 @@ def confusion_chart(found: RegimeScores, scheme: str | None) -> go.Figure:
             hovertemplate="query: %{y}<br>hit: %{x}<br>%{z:.0%}<extra></extra>",
         )
     )
-    side = max(300, min(26 * len(found.contents) + 120, 680))
+    side = max(300, min(26 * len(regime_scores.contents) + 120, 680))
     themed(figure, scheme, height=side)
     axis = {"showticklabels": named, "showgrid": False, "title_standoff": 10}
     figure.update_xaxes(title_text="Label of the hits", tickangle=-45, **axis)
     figure.update_yaxes(title_text="Label of the query", autorange="reversed", scaleanchor=None, **axis)
-    if len(found.contents) <= 12:
+    if len(regime_scores.contents) <= 12:
         figure.update_traces(texttemplate="%{z:.0%}", textfont={"size": 11})
     figure.update_layout(font={"color": theme.CANVAS[scheme if scheme in theme.CANVAS else "light"]["text"]})
     return figure
