@@ -36,7 +36,7 @@ lint: $(VENV)/.installed-dev lint-js
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/lint-imports
-	$(BIN)/mypy core
+	$(BIN)/mypy core webapp
 	$(BIN)/python scripts/check_docstrings.py core
 	$(BIN)/python -m scripts.build_docs
 

@@ -145,7 +145,7 @@ def _clip(values: Mapping[str, str], problems: list[str]) -> dict[str, int | str
     chosen = _with_numbers("clip", values["clip"], values, ("start", "end"), problems)
     if any(values.get("as") in feature.clip_colours for feature in features()):
         chosen["as"] = values["as"]
-    if ("start" in chosen) == ("end" in chosen) and chosen.get("start", 0) < chosen.get("end", 1):
+    if ("start" in chosen) == ("end" in chosen) and int(chosen.get("start", 0)) < int(chosen.get("end", 1)):
         return chosen
     problems.append("“start” and “end” in the link must come together, start before end.")
     return {"clip": chosen["clip"]}

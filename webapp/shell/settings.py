@@ -167,10 +167,11 @@ def earlier(workspace: Workspace, name: str, dataset: str | None) -> list[tuple[
 
 def _read(name: str, view: Mapping[str, Any] | None) -> tuple[dict[str, Any], dict[str, str]]:
     """Values of a view by parameter, and what is wrong with the others: parameter -> sentence."""
-    given = texts(name, view)
-    values, problems = {}, {}
-    for parameter in parameters(name) if given else ():
-        text = given.get(key(name, parameter.name))
+    texts_in_view = texts(name, view)
+    values: dict[str, Any] = {}
+    problems: dict[str, str] = {}
+    for parameter in parameters(name) if texts_in_view else ():
+        text = texts_in_view.get(key(name, parameter.name))
         if text not in (None, ""):
             try:
                 values[parameter.name] = parameter.parse(text)

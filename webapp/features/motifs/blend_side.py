@@ -16,6 +16,7 @@ from core.workspace import Workspace, WorkspaceError
 from webapp.features.motifs import mixtures
 from webapp.features.motifs.playing import mixing, moment, shown_motions, stage_request
 from webapp.shell import results
+from webapp.shell.attributes import attributes
 from webapp.shell.icons import icon
 from webapp.shell.results import find_motif
 from webapp.ui.brief_names import brief_names
@@ -54,7 +55,7 @@ def layout() -> Component:
                                 title="Save the mixture as a BVH file",
                             ),
                         ],
-                        **{"aria-label": "Mixture"},
+                        **attributes(aria_label="Mixture"),
                     ),
                     html.P(id="blend-note", className="muted blend-note"),
                 ],
@@ -65,8 +66,8 @@ def layout() -> Component:
 
 
 def _button(label: str, action: str, tip: str, toggle: bool = False) -> Component:
-    pressed = {"aria-pressed": "false"} if toggle else {}
-    return html.Button(label, type="button", className="blend-button", title=tip, **{"data-blend": action}, **pressed)
+    data = attributes(data_blend=action) | (attributes(aria_pressed="false") if toggle else {})
+    return html.Button(label, type="button", className="blend-button", title=tip, **data)
 
 
 def register(app: Dash, workspace: Workspace) -> None:

@@ -58,13 +58,13 @@ def _motif_summary(dataset: Any, graph: Any, seconds: dict[str, float], argument
 
 
 def _peak_memory() -> float:
-    """Bytes that this process has held at most."""
-    try:
-        import resource
-    except ImportError:  # Windows
+    """The largest memory of this process so far, in bytes."""
+    if sys.platform == "win32":
         import psutil
 
-        return psutil.Process().memory_info().peak_wset
+        return float(psutil.Process().memory_info().peak_wset)
+    import resource
+
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     return peak if sys.platform == "darwin" else peak * 1024
 

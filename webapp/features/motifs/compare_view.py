@@ -23,6 +23,7 @@ from webapp.features.motifs.playing import comparing, mixing, stage_request
 from webapp.features.motifs.recipes import compare_commands, compare_script
 from webapp.jobs.running import running
 from webapp.shell import results, settings
+from webapp.shell.attributes import attributes
 from webapp.shell.buttons import copies, sends
 from webapp.shell.messages import empty_state, notice
 from webapp.ui import tables
@@ -73,7 +74,7 @@ def _result() -> list[Component]:
         value="all",
         size="xs",
         className="compare-filter",
-        **{"aria-label": "Which changes to list"},
+        **attributes(aria_label="Which changes to list"),
     )
     bar = html.Div(
         [
@@ -81,9 +82,9 @@ def _result() -> list[Component]:
             html.Div(className="spacer"),
             html.Div(id="compare-again", className="head-menus"),
             table_download("compare-table", "comparison"),
-        ]
+        ],
+        className="table-bar",
     )
-    bar.className = "table-bar"
     heads = html.Div([html.Span("This result"), html.Span("The other result")], className="compare-heads muted")
     return [
         html.P(id="compare-sentence", className="compare-sentence", role="status"),

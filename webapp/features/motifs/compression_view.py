@@ -21,6 +21,7 @@ from webapp.features.motifs.figures.compression import (
     motif_chart,
     motif_sentence,
 )
+from webapp.shell.attributes import attributes
 from webapp.shell.icons import icon
 from webapp.ui import charts
 from webapp.ui.downloads import chart_menu
@@ -38,7 +39,7 @@ WHOLE = on_demand.OnDemand(
     frame=lambda waiting: [html.Div(html.H3("Whole dataset"), className="chart-head"), waiting],
 )
 _TALL = {"height": HEIGHT}
-_NONE = {"data": [], "layout": {}}
+_NO_CHART: dict[str, Any] = {"data": [], "layout": {}}
 HELP = (
     "Own motions: some motions of the motif are kept as they are, the others are weighted sums of these. "
     "PCA of motions: sums of principal motions. PCA of postures: each frame is a sum of principal postures. "
@@ -65,7 +66,7 @@ def layout() -> Component:
                                 data=[{"value": value, "label": label} for value, (label, _) in MEASURES.items()],
                                 value="cm",
                                 size="xs",
-                                **{"aria-label": "How the error is measured"},
+                                **attributes(aria_label="How the error is measured"),
                             ),
                             chart_menu("compression-chart", "compression of a motif"),
                         ],
@@ -93,7 +94,7 @@ def _motif_part() -> list[Component]:
             id="compression-motif",
             className="hidden",
             children=[
-                dcc.Graph(id="compression-chart", figure=_NONE, config=charts.CONFIG, style=_TALL),
+                dcc.Graph(id="compression-chart", figure=_NO_CHART, config=charts.CONFIG, style=_TALL),
                 html.Div(
                     className="compression-bar",
                     children=[
@@ -109,7 +110,7 @@ def _motif_part() -> list[Component]:
 def help_mark(text: str) -> Component:
     """A mark that explains what is beside it."""
     return dmc.Tooltip(
-        html.Span(icon("info", 14), className="help-mark", tabIndex="0", role="note", **{"aria-label": text}),
+        html.Span(icon("info", 14), className="help-mark", tabIndex="0", role="note", **attributes(aria_label=text)),
         label=text,
         events={"hover": True, "focus": True, "touch": True},
     )
@@ -125,7 +126,7 @@ def _select(name: str, placeholder: str, label: str) -> Component:
         allowDeselect=False,
         comboboxProps={"shadow": "md", "position": "top-start"},
         maxDropdownHeight=320,
-        **{"aria-label": label},
+        **attributes(aria_label=label),
     )
 
 
@@ -166,7 +167,7 @@ def _chart(app: Dash, workspace: Workspace) -> None:
         except WorkspaceError as error:
             curves, words = None, str(error)
         if curves is None:
-            return "This motif", words, "hidden", _NONE, [], None, now
+            return "This motif", words, "hidden", _NO_CHART, [], None, now
         same, steps = before and before[:2] == now[:2], _steps(curves)
         asked = (view or {}).get("step") if not before else None  # what the link says
         chosen = asked if any(asked == one["value"] for group in steps for one in group["items"]) else None
@@ -227,7 +228,7 @@ def _play(app: Dash, workspace: Workspace) -> None:
         method, step = read_step(value)
         motions = mixtures.matrices_of(workspace, of[0], of[1])
         errors = motion_errors(motions, method, step)
-        worst = max(errors, key=errors.get)
+        worst = max(errors, key=lambda motion: errors[motion])
         data = [
             {"value": str(k), "label": f"Motion {k + 1}: {cm:.1f} cm" + (", worst" if k == worst else "")}
             for k, cm in errors.items()

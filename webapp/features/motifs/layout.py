@@ -17,6 +17,7 @@ from core.workspace import MotifNote
 from webapp.features.motifs import stability_marks, views
 from webapp.features.motifs.figures import graph as graph_figure
 from webapp.features.motifs.playing import moment, transition_segment
+from webapp.shell.attributes import attributes
 from webapp.shell.buttons import sends, similar
 from webapp.shell.icons import icon
 from webapp.shell.messages import empty_state
@@ -132,7 +133,7 @@ def _graph_card(graph: MotifGraph, elements: list[dict], scheme: str) -> Compone
                                 value=threshold,
                                 size="xs",
                                 w=120,
-                                **{"aria-label": "Hide successions seen less often"},
+                                **attributes(aria_label="Hide successions seen less often"),
                             ),
                         ],
                     ),
@@ -172,7 +173,7 @@ def _tool(symbol: str, label: str, value: dict[str, str]) -> Component:
         variant="default",
         size=30,
         **sends("graph-tool", value, every_time=True),
-        **{"aria-label": label},
+        **attributes(aria_label=label),
         attributes={"root": {"title": label}},
     )
 
@@ -256,7 +257,8 @@ def motion_list(dataset: Dataset, graph: MotifGraph, selection: Mapping[str, Any
     motif = find_motif(graph, selection["motif"]) if "motif" in selection else None
     edge = find_edge(graph, selection["edge"]) if "edge" in selection else None
     if motif is not None:
-        name, key, total, chosen = {"motif": motif.id}, "motion", len(motif.segments), selection.get("motion")
+        name: dict[str, Any] = {"motif": motif.id}
+        key, total, chosen = "motion", len(motif.segments), selection.get("motion")
         segments = motif.segments[:MOST_ROWS]
     elif edge is not None:
         name, key = {"edge": f"{edge.source}-{edge.target}"}, "transition"

@@ -96,14 +96,16 @@ def register(app: Dash, workspace: Workspace) -> None:
             return no_update
         try:
             before = results.motif_notes(workspace, dataset, view).get(motif, MotifNote())
-            said = (name or "", tuple(tags or ()), text or "")
-            if said == (before.name, before.tags, before.note):
+            note = (name or "", tuple(tags or ()), text or "")
+            if note == (before.name, before.tags, before.note):
                 return no_update
             graph = results.motif_graph(workspace, dataset, view)
             key = results.motif_graph_key(workspace, dataset, view)
-            chosen = find_motif(graph, motif)
-            home = workspace.info(dataset).id
-            workspace.notes.put(home, key, motif, chosen.segments, name=said[0], tags=said[1], note=said[2])
+            chosen = find_motif(graph, motif) if graph else None
+            if key is None or chosen is None:
+                return no_update
+            dataset_id = workspace.info(dataset).id
+            workspace.notes.put(dataset_id, key, motif, chosen.segments, name=note[0], tags=note[1], note=note[2])
         except WorkspaceError as error:
             return html.Span(str(error), className="error-text")
         return "Saved."

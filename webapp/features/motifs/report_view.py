@@ -11,7 +11,7 @@ from dash.development.base_component import Component
 
 from core.motifs.graph import MotifGraph
 from core.motifs.redundancy import Redundancy
-from core.workspace import Workspace
+from core.workspace import Workspace, WorkspaceError
 from webapp.features.motifs import on_demand
 from webapp.features.motifs.figures.redundancy import CLIP_COLUMNS, clip_rows, copy_entries, kept_chart, rare_entries
 from webapp.shell import recipes, results
@@ -46,6 +46,8 @@ def register(app: Dash, workspace: Workspace) -> None:
     def shown(report: Redundancy, name: str, view: Mapping[str, Any] | None, scheme: str | None) -> Component:
         recipe = recipes.script(workspace.path, REPORT.request(name, view))
         graph = results.motif_graph(workspace, name, view)
+        if graph is None:
+            raise WorkspaceError("The motifs of this report are no longer there; find them again.")
         return body(report, graph, workspace.open(name), scheme, recipe)
 
     on_demand.register(app, workspace, REPORT, shown)

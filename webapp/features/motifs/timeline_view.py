@@ -11,6 +11,7 @@ from dash.development.base_component import Component
 
 from core.workspace import Workspace
 from webapp.shell import results, settings
+from webapp.shell.attributes import attributes
 from webapp.ui.downloads import drawing_menu
 from webapp.ui.timeline import timeline
 
@@ -32,20 +33,20 @@ def layout() -> Component:
                         size="xs",
                         w=190,
                         allowDeselect=False,
-                        **{"aria-label": "Order of the clips"},
+                        **attributes(aria_label="Order of the clips"),
                     ),
                     dmc.SegmentedControl(
                         id="timeline-scale",
                         data=[{"value": "same", "label": "Same scale"}, {"value": "fill", "label": "Fill the width"}],
                         value="same",
                         size="xs",
-                        **{"aria-label": "Scale of time"},
+                        **attributes(aria_label="Scale of time"),
                     ),
                     drawing_menu("timeline", "timeline"),
                     html.Div(id="timeline-legend", className="timeline-legend"),
                 ],
             ),
-            html.Div(id="timeline-rows", className="card timeline-rows", role="list", **{"aria-label": "Clips"}),
+            html.Div(id="timeline-rows", className="card timeline-rows", role="list", **attributes(aria_label="Clips")),
             dcc.Store(id="timeline-data"),
             dcc.Store(id="timeline-drawn"),
             dcc.Store(id="timeline-marked"),

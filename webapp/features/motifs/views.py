@@ -24,6 +24,7 @@ from webapp.features.motifs import (
     timeline_view,
     walk_side,
 )
+from webapp.shell.attributes import attributes
 from webapp.shell.icons import icon
 from webapp.ui.downloads import table_download
 
@@ -50,7 +51,7 @@ def _table() -> Component:
         leftSection=icon("search", 14),
         size="xs",
         className="motif-search",
-        **{"aria-label": "Search motifs"},
+        **attributes(aria_label="Search motifs"),
     )
     bar = html.Div(
         [search, html.Div(className="spacer"), table_download("motif-table", "motifs")], className="table-bar"
@@ -109,7 +110,7 @@ def switch(key: str, label: str) -> Component:
         size="xs",
         className="view-switch" + ("" if len(PARTS[key]) > 1 else " hidden"),
         attributes={"root": {"data-key": key}},
-        **{"aria-label": label},
+        **attributes(aria_label=label),
     )
 
 
@@ -119,7 +120,7 @@ def panels(key: str) -> list[Component]:
         html.Div(
             part.layout(),
             className="view-panel" + (" hidden" if number else ""),
-            **{"data-key": key, "data-value": part.value},
+            **attributes(data_key=key, data_value=part.value),
         )
         for number, part in enumerate(PARTS[key])
     ]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import dash_mantine_components as dmc
 from dash import Dash, Input, Output, State, dcc, html, no_update
 from dash.dependencies import ClientsideFunction
@@ -11,6 +13,7 @@ from core.workspace import Workspace, WorkspaceError
 from webapp.features.motifs import walks
 from webapp.features.motifs.playing import walking
 from webapp.shell import results
+from webapp.shell.attributes import attributes
 from webapp.shell.icons import icon
 
 MOST_SECONDS = 300  # of a random walk that one asks for here
@@ -26,10 +29,10 @@ def layout() -> Component:
                 className="section-head",
             ),
             html.P(id="walk-hint", className="muted walk-hint"),
-            html.Ol(id="walk-path", className="walk-path", **{"aria-label": "Path of the walk"}),
+            html.Ol(id="walk-path", className="walk-path", **attributes(aria_label="Path of the walk")),
             html.Div(id="walk-error", className="walk-error hidden", role="alert"),
             html.Div(id="walk-meters", className="walk-meters hidden"),
-            html.Div(_buttons(), className="walk-buttons", role="group", **{"aria-label": "The walk"}),
+            html.Div(_buttons(), className="walk-buttons", role="group", **attributes(aria_label="The walk")),
             html.Div(id="walk-notes", className="walk-notes muted"),
             html.Hr(className="walk-rule"),
             html.Div(_add(), className="walk-row"),
@@ -78,7 +81,7 @@ def _between() -> list[Component]:
 
 
 def _random() -> list[Component]:
-    number = {"type": "number", "className": "walk-number"}
+    number: dict[str, Any] = {"type": "number", "className": "walk-number"}
     return [
         html.Span("Random", className="walk-label"),
         dcc.Input(id="walk-seconds", value=30, min=1, max=MOST_SECONDS, step=1, **number),
@@ -98,7 +101,7 @@ def _choices() -> list[Component]:
 
 
 def _button(label, action: str, tip: str) -> Component:
-    return html.Button(label, type="button", className="walk-button", title=tip, **{"data-walk": action})
+    return html.Button(label, type="button", className="walk-button", title=tip, **attributes(data_walk=action))
 
 
 def register(app: Dash, workspace: Workspace) -> None:
@@ -124,7 +127,7 @@ def register(app: Dash, workspace: Workspace) -> None:
             names = {m: note.name for m, note in results.motif_notes(workspace, name, view).items() if note.name}
             data = walks.walk_data(workspace, dataset, graph, key, view, names)
         except WorkspaceError as error:
-            data = {"key": key, "asked": walks.asked_of(view), "error": str(error)}
+            data = {"key": key, "asked": walks.link_keys_of(view), "error": str(error)}
         return no_update if data == before else data
 
     app.clientside_callback(

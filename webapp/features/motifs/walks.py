@@ -51,9 +51,9 @@ def open_walk(workspace: Workspace, key: str) -> Dataset:
     return Dataset(virtual_name(WALK, key), (walk.clip,))
 
 
-def asked_of(view: Mapping[str, str] | None) -> dict[str, str]:
-    """What of the link says which walk it is."""
-    return {key: view[key] for key in KEYS if (view or {}).get(key)}
+def link_keys_of(view: Mapping[str, str] | None) -> dict[str, str]:
+    """The keys of a link that say which walk it is."""
+    return {key: text for key in KEYS if (text := (view or {}).get(key))}
 
 
 def walk_data(
@@ -68,7 +68,7 @@ def walk_data(
 
     names: what people called motifs.
     """
-    asked = asked_of(view)
+    asked = link_keys_of(view)
     data = {"key": graph_key, "asked": asked, "dataset": dataset.name, "motifs": _motifs(graph, names)}
     if not graph.motifs:
         return data | {"error": "This graph has no motifs to walk through."}

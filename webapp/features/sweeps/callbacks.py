@@ -81,13 +81,15 @@ def _fill(app: Dash, workspace: Workspace) -> None:
     def fill(view, name, x_name, y_name):
         dataset = _dataset(workspace, name)
         form = reading.form_of(dataset, view)
+        values: dict[str, Any] = {}
         if ctx.triggered_id == "sweep-x-name" and x_name and x_name != form.x_name:
-            form = form._replace(x_name=x_name, x_values=reading.usual_values(dataset, x_name))
-            form = form._replace(y_name=y_name, y_values=no_update, seeds=no_update)
+            values = {"x_name": x_name, "x_values": reading.usual_values(dataset, x_name)}
+            values |= {"y_name": y_name, "y_values": no_update, "seeds": no_update}
         elif ctx.triggered_id == "sweep-y-name" and y_name and y_name != form.y_name:
-            form = form._replace(y_name=y_name, y_values=reading.usual_values(dataset, y_name))
-            form = form._replace(x_name=x_name, x_values=no_update, seeds=no_update)
-        return (*form, "hidden" if form.y_name == reading.NO_AXIS else "")
+            values = {"y_name": y_name, "y_values": reading.usual_values(dataset, y_name)}
+            values |= {"x_name": x_name, "x_values": no_update, "seeds": no_update}
+        shown = form._asdict() | values
+        return (*shown.values(), "hidden" if shown["y_name"] == reading.NO_AXIS else "")
 
     @app.callback(
         Output("sweep-base", "children"),

@@ -79,7 +79,7 @@ def rows_as_csv(points: tuple[MotifParameters, ...], figures: list[Figures], axe
 
 
 def _figures(arguments: Namespace, values: SweepParameters, report: Report) -> list[Figures]:
-    """Of every point, in order; those of a data set in a workspace are kept there."""
+    """The figures of every point, in order; those of a dataset in a workspace are kept there."""
     named = named_dataset(arguments.source)
     if named and not arguments.clips:
         refuse_reading_options(arguments)
@@ -88,8 +88,9 @@ def _figures(arguments: Namespace, values: SweepParameters, report: Report) -> l
         analyses.run(workspace, analyses.Request(name, "sweep", parameters), report)
         dataset = workspace.open(name)
         keys = [analyses.point_key(dataset.fingerprint, point) for point in values.points()]
-        stored = read_figures(workspace, dataset, keys)
-        if None in stored:
+        figures = read_figures(workspace, dataset, keys)
+        stored = [point for point in figures if point is not None]
+        if len(stored) < len(figures):
             raise WorkspaceError("Some results of the sweep are gone again; run it once more.")
         return stored
     return _in_memory(open_source(arguments, report), values.points(), report)

@@ -14,6 +14,7 @@ from core.workspace import Job
 from webapp.features.sweeps.figures.measures import MEASURES
 from webapp.features.sweeps.reading import MOST_SEEDS, NO_AXIS
 from webapp.jobs.running import running
+from webapp.shell.attributes import attributes
 from webapp.shell.buttons import copies
 from webapp.shell.icons import icon
 from webapp.shell.messages import empty_state
@@ -133,7 +134,7 @@ def _chart(side: str) -> Component:
                         size="xs",
                         w=190,
                         allowDeselect=False,
-                        **{"aria-label": "Figures shown"},
+                        **attributes(aria_label="Figures shown"),
                     ),
                     html.Div(
                         [
@@ -143,7 +144,7 @@ def _chart(side: str) -> Component:
                                 size="xs",
                                 w=92,
                                 allowDeselect=False,
-                                **{"aria-label": "Value of the other axis"},
+                                **attributes(aria_label="Value of the other axis"),
                             ),
                         ],
                         id=f"sweep-at-box-{side}",
@@ -174,7 +175,7 @@ def _heat() -> Component:
                         size="xs",
                         w=190,
                         allowDeselect=False,
-                        **{"aria-label": "Figure of the map"},
+                        **attributes(aria_label="Figure of the map"),
                     ),
                     html.Span(id="sweep-measure-help", className="muted sweep-help"),
                     html.Div(className="spacer"),
@@ -191,14 +192,16 @@ def _graph(name: str, height: int) -> Component:
 
 
 def status(dataset: str | None, job: Job | None, ready: int, total: int, problem: str = "") -> Component | None:
-    """What stands above the charts, or in their place: progress, an ending, or what to do."""
+    """The message above the charts, or in their place: progress, how the sweep ended, or what to do."""
     if not dataset:
         link = dcc.Link("Go to the library", href="/library", className="text-link")
         return _card(empty_state("person", "No dataset yet", "Add recordings, or make the demo, in the library.", link))
     if problem:
         return _card(empty_state("warning", "This sweep cannot be run", problem))
     if job is not None and job.alive:
-        return _strip(job) if ready else _card(running(job, "Sweeping", "sweep"))
+        if ready:  # above the charts that are there already
+            return running(job, "Sweeping", "sweep", "card sweep-running section")
+        return _card(running(job, "Sweeping", "sweep"))
     if ready == total:
         return None
     state = job.state if job is not None else ""
@@ -206,16 +209,9 @@ def status(dataset: str | None, job: Job | None, ready: int, total: int, problem
         state, ("sweep", "No sweep yet")
     )
     if not ready:
-        return _card(empty_state(symbol, words, job.error if state == "failed" else HINT))
-    said = {"failed": f"{words}: {job.error if job else ''}", "cancelled": f"{words}."}.get(state, "")
-    return _note(f"{said} {ready} of {total} points are there; Run sweep computes the others.")
-
-
-def _strip(job: Job) -> Component:
-    """Progress above charts that are there already."""
-    box = running(job, "Sweeping", "sweep")
-    box.className = "card sweep-running section"
-    return box
+        return _card(empty_state(symbol, words, job.error if job is not None and state == "failed" else HINT))
+    message = {"failed": f"{words}: {job.error if job else ''}", "cancelled": f"{words}."}.get(state, "")
+    return _note(f"{message} {ready} of {total} points are there; Run sweep computes the others.")
 
 
 def _note(words: str) -> Component:

@@ -116,12 +116,12 @@ def recipes_of(workspace: Path, name: str, sweep: SweepParameters) -> dict[str, 
     for parameter, value in base.items():
         words += [f"--{parameter.replace('_', '-')}", write_value(value)]
     words += ["--seeds", str(sweep.seeds), "--out", "sweep.csv"]
-    given = ", ".join(f"{parameter}={value!r}" for parameter, value in base.items())
+    base_arguments = ", ".join(f"{parameter}={value!r}" for parameter, value in base.items())
     script = [
         "from core import MotifParameters, Workspace, sweep",
         "",
         f"dataset = Workspace({str(workspace)!r}).open({name!r})",
-        f"points = sweep(dataset, MotifParameters({given}), {axes!r}, seeds={sweep.seeds})",
+        f"points = sweep(dataset, MotifParameters({base_arguments}), {axes!r}, seeds={sweep.seeds})",
         "for point in points:",
         "    print(point.parameters.kappa, point.parameters.rho, point.parameters.seed, dict(point.graph.metrics))",
     ]
@@ -131,7 +131,7 @@ def recipes_of(workspace: Path, name: str, sweep: SweepParameters) -> dict[str, 
 def _kappas(dataset: Dataset | None) -> tuple[Any, ...]:
     """The paper's, as far as there are frames for so many letters (30 a second, as poses are usually looked at)."""
     most = 30 * dataset.seconds / _ENOUGH_FRAMES if dataset is not None else float("inf")
-    return tuple(kappa for kappa in USUAL["kappa"] if kappa <= most) or USUAL["kappa"][:2]
+    return tuple(kappa for kappa in USUAL["kappa"] if float(kappa) <= most) or USUAL["kappa"][:2]
 
 
 def _compact(values: str) -> str:

@@ -105,10 +105,10 @@ def rows(
         }
 
     def new(fate: Fate) -> Row:
-        empty = {"here": "", "here_strip": "", "overlap": None, "selection": {}}
+        empty: Row = {"here": "", "here_strip": "", "overlap": None, "selection": {}}
         shown = {"there": str(fate.motif), "there_strip": strip(motifs_b[fate.motif])}
-        own = {"key": f"b{fate.motif}", "change": fate.change, "seconds": round(fate.seconds, 1)}
-        return own | empty | shown | {"view": {"gained": str(fate.motif)}}
+        change = {"key": f"b{fate.motif}", "change": fate.change, "seconds": round(fate.seconds, 1)}
+        return change | empty | shown | {"view": {"gained": str(fate.motif)}}
 
     return [*map(row, comparison.a), *(new(fate) for fate in comparison.b if fate.change == "gained")]
 

@@ -37,19 +37,19 @@ def charts(table: SweepTable) -> Iterator[tuple[str, str]]:
 
 
 def fixed(table: SweepTable, name: str) -> dict[str, Any]:
-    """Where the other axes stand in a chart along ``name``: at the value nearest the default, for kappa at the paper's
+    """The values of the other axes in a chart along ``name``: those nearest the defaults, and to the paper's kappa of
     200.
     """
     usual = {p.name: p.default for p in parameters_of(MotifParameters)} | {"kappa": PAPER_KAPPA}
-    return {
-        other: min(values, key=lambda value, wanted=usual[other]: _far(value, wanted))
-        for other, values in table.axes.items()
-        if other != name
-    }
+    return {other: _nearest(values, usual[other]) for other, values in table.axes.items() if other != name}
 
 
-def _far(value: Any, wanted: Any) -> float:
-    """0 for the same, infinite for a word that is another one, else the difference."""
+def _nearest(values: Sequence[Any], wanted: Any) -> Any:
+    return min(values, key=lambda value: _distance(value, wanted))
+
+
+def _distance(value: Any, wanted: Any) -> float:
+    """0 for equal values, infinite between different words, else the difference."""
     if value == wanted:
         return 0.0
     return math.inf if isinstance(value, str) or isinstance(wanted, str) else abs(value - wanted)
