@@ -170,9 +170,9 @@ def _number(values: Mapping[str, str], key: str, problems: list[str]) -> int | N
 
 def _view(page: str, values: Mapping[str, str], problems: list[str]) -> dict[str, str]:
     keys = next(feature.keys for feature in features() if feature.path == page)
-    found = {key: values[key] for key in view_keys()[page] if values.get(key)}
-    usable = {key: text for key, text in found.items() if _view_value(keys, key, text)}
-    problems += [f"“{key}” in the link could not be understood." for key in found if key not in usable]
+    texts = {key: values[key] for key in view_keys()[page] if values.get(key)}
+    usable = {key: text for key, text in texts.items() if _view_value(keys, key, text)}
+    problems += [f"“{key}” in the link could not be understood." for key in texts if key not in usable]
     return usable
 
 

@@ -99,9 +99,11 @@ def register(app: Dash, workspace: Workspace) -> None:
         prevent_initial_call=True,
     )
     def play(selection, _stores, view, dataset_name):
-        gone = missing(workspace, dataset_name, selection, view)
-        if gone:
-            set_props("notices", {"sendNotifications": [notice("That is not there", gone, "orange", id="not-there")]})
+        message = missing(workspace, dataset_name, selection, view)
+        if message:
+            set_props(
+                "notices", {"sendNotifications": [notice("That is not there", message, "orange", id="not-there")]}
+            )
             set_props("selection", {"data": {}})
         return selected_request(workspace, dataset_name, selection, view) or no_update
 

@@ -47,8 +47,8 @@ def find_motif(graph: MotifGraph, number: Any) -> Motif | None:
 
 def find_motifs(graph: MotifGraph, selection: Mapping[str, Any]) -> list[Motif]:
     """The motifs that a selection names, one or several; those that are not there left out."""
-    wanted = set(str(selection.get("motifs", selection.get("motif", ""))).split("-"))
-    return [motif for motif in graph.motifs if str(motif.id) in wanted]
+    numbers = set(str(selection.get("motifs", selection.get("motif", ""))).split("-"))
+    return [motif for motif in graph.motifs if str(motif.id) in numbers]
 
 
 def find_edge(graph: MotifGraph, name: Any) -> Edge | None:

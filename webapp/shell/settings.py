@@ -70,7 +70,7 @@ def usable(page: str, view: Mapping[str, str]) -> tuple[dict[str, str], tuple[st
     Whether settings go together is checked for the methods of ``page`` alone: a sweep puts other values in the place of
     those that stand in the link.
     """
-    kept = dict(view)
+    usable_view = dict(view)
     problems: list[str] = []
     for feature in features():
         for name in feature.methods:
@@ -79,8 +79,8 @@ def usable(page: str, view: Mapping[str, str]) -> tuple[dict[str, str], tuple[st
             if feature.path == page and not wrong and (problem := _problem(name, values)):
                 problems.append(problem)
                 values = _going_together(name, values)
-            kept = {k: text for k, text in kept.items() if k not in keys(name)} | in_link(name, values)
-    return kept, tuple(problems)
+            usable_view = {k: text for k, text in usable_view.items() if k not in keys(name)} | in_link(name, values)
+    return usable_view, tuple(problems)
 
 
 def not_default(name: str, values: Mapping[str, Any]) -> dict[str, str]:
@@ -111,8 +111,8 @@ def write_list(name: str, values: Mapping[str, Any]) -> str:
 def read_list(name: str, text: str) -> dict[str, str]:
     """What :func:`write_list` wrote, as a view holds it; what makes no sense is left out."""
     pairs = (part.partition(":") for part in text.split(",") if ":" in part)
-    given = {key(name, parameter.strip()): value.strip() for parameter, _, value in pairs}
-    return in_link(name, request_of(name, "", given).parameters)
+    texts_given = {key(name, parameter.strip()): value.strip() for parameter, _, value in pairs}
+    return in_link(name, request_of(name, "", texts_given).parameters)
 
 
 def of_other_pages(page: str, view: Mapping[str, str] | None) -> dict[str, str]:
@@ -157,8 +157,8 @@ def earlier(workspace: Workspace, name: str, dataset: str | None) -> list[tuple[
         return []
     past: dict[str, tuple[Job, dict[str, str]]] = {}
     for job in workspace.jobs.list(200) if fingerprint else ():
-        mine = job.request.get("method") == methods()[name] and job.request.get("fingerprint") == fingerprint
-        if job.state == "done" and mine and job.key not in past:
+        same_dataset = job.request.get("method") == methods()[name] and job.request.get("fingerprint") == fingerprint
+        if job.state == "done" and same_dataset and job.key not in past:
             values = job.request["parameters"]
             if key_of(workspace, name, dataset, view_of(name, values)) == job.key:
                 past[job.key] = job, not_default(name, values)

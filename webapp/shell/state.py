@@ -97,11 +97,11 @@ def register(app: dash.Dash, workspace: Workspace) -> None:
     )
 
 
-def choose_dataset(wanted: str | None, known: list[str]) -> tuple[str | None, tuple[str, ...]]:
+def choose_dataset(requested: str | None, known: list[str]) -> tuple[str | None, tuple[str, ...]]:
     """The dataset to show and, where it is not the wanted one, why."""
-    if wanted in known:
-        return wanted, ()
+    if requested in known:
+        return requested, ()
     first = known[0] if known else None
-    if wanted is None:
+    if requested is None:
         return first, ()
-    return first, (f"There is no dataset called “{wanted[:60]}” here any more.",)
+    return first, (f"There is no dataset called “{requested[:60]}” here any more.",)

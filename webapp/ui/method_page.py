@@ -64,71 +64,71 @@ class MethodPage:
         return [p for p in settings.parameters(self.page) if p.name not in self.without]
 
 
-def run_button(of: MethodPage) -> Component:
+def run_button(method: MethodPage) -> Component:
     """The button in the page's head that computes the result."""
-    return dmc.Button(of.action, id=of.names.run, leftSection=icon(of.run_symbol or of.symbol, 16))
+    return dmc.Button(method.action, id=method.names.run, leftSection=icon(method.run_symbol or method.symbol, 16))
 
 
-def settings_fold(of: MethodPage) -> Component:
+def settings_fold(method: MethodPage) -> Component:
     """The settings, folded away: what differs from the defaults stands in the line that is seen."""
-    head = [html.Span("Settings", className="settings-title"), html.Span(id=of.names.summary, className="muted")]
+    head = [html.Span("Settings", className="settings-title"), html.Span(id=method.names.summary, className="muted")]
     return dmc.Accordion(
-        id=of.names.fold,
+        id=method.names.fold,
         variant="contained",
         className="settings",
         value=None,
         children=dmc.AccordionItem(
             value="form",
-            children=[dmc.AccordionControl(head), dmc.AccordionPanel(html.Div(id=of.names.form))],
+            children=[dmc.AccordionControl(head), dmc.AccordionPanel(html.Div(id=method.names.form))],
         ),
     )
 
 
-def status_place(of: MethodPage) -> Component:
+def status_place(method: MethodPage) -> Component:
     """Progress, an ending, or what to do, in place of a result that is not there; and the page's stores."""
-    own = [dcc.Store(id=store) for store in (of.names.status_of, of.names.again)]
-    return html.Div([html.Div(id=of.names.status), *own, *([] if of.everywhere else stores(of))])
+    page_stores = [dcc.Store(id=store) for store in (method.names.status_of, method.names.again)]
+    return html.Div([html.Div(id=method.names.status), *page_stores, *([] if method.everywhere else stores(method))])
 
 
-def stores(of: MethodPage) -> list[Component]:
-    """What other pages know of the settings and the result: for the frame of the app, where ``of.everywhere``."""
-    return [dcc.Store(id=store) for store in (of.names.settings, of.names.result_key)]
+def stores(method: MethodPage) -> list[Component]:
+    """What other pages know of the settings and the result: for the frame of the app, where ``method.everywhere``."""
+    return [dcc.Store(id=store) for store in (method.names.settings, method.names.result_key)]
 
 
-def register(app: Dash, workspace: Workspace, of: MethodPage) -> None:
+def register(app: Dash, workspace: Workspace, method: MethodPage) -> None:
     """The callbacks of the settings, the button and the status."""
-    _form(app, of)
-    _run(app, workspace, of)
-    _look(app, workspace, of)
+    _form(app, method)
+    _run(app, workspace, method)
+    _look(app, workspace, method)
 
 
-def _form(app: Dash, of: MethodPage) -> None:
+def _form(app: Dash, method: MethodPage) -> None:
     app.clientside_callback(
         ClientsideFunction("settings", "pick"),
-        Output(of.names.settings, "data"),
+        Output(method.names.settings, "data"),
         Input(VIEW, "data"),
-        State(of.names.settings, "data"),
-        State(of.names.settings, "id"),
+        State(method.names.settings, "data"),
+        State(method.names.settings, "id"),
         State(SETTINGS_KEYS, "data"),
     )
 
     @app.callback(
-        Output(of.names.form, "children"),
-        Output(of.names.summary, "children"),
-        Input(of.names.settings, "data"),
+        Output(method.names.form, "children"),
+        Output(method.names.summary, "children"),
+        Input(method.names.settings, "data"),
     )
     def show_form(view):
-        values = settings.request_of(of.page, "", view).parameters
-        return parameter_form(of.shown, values, of.names.control), summary(settings.not_default(of.page, values))
+        values = settings.request_of(method.page, "", view).parameters
+        return parameter_form(method.shown, values, method.names.control), summary(settings.not_default(method.page, values))
 
 
-def _run(app: Dash, workspace: Workspace, of: MethodPage) -> None:
-    control = of.names.control(ALL)
+def _run(app: Dash, workspace: Workspace, method: MethodPage) -> None:
+    control = method.names.control(ALL)
 
     @app.callback(
         Output(control, "error"),
-        Input(of.names.run, "n_clicks"),
-        Input(of.names.again, "data"),
+        Input(method.names.run, "n_clicks"),
+        Input(method.names.again, "data"),
         State(control, "value"),
         State(control, "id"),
         State(DATASET, "data"),
@@ -136,16 +136,16 @@ def _run(app: Dash, workspace: Workspace, of: MethodPage) -> None:
         prevent_initial_call=True,
     )
     def run(_clicks, _again, values, ids, dataset, view):
-        taken, problems = read_form(of.shown, ids, values)
+        form_values, problems = read_form(method.shown, ids, values)
         if problems:
-            set_props(of.names.fold, {"value": "form"})
+            set_props(method.names.fold, {"value": "form"})
             return [problems.get(component["name"]) for component in ids]
-        kept = settings.request_of(of.page, dataset or "", view).parameters
-        taken |= {name: value for name, value in kept.items() if name in of.without}
+        kept = settings.request_of(method.page, dataset or "", view).parameters
+        form_values |= {name: value for name, value in kept.items() if name in method.without}
         try:
-            ask(workspace, of.page, dataset, taken)
+            ask(workspace, method.page, dataset, form_values)
         except (ParameterError, WorkspaceError) as error:
-            title = of.refused or f"Cannot do that: {of.title}"
+            title = method.refused or f"Cannot do that: {method.title}"
             set_props(NOTICES, {"sendNotifications": [notice(title, str(error), "red")]})
         return [None] * len(ids)
 
@@ -163,35 +163,35 @@ def ask(workspace: Workspace, page: str, dataset: str | None, values: Mapping[st
     set_props(VIEW_CHANGE, {"data": settings.view_of(page, request.parameters)})
 
 
-def _look(app: Dash, workspace: Workspace, of: MethodPage) -> None:
+def _look(app: Dash, workspace: Workspace, method: MethodPage) -> None:
     @app.callback(
-        Output(of.names.result_key, "data"),
+        Output(method.names.result_key, "data"),
         Input(DATASET, "data"),
-        Input(of.names.settings, "data"),
+        Input(method.names.settings, "data"),
         Input(JOBS_FINISHED, "data"),
         Input(REVISION, "data"),
-        State(of.names.result_key, "data"),
+        State(method.names.result_key, "data"),
     )
     def find_result(dataset, view, _finished, _revision, current):
-        key = settings.key_of(workspace, of.page, dataset, view)
+        key = settings.key_of(workspace, method.page, dataset, view)
         return no_update if key == current and ctx.triggered_id in (JOBS_FINISHED, REVISION) else key
 
     @app.callback(
-        Output(of.names.status, "children"),
-        Output(of.names.status_of, "data"),
+        Output(method.names.status, "children"),
+        Output(method.names.status_of, "data"),
         Input(JOBS_SEEN, "data"),
-        Input(of.names.result_key, "data"),
+        Input(method.names.result_key, "data"),
         State(DATASET, "data"),
-        State(of.names.settings, "data"),
-        State(of.names.status_of, "data"),
+        State(method.names.settings, "data"),
+        State(method.names.status_of, "data"),
     )
     def show_status(_seen, key, dataset, view, current):
-        job = settings.latest_job(workspace, of.page, dataset, view) if not key else None
+        job = settings.latest_job(workspace, method.page, dataset, view) if not key else None
         now = [key, dataset, job and [job.id, job.state, job.error]]
-        return (no_update, no_update) if now == current else (status(of, dataset, job, bool(key)) or [], now)
+        return (no_update, no_update) if now == current else (status(method, dataset, job, bool(key)) or [], now)
 
 
-def status(of: MethodPage, dataset: str | None, job: Job | None, ready: bool) -> Component | None:
+def status(method: MethodPage, dataset: str | None, job: Job | None, ready: bool) -> Component | None:
     """What stands in place of a result that is not there (yet); None where it is there."""
     if ready:
         return None
@@ -199,47 +199,53 @@ def status(of: MethodPage, dataset: str | None, job: Job | None, ready: bool) ->
         link = dcc.Link("Go to the library", href="/library", className="text-link")
         return _card(empty_state("person", "No dataset yet", "Add recordings, or make the demo, in the library.", link))
     if job is not None and job.alive:
-        return _card(running(job, of.doing, of.symbol))
+        return _card(running(job, method.doing, method.symbol))
     if job is not None and job.state == "failed":
-        return _card(empty_state("error", f"{of.doing} failed", job.error, _again(of, "Try again")))
+        return _card(empty_state("error", f"{method.doing} failed", job.error, _again(method, "Try again")))
     if job is not None and job.state == "cancelled":
-        words = f"{of.doing} was cancelled"
-        return _card(empty_state(of.symbol, words, "Nothing was kept of it.", _again(of, of.action)))
-    words = f"Press {of.action}. {of.hint}"
-    return _card(empty_state(of.symbol, f"No {of.title[:1].lower()}{of.title[1:]} yet", words, _again(of, of.action)))
+        words = f"{method.doing} was cancelled"
+        return _card(empty_state(method.symbol, words, "Nothing was kept of it.", _again(method, method.action)))
+    words = f"Press {method.action}. {method.hint}"
+    return _card(
+        empty_state(
+            method.symbol, f"No {method.title[:1].lower()}{method.title[1:]} yet", words, _again(method, method.action)
+        )
+    )
 
 
-def _again(of: MethodPage, label: str) -> Component:
-    return dmc.Button(label, variant="light", **sends(of.names.again, {"run": True}, every_time=True))
+def _again(method: MethodPage, label: str) -> Component:
+    return dmc.Button(label, variant="light", **sends(method.names.again, {"run": True}, every_time=True))
 
 
 def _card(child: Component) -> Component:
     return html.Div(child, className="card section")
 
 
-def earlier_menu(workspace: Workspace, of: MethodPage, dataset: str | None, ready: bool) -> list[Component]:
+def earlier_menu(workspace: Workspace, method: MethodPage, dataset: str | None, ready: bool) -> list[Component]:
     """A menu of the results there are with other settings; empty where there is only the one shown."""
-    past = settings.earlier(workspace, of.page, dataset)
+    past = settings.earlier(workspace, method.page, dataset)
     if len(past) <= (1 if ready else 0):
         return []
     items = [
         dmc.MenuItem(
             [
-                html.Div(summary(said), className="menu-title"),
+                html.Div(summary(values_shown), className="menu-title"),
                 html.Div(_when(job.finished), className="muted menu-note"),
             ],
-            **sends(VIEW_CHANGE, settings.view_of(of.page, job.request["parameters"]), every_time=True),
+            **sends(VIEW_CHANGE, settings.view_of(method.page, job.request["parameters"]), every_time=True),
         )
-        for job, said in past[:15]
+        for job, values_shown in past[:15]
     ]
     target = dmc.Button("Earlier results", variant="default", rightSection=icon("chevron", 14))
     children = [dmc.MenuTarget(target), dmc.MenuDropdown(items, className="menu-long")]
     return [dmc.Menu(shadow="md", position="bottom-end", children=children)]
 
 
-def copy_items(workspace: Workspace, of: MethodPage, dataset: str, view: Mapping[str, str] | None) -> list[Component]:
+def copy_items(
+    workspace: Workspace, method: MethodPage, dataset: str, view: Mapping[str, str] | None
+) -> list[Component]:
     """Menu items that copy the result shown as a command and as Python."""
-    request = settings.request_of(of.page, dataset, view)
+    request = settings.request_of(method.page, dataset, view)
     return [dmc.MenuItem(label, **copies(text)) for label, text in recipes.texts(workspace.path, request).items()]
 
 

@@ -49,8 +49,8 @@ def motifs(arguments: Namespace) -> int:
 def _motif_summary(dataset: Any, graph: Any, seconds: dict[str, float], arguments: Namespace) -> Iterator[str]:
     frames = sum(clip.n_frames for clip in dataset.clips)
     yield f"{len(dataset.clips)} clips, {frames} frames, {sum(clip.seconds for clip in dataset.clips):.1f} s of motion"
-    for stage, taken in seconds.items():
-        yield f"  {stage:<14}{taken:8.2f} s"
+    for stage, duration in seconds.items():
+        yield f"  {stage:<14}{duration:8.2f} s"
     yield f"  {'peak memory':<14}{_peak_memory() / MB:8.0f} MB"
     yield f"kappa {graph.parameters['kappa']}" + (" (auto)" if arguments.kappa == "auto" else "")
     yield ", ".join(f"{name.replace('_', ' ')} {_short(value)}" for name, value in graph.metrics.items())

@@ -56,8 +56,8 @@ def _stability_summary(measured: Stability) -> Iterator[str]:
     n = len(measured.motifs)
     for repeat in measured.repeats:
         mean = f"{repeat.overlaps.mean():.2f}" if n else "-"
-        kept = f"{repeat.kept.sum()}/{n}"
-        yield f"{repeat.name:<14}{mean:>10}{kept:>8}{repeat.agreement:>13.2f}{repeat.adjusted_rand:>11.2f}"
+        n_kept = f"{repeat.kept.sum()}/{n}"
+        yield f"{repeat.name:<14}{mean:>10}{n_kept:>8}{repeat.agreement:>13.2f}{repeat.adjusted_rand:>11.2f}"
     if not n:
         yield "no motifs, so there is nothing whose stability could be measured"
     else:

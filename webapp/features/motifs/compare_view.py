@@ -139,9 +139,9 @@ def _choose(app: Dash, workspace: Workspace) -> None:
         State("dataset", "data"),
         prevent_initial_call=True,
     )
-    def compute(asked, name):
-        if asked and name:
-            _start(workspace, name, str(asked.get("other", "")))
+    def compute(computation, name):
+        if computation and name:
+            _start(workspace, name, str(computation.get("other", "")))
         return no_update
 
 
@@ -174,14 +174,14 @@ def _show(app: Dash, workspace: Workspace) -> None:
         other = view.get("other")
         if other and read_other(other) == _settings_shown(view):
             other = None  # a result is not compared with itself
-        wanted = read_other(other) if other else None
-        there = results.motif_graph_key(workspace, name, wanted) if other else None
-        job = settings.latest_job(workspace, results.MOTIFS, name, wanted) if other and not there else None
-        of = [key, other, there, job and [job.id, job.state, job.error]]
-        if of == before:
+        other_view = read_other(other) if other else None
+        other_key = results.motif_graph_key(workspace, name, other_view) if other else None
+        job = settings.latest_job(workspace, results.MOTIFS, name, other_view) if other and not other_key else None
+        status_key = [key, other, other_key, job and [job.id, job.state, job.error]]
+        if status_key == before:
             return (no_update,) * 4
-        keys = [key, there] if there else None
-        return status(other, job, bool(there)), "compare-result" if there else "hidden", keys, of
+        keys = [key, other_key] if other_key else None
+        return status(other, job, bool(other_key)), "compare-result" if other_key else "hidden", keys, status_key
 
     @app.callback(
         Output("compare-sentence", "children"),
@@ -267,11 +267,11 @@ def _play(app: Dash, workspace: Workspace) -> None:
 def _again(workspace: Workspace, name: str, view: Mapping[str, str]) -> list[Component]:
     """Buttons that copy what gives the comparison again."""
     both = [settings.request_of(results.MOTIFS, name, shown) for shown in (view, read_other(view["other"]))]
-    made = {
+    commands = {
         "Copy as commands": compare_commands(workspace.path, *both),
         "Copy as Python": compare_script(workspace.path, *both),
     }
-    return [dmc.Button(label, size="compact-sm", variant="default", **copies(text)) for label, text in made.items()]
+    return [dmc.Button(label, size="compact-sm", variant="default", **copies(text)) for label, text in commands.items()]
 
 
 def _shown(view: Mapping[str, str] | None) -> bool:
@@ -300,8 +300,8 @@ def choices(
     workspace: Workspace, name: str, view: Mapping[str, str] | None, graph: MotifGraph, chosen: str | None
 ) -> list[dict[str, Any]]:
     """What the shown result may be compared with, in groups: earlier results, and settings a step away."""
-    own = MotifParameters(**settings.request_of(results.MOTIFS, name, view).parameters)
-    shown = write_other(asdict(own))
+    settings_here = MotifParameters(**settings.request_of(results.MOTIFS, name, view).parameters)
+    shown = write_other(asdict(settings_here))
     past: dict[str, str] = {}
     for job, texts in settings.earlier(workspace, results.MOTIFS, name):
         text = write_other(job.request["parameters"])
@@ -309,7 +309,7 @@ def choices(
             past.setdefault(text, summary(texts))
     if chosen and read_other(chosen) != _settings_shown(view):
         past.setdefault(chosen, summary(read_other(chosen)))
-    near = other_seeds(own, 1) | neighbours(own, int(graph.parameters["kappa"]))
+    near = other_seeds(settings_here, 1) | neighbours(settings_here, int(graph.parameters["kappa"]))
     steps = {write_other(asdict(p)): f"Same, {words}" for words, p in near.items()}
     steps = {text: label for text, label in steps.items() if text not in past and text != shown}
     groups = (("Earlier results", past), ("Neighbouring settings (computed when chosen)", steps))

@@ -169,8 +169,8 @@ def _chart(app: Dash, workspace: Workspace) -> None:
         if curves is None:
             return "This motif", words, "hidden", _NO_CHART, [], None, now
         same, steps = before and before[:2] == now[:2], _steps(curves)
-        asked = (view or {}).get("step") if not before else None  # what the link says
-        chosen = asked if any(asked == one["value"] for group in steps for one in group["items"]) else None
+        requested = (view or {}).get("step") if not before else None  # what the link says
+        chosen = requested if any(requested == one["value"] for group in steps for one in group["items"]) else None
         figure = motif_chart(curves, measure, scheme)
         return f"Motif {number}", words, "", figure, steps, no_update if same else chosen, now
 
@@ -221,12 +221,12 @@ def _play(app: Dash, workspace: Workspace) -> None:
         State("compression-of", "data"),
         prevent_initial_call=True,
     )
-    def list_motions(value, of):
+    def list_motions(value, shown_part):
         set_props("view-change", {"data": {"step": value or ""}})
-        if not value or not of:
+        if not value or not shown_part:
             return [], None
         method, step = read_step(value)
-        motions = mixtures.matrices_of(workspace, of[0], of[1])
+        motions = mixtures.matrices_of(workspace, shown_part[0], shown_part[1])
         errors = motion_errors(motions, method, step)
         worst = max(errors, key=lambda motion: errors[motion])
         data = [
@@ -244,10 +244,10 @@ def _play(app: Dash, workspace: Workspace) -> None:
         State("theme", "data"),
         prevent_initial_call=True,
     )
-    def play(motion, value, known, of, scheme):
-        if not value or not of or motion is None or motion not in {str(one["value"]) for one in known or []}:
+    def play(motion, value, known, shown_part, scheme):
+        if not value or not shown_part or motion is None or motion not in {str(one["value"]) for one in known or []}:
             return no_update
-        return rebuilt_request(of[0], of[1], *read_step(value), int(motion), scheme)
+        return rebuilt_request(shown_part[0], shown_part[1], *read_step(value), int(motion), scheme)
 
 
 def read_step(value: str) -> tuple[str, Step]:
@@ -268,13 +268,13 @@ def rebuilt_request(key: str, number: Any, method: str, step: Step, motion: int,
     return {"dataset": name, "items": items, "layout": "overlay", "sync": "start", "title": title}
 
 
-def _whole(found: Compression, name: str, view: Mapping[str, Any] | None, scheme: str | None) -> list[Component]:
+def _whole(whole: Compression, name: str, view: Mapping[str, Any] | None, scheme: str | None) -> list[Component]:
     """The chart over all of the data set."""
     head = [html.H3("Whole dataset"), html.Div(className="spacer"), chart_menu("compression-all", "compression")]
     return [
         html.Div(head, className="chart-head"),
-        html.P(dataset_sentence(found), className="muted compression-sentence"),
-        dcc.Graph(id="compression-all", figure=dataset_chart(found, scheme), config=charts.CONFIG, style=_TALL),
+        html.P(dataset_sentence(whole), className="muted compression-sentence"),
+        dcc.Graph(id="compression-all", figure=dataset_chart(whole, scheme), config=charts.CONFIG, style=_TALL),
     ]
 
 

@@ -214,8 +214,8 @@ def selection_panel(
         )
         name = notes[motif.id].name if motif.id in notes else ""
         number = int(selection.get("motion", motif.medoid))
-        wanted = motif.segments[number if 0 <= number < len(motif.segments) else motif.medoid]
-        alike = dmc.Button("More like this", size="compact-sm", variant="default", **similar(*wanted))
+        motion = motif.segments[number if 0 <= number < len(motif.segments) else motif.medoid]
+        alike = dmc.Button("More like this", size="compact-sm", variant="default", **similar(*motion))
         actions = html.Div([alike, together], className="head-menus")
         return _panel_head(name or f"Motif {motif.id}", f"{len(motif.segments)} motions", actions)
     edge = find_edge(graph, selection["edge"]) if "edge" in selection else None

@@ -92,9 +92,9 @@ def register(app: Dash, workspace: Workspace, part: OnDemand, body: Body) -> Non
         if (view or {}).get("view") != part.name or results.shown_graph(workspace, graph_key, name, view) is None:
             return no_update, no_update
         request = part.request(name, view)
-        found = analyses.stored(workspace, request)
-        job = None if found else workspace.jobs.latest(analyses.key(workspace, request))
-        now = [graph_key, scheme, "there" if found else job.state if job else "", job.id if job else 0]
+        result = analyses.stored(workspace, request)
+        job = None if result else workspace.jobs.latest(analyses.key(workspace, request))
+        now = [graph_key, scheme, "there" if result else job.state if job else "", job.id if job else 0]
         if now == shown:
             return no_update, no_update
-        return part.frame(part.waiting(job)) if found is None else body(found, name, view, scheme), now
+        return part.frame(part.waiting(job)) if result is None else body(result, name, view, scheme), now

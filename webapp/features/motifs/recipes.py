@@ -24,8 +24,8 @@ def walk_commands(workspace: Path, request: Request) -> str:
 
 def compare_commands(workspace: Path, first: Request, second: Request) -> str:
     """Both motif graphs, then the comparison: three commands."""
-    made = [command(workspace, request, f"{name}.json") for name, request in (("a", first), ("b", second))]
-    return "\n".join([*made, "motionscape compare a.json b.json --out comparison.json"])
+    commands = [command(workspace, request, f"{name}.json") for name, request in (("a", first), ("b", second))]
+    return "\n".join([*commands, "motionscape compare a.json b.json --out comparison.json"])
 
 
 def compare_script(workspace: Path, first: Request, second: Request) -> str:

@@ -55,7 +55,7 @@ def register(app: Dash, workspace: Workspace) -> None:
 
 def body(report: Redundancy, graph: MotifGraph, dataset: Any, scheme: str | None, recipe: str = "") -> Component:
     """The report in full; recipe: the Python script that makes it again."""
-    kept = kept_chart(report, scheme)
+    chart = kept_chart(report, scheme)
     return html.Div(
         [
             html.P(sentence(report), className="report-sentence"),
@@ -66,7 +66,7 @@ def body(report: Redundancy, graph: MotifGraph, dataset: Any, scheme: str | None
                         [html.H3("What the clips hold"), chart_menu("report-chart", "keep-list")],
                         className="chart-head",
                     ),
-                    dcc.Graph(id="report-chart", figure=kept, config=charts.CONFIG, style=charts.tall(kept)),
+                    dcc.Graph(id="report-chart", figure=chart, config=charts.CONFIG, style=charts.tall(chart)),
                 ],
                 className="card chart-card",
             ),

@@ -49,10 +49,10 @@ def export_blueprint(workspace: Workspace) -> Blueprint:
     @routes.get("/stability.json")
     def stability_json() -> Response:
         dataset, _, _ = _asked(workspace)
-        found = stability_request.stored(workspace, dataset.name, request.args, request.args.get("stability"))
-        if found is None:
+        stability = stability_request.stored(workspace, dataset.name, request.args, request.args.get("stability"))
+        if stability is None:
             raise Refusal("The stability of these motifs has not been measured yet.", 404)
-        return attachment(json.dumps(found.to_json()), "application/json", f"{dataset.name}-stability.json")
+        return attachment(json.dumps(stability.to_json()), "application/json", f"{dataset.name}-stability.json")
 
     @routes.get("/walk/<key>.json")
     def walk_json(key: str) -> Response:

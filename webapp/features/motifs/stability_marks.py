@@ -125,9 +125,9 @@ def register(app: Dash, workspace: Workspace) -> None:
             return {"stability": ""}
         text = stability_request.write(repetitions, degrees)
         try:
-            wanted = stability_request.request(name, view, text)
-            if analyses.stored(workspace, wanted) is None:
-                set_props("job-started", {"data": jobs.start(workspace, wanted).id})
+            measurement = stability_request.request(name, view, text)
+            if analyses.stored(workspace, measurement) is None:
+                set_props("job-started", {"data": jobs.start(workspace, measurement).id})
         except (ParameterError, WorkspaceError) as error:
             set_props("notices", {"sendNotifications": [notice("Cannot measure stability", str(error), "red")]})
             return no_update
@@ -149,9 +149,9 @@ def register(app: Dash, workspace: Workspace) -> None:
         if key and results.shown_graph(workspace, key, name, view) is None:
             return (no_update,) * 4  # the settings have changed, the key follows
         text = (view or {}).get("stability")
-        wanted = (workspace, name, view, text)
-        measured = stability_request.stored(*wanted) if text and key else None
-        job = stability_request.latest_job(*wanted) if text and key and not measured else None
+        measurement = (workspace, name, view, text)
+        measured = stability_request.stored(*measurement) if text and key else None
+        job = stability_request.latest_job(*measurement) if text and key and not measured else None
         percent = round(100 * job.fraction) if job and job.alive else None
         now = [key, text, measured is not None, job and [job.id, job.state, job.cancelling, percent]]
         if now == before:
@@ -176,37 +176,37 @@ def register(app: Dash, workspace: Workspace) -> None:
     )
 
 
-def shown_values(found: Stability | None) -> dict[str, Any] | None:
+def shown_values(stability: Stability | None) -> dict[str, Any] | None:
     """Motif id -> its figures, for assets/motifs/stability.mjs; and how many repeats there were."""
-    if found is None:
+    if stability is None:
         return None
-    overall, kinds, kept = found.overall, found.by_kind(), found.times_kept
+    overall, kinds, kept = stability.overall, stability.by_kind(), stability.times_kept
     return {
-        "repeats": len(found.repeats),
+        "repeats": len(stability.repeats),
         "motifs": {
             str(motif): {"overall": round(float(overall[i]), 3), "kept": int(kept[i])}
             | {kind: round(float(values[i]), 3) for kind, values in kinds.items()}
-            for i, motif in enumerate(found.motifs)
+            for i, motif in enumerate(stability.motifs)
         },
     }
 
 
 def status(
     text: str | None,
-    found: Stability | None,
+    stability: Stability | None,
     job: Job | None,
     query: str,
     copied: Mapping[str, str] = MappingProxyType({}),
 ) -> Component | None:
     """One line: how far it is, or what came of it; copied: what gives it again, to copy, by what the buttons say."""
-    if found is not None:
-        mean = f"{found.overall.mean():.0%}" if len(found.motifs) else "–"
-        said = f"Mean stability {mean}, over {len(found.repeats)} repeats. "
+    if stability is not None:
+        mean = f"{stability.overall.mean():.0%}" if len(stability.motifs) else "–"
+        summary = f"Mean stability {mean}, over {len(stability.repeats)} repeats. "
         link = html.A(
             "Save the figures (JSON)", href=f"/api/stability.json?{query}", download="", className="text-link"
         )
         again = [dmc.Button(label, size="compact-xs", variant="subtle", **copies(t)) for label, t in copied.items()]
-        return html.Div([said, link, html.Div(again, className="stability-again")])
+        return html.Div([summary, link, html.Div(again, className="stability-again")])
     if job is not None and job.alive:
         cancel = dmc.Button(
             "Cancel",

@@ -71,9 +71,9 @@ def register(app: Dash, workspace: Workspace) -> None:
         graph = results.shown_graph(workspace, key, name, view)
         if graph is None:
             return no_update
-        made = timeline(workspace.open(name), graph, results.motif_notes(workspace, name, view))
+        drawing_data = timeline(workspace.open(name), graph, results.motif_notes(workspace, name, view))
         address = f"/api/timeline.svg?{urlencode({'dataset': name, **settings.texts(results.MOTIFS, view)})}"
-        return made | {"drawing": address}
+        return drawing_data | {"drawing": address}
 
     app.clientside_callback(
         ClientsideFunction("timeline", "draw"),

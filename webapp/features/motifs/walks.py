@@ -68,12 +68,12 @@ def walk_data(
 
     names: what people called motifs.
     """
-    asked = link_keys_of(view)
-    data = {"key": graph_key, "asked": asked, "dataset": dataset.name, "motifs": _motifs(graph, names)}
+    link_values = link_keys_of(view)
+    data = {"key": graph_key, "asked": link_values, "dataset": dataset.name, "motifs": _motifs(graph, names)}
     if not graph.motifs:
         return data | {"error": "This graph has no motifs to walk through."}
-    data |= ways_data(_ways(dataset, graph, graph_key, asked.get("extra") == "1"))
-    if not asked.get("walk"):
+    data |= ways_data(_ways(dataset, graph, graph_key, link_values.get("extra") == "1"))
+    if not link_values.get("walk"):
         return data
     try:
         request = analyses.normalise(walk_request(dataset.name, view))
@@ -84,7 +84,7 @@ def walk_data(
         again = {"recipes": recipes.texts(workspace.path, request)}
         return data | shown_walk(walk, analyses.key(workspace, request), names) | again
     except MotionscapeError as error:
-        refused = {"error": _sentence(str(error)), "path": _listed(asked["walk"])}
+        refused = {"error": _sentence(str(error)), "path": _listed(link_values["walk"])}
         if isinstance(error, NoWay):
             refused |= {"gap": [error.source, error.target], "detour": list(error.detour or ())}
         return data | refused

@@ -129,17 +129,23 @@ def _fill(app: Dash, workspace: Workspace) -> None:
         except ParameterError as error:
             return "" if problems else str(error), *errors
         dataset = _dataset(workspace, name)
-        there = reading.table_of(workspace, dataset, sweep).n_ready if dataset else 0
-        return _plan(sweep, there), *errors
+        n_ready = reading.table_of(workspace, dataset, sweep).n_ready if dataset else 0
+        return _plan(sweep, n_ready), *errors
 
 
-def _plan(sweep: SweepParameters, there: int) -> str:
+def _plan(sweep: SweepParameters, n_ready: int) -> str:
     counts = [len(values) for values in sweep.values_of_axes().values()]
     total = sweep.seeds
     for n in counts:
         total *= n
     factors = " × ".join([*map(str, counts), f"{sweep.seeds} seed{'s' if sweep.seeds > 1 else ''}"])
-    done = "" if not there else ", all of them there already" if there == total else f", {there} of them there already"
+    done = (
+        ""
+        if not n_ready
+        else ", all of them there already"
+        if n_ready == total
+        else f", {n_ready} of them there already"
+    )
     return f"{factors} = {total} points{done}."
 
 
@@ -187,7 +193,7 @@ def _look(app: Dash, workspace: Workspace) -> None:
         State("sweep-status-of", "data"),
         State("sweep-seen", "data"),
     )
-    def look(name, view, _seen, _finished, _page, spoken, seen):
+    def look(name, view, _seen, _finished, _page, shown_status, seen):
         problem, shown, job = "", None, None
         try:
             shown = shown_sweep(workspace, name, view)
@@ -200,8 +206,8 @@ def _look(app: Dash, workspace: Workspace) -> None:
         now = [name, problem, job.id if job else 0, job.state if job else "", ready > 0, alive or ready]
         key = shown.key if shown else ""
         return (
-            no_update if now == spoken else layout.status(name, job, ready, total, problem) or [],
-            no_update if now == spoken else now,
+            no_update if now == shown_status else layout.status(name, job, ready, total, problem) or [],
+            no_update if now == shown_status else now,
             no_update if key == seen else key,
             "" if ready else "hidden",
         )
@@ -229,16 +235,16 @@ def _draw(app: Dash, workspace: Workspace) -> None:
         names = list(shown.table.axes)
         others = {"x": names[1:2], "y": names[:1] if len(names) > 1 else []}
         data, values = {}, {}
-        for side, wanted in (("x", at_x), ("y", at_y)):
+        for side, at_value in (("x", at_x), ("y", at_y)):
             words = [write_value(v) for name in others[side] for v in shown.table.axes[name]]
             usual = _usual(shown.table, names[0] if side == "x" else names[-1])
             data[side] = words
-            values[side] = wanted if wanted in words else usual
-        said = {side: f"at {others[side][0].replace('_', ' ')}" if others[side] else "" for side in "xy"}
+            values[side] = at_value if at_value in words else usual
+        at_texts = {side: f"at {others[side][0].replace('_', ' ')}" if others[side] else "" for side in "xy"}
         pairs = [{"value": pair, "label": layout.PAIR_NAMES[pair]} for pair in pairs_of(shown.table)]
         known = {pair["value"] for pair in pairs}
         return (
-            data["x"], values["x"], data["y"], values["y"], said["x"], said["y"],
+            data["x"], values["x"], data["y"], values["y"], at_texts["x"], at_texts["y"],
             *("sweep-at" if others[side] else "hidden" for side in "xy"),
             pairs, pair_x if pair_x in known else "error-coverage", pairs, pair_y if pair_y in known else "motifs",
             "card chart-card sweep-heat-card" if len(names) > 1 else "hidden",
@@ -278,11 +284,15 @@ def _draw(app: Dash, workspace: Workspace) -> None:
         if shown is None:
             return [], []
         table, points = shown.table, shown.sweep.points()
-        addresses, found = charts.link_array(table, points, shown.link), suggest(table)
-        link = addresses[(*found.index, charts.typical_seed(table.of("explained")[found.index]))] if found.at else ""
+        addresses, suggested = charts.link_array(table, points, shown.link), suggest(table)
+        link = (
+            addresses[(*suggested.index, charts.typical_seed(table.of("explained")[suggested.index]))]
+            if suggested.at
+            else ""
+        )
         rows = sweep_rows.rows(table, points, addresses)
         grid = tables.grid("sweep-table", sweep_rows.columns(table), rows, "All points", row_height=34, headerHeight=48)
-        return layout.suggestion(found, link, table.n_ready == len(points)), grid
+        return layout.suggestion(suggested, link, table.n_ready == len(points)), grid
 
 
 def _draw_lines(app: Dash, workspace: Workspace, side: str, where: tuple) -> None:

@@ -222,13 +222,13 @@ def _card(child: Component) -> Component:
     return html.Div(child, className="card section")
 
 
-def suggestion(found: Suggestion, link: str, complete: bool) -> Component:
+def suggestion(suggested: Suggestion, link: str, complete: bool) -> Component:
     """The sentence, and a way to the result it speaks of."""
-    clear = found.verdict == CLEAR
+    clear = suggested.verdict == CLEAR
     title = "Suggestion" if clear else "No clear suggestion"
     parts: list[Component | None] = [
         html.Div(icon("star" if clear else "info", 20), className="sweep-star" if clear else "sweep-star unsure"),
-        html.Div([html.B(title if complete else f"{title} so far"), html.P(found.why)], className="sweep-why"),
+        html.Div([html.B(title if complete else f"{title} so far"), html.P(suggested.why)], className="sweep-why"),
         html.A("Open it", href=link, className="point-link soft-button") if link else None,
     ]
     return html.Div([part for part in parts if part is not None], className="card sweep-suggestion")

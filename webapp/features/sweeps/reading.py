@@ -62,21 +62,21 @@ def usual_values(dataset: Dataset | None, name: str) -> str:
 
 def problems_of(form: Form) -> dict[str, str]:
     """Field -> what is wrong with it."""
-    found = {}
+    messages = {}
     for field, name, text in (("x", form.x_name, form.x_values), ("y", form.y_name, form.y_values)):
         if name != NO_AXIS:
             try:
                 read_values(name, text)
             except ParameterError as error:
-                found[field] = _sentence(str(error), name)
+                messages[field] = _sentence(str(error), name)
             else:
                 if len(f"{name}:{_compact(text)}") > _LONGEST:
-                    found[field] = "A link cannot hold that many values; leave some out."
+                    messages[field] = "A link cannot hold that many values; leave some out."
     if form.y_name == form.x_name:
-        found["y"] = "Choose another setting than the first."
+        messages["y"] = "Choose another setting than the first."
     if not form.seeds.isdecimal() or not 1 <= int(form.seeds) <= MOST_SEEDS:
-        found["seeds"] = f"Expected 1 to {MOST_SEEDS}."
-    return found
+        messages["seeds"] = f"Expected 1 to {MOST_SEEDS}."
+    return messages
 
 
 def sweep_of(form: Form, view: Mapping[str, str] | None) -> SweepParameters:

@@ -44,11 +44,11 @@ Row = dict[str, Any]
 def sentence(comparison: Comparison) -> str:
     """What changed, in plain words."""
     here, there = comparison.counts("a"), comparison.counts("b")
-    kept = [link.overlap for link in comparison.links if link.kept]
+    overlaps_kept = [link.overlap for link in comparison.links if link.kept]
     if not comparison.a and not comparison.b:
         return "Neither result has motifs."
     words = f"{here['kept']} of {_motifs(len(comparison.a))} {_is(here['kept'])} kept in the other result"
-    words += f", with {np.mean(kept):.0%} overlap on average" if kept else ""
+    words += f", with {np.mean(overlaps_kept):.0%} overlap on average" if overlaps_kept else ""
     others = [
         f"{here['split']} {_is(here['split'])} split" if here["split"] else "",
         f"{here['merged']} {_is(here['merged'])} merged with others" if here["merged"] else "",
@@ -72,8 +72,8 @@ def _is(n: int) -> str:
 def filters(comparison: Comparison) -> list[dict[str, str]]:
     """Choices of a control that shows only one kind of change, with how many there are."""
     counts = comparison.counts("a") | {"gained": comparison.counts("b")["gained"]}
-    found = [{"value": change, "label": f"{WORDS[change]} {n}"} for change, n in counts.items() if n]
-    return [{"value": "all", "label": f"All {sum(counts.values())}"}, *found]
+    options = [{"value": change, "label": f"{WORDS[change]} {n}"} for change, n in counts.items() if n]
+    return [{"value": "all", "label": f"All {sum(counts.values())}"}, *options]
 
 
 def rows(

@@ -60,25 +60,27 @@ def dataset_chart(result: Compression, scheme: str | None) -> go.Figure:
 
 def motif_sentence(curves: Curves) -> str:
     """How near each method comes in one size, the smallest round share at which all have something to show."""
-    found: Mapping[str, Point] = {}
+    best: Mapping[str, Point] = {}
     share = _SHARES[-1]
     for share in _SHARES:
-        found = {m: p for m in METHODS if (p := _best_within(curves, m, share)) is not None}
-        if len(found) == len(METHODS):
+        best = {m: p for m in METHODS if (p := _best_within(curves, m, share)) is not None}
+        if len(best) == len(METHODS):
             break
-    if not found:
+    if not best:
         return "None of the methods makes these motions smaller."
-    ranked = sorted(found, key=lambda method: found[method].cm)
-    told = [f"{found[method].cm:.1f} cm ({_lower(METHODS[method])})" for method in ranked]
-    return f"In {100 * share:.0f} % of the size joints are off by {_listed(told)}."
+    ranked = sorted(best, key=lambda method: best[method].cm)
+    phrases = [f"{best[method].cm:.1f} cm ({_lower(METHODS[method])})" for method in ranked]
+    return f"In {100 * share:.0f} % of the size joints are off by {_listed(phrases)}."
 
 
 def dataset_sentence(result: Compression, tolerance: float = 1.0) -> str:
     """What each way takes within a tolerance in centimetres, the smallest first."""
     totals: dict[str, Total] = {way: result.totals(way, (tolerance,))[0] for way in WAYS}
     ranked: Sequence[str] = sorted(totals, key=lambda way: totals[way].numbers)
-    told = [f"{100 * totals[way].numbers / totals[way].raw:.0f} % ({_lower(WAYS[way])})" for way in ranked]
-    return f"With a mean error of at most {tolerance:g} cm in every part the dataset takes {_listed(told)} of its size."
+    phrases = [f"{100 * totals[way].numbers / totals[way].raw:.0f} % ({_lower(WAYS[way])})" for way in ranked]
+    return (
+        f"With a mean error of at most {tolerance:g} cm in every part the dataset takes {_listed(phrases)} of its size."
+    )
 
 
 def _listed(parts: Sequence[str]) -> str:

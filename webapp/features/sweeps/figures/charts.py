@@ -120,12 +120,12 @@ def _series(measure, side, colour, across, values, name, numbers, links) -> list
     """Band, line and dots of one figure. numbers, links: (n_values, n_seeds)."""
     shown = MEASURES[measure]
     axis = "y2" if side else "y"
-    there = [i for i in range(len(values)) if np.isfinite(numbers[i]).any()]
+    measured = [i for i in range(len(values)) if np.isfinite(numbers[i]).any()]
     scaled = numbers * shown.factor
-    low, middle, high = ([float(f(scaled[i])) for i in there] for f in (np.nanmin, np.nanmedian, np.nanmax))
-    x = [across[i] for i in there]
+    low, middle, high = ([float(f(scaled[i])) for i in measured] for f in (np.nanmin, np.nanmedian, np.nanmax))
+    x = [across[i] for i in measured]
     quiet = {"hoverinfo": "skip", "showlegend": False, "legendgroup": measure, "yaxis": axis}
-    dots = [(i, k) for i in there for k in range(numbers.shape[1]) if np.isfinite(numbers[i, k])]
+    dots = [(i, k) for i in measured for k in range(numbers.shape[1]) if np.isfinite(numbers[i, k])]
     seeds = numbers.shape[1]
     return [
         go.Scatter(x=x, y=low, mode="lines", line={"width": 0}, **quiet),
@@ -162,12 +162,12 @@ def _mark(figure: go.Figure, position: Any, words: str, log: bool) -> None:
 def _spaced(values: Sequence[float]) -> list[float]:
     """The values that have room for a word on the axis."""
     scale = np.log(values) if is_log(values) else np.array(values, float)
-    room, last, kept = float(np.ptp(scale)) / 11, -np.inf, []
+    room, last, kept_ticks = float(np.ptp(scale)) / 11, -np.inf, []
     for value, where in zip(values, scale, strict=True):
         if where - last >= room:
-            kept.append(value)
+            kept_ticks.append(value)
             last = where
-    return kept
+    return kept_ticks
 
 
 def _faint(colour: str) -> str:

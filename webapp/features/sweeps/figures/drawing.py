@@ -121,9 +121,9 @@ def _series(measure: str, side: int, across: list[float], numbers: np.ndarray) -
     def up(value: float) -> float:
         return HEIGHT - BOTTOM - height * (value - ticks[0]) / (ticks[-1] - ticks[0])
 
-    there = np.isfinite(numbers).any(1)
-    xs = [x for x, here in zip(across, there, strict=True) if here]
-    rows = numbers[there]
+    measured = np.isfinite(numbers).any(1)
+    xs = [x for x, here in zip(across, measured, strict=True) if here]
+    rows = numbers[measured]
     low, middle, high = np.nanmin(rows, 1), np.nanmedian(rows, 1), np.nanmax(rows, 1)
     colour, edge = COLOURS[side], LEFT if side == 0 else WIDTH - RIGHT
     band = _points(xs, map(up, high)) + " " + _points(xs[::-1], map(up, low[::-1]))

@@ -29,7 +29,7 @@ def columns(table: SweepTable) -> list[dict[str, Any]]:
 def rows(table: SweepTable, points: Sequence[MotifParameters], links: np.ndarray) -> list[Row]:
     """One row a point that is there; links: address of each point's result, as ``table.shape``."""
     figures = {measure: table.of(measure).ravel() for measure in MEASURES if table.has(measure)}
-    there = [k for k, entry in enumerate(table.figures) if entry is not None]
+    ready = [k for k, entry in enumerate(table.figures) if entry is not None]
     addresses = links.ravel()
     return [
         {
@@ -40,5 +40,5 @@ def rows(table: SweepTable, points: Sequence[MotifParameters], links: np.ndarray
             "seed": points[k].seed,
             **{measure: MEASURES[measure].number(values[k]) for measure, values in figures.items()},
         }
-        for k in there
+        for k in ready
     ]
