@@ -119,7 +119,9 @@ def _form(app: Dash, method: MethodPage) -> None:
     )
     def show_form(view):
         values = settings.request_of(method.page, "", view).parameters
-        return parameter_form(method.shown, values, method.names.control), summary(settings.not_default(method.page, values))
+        return parameter_form(method.shown, values, method.names.control), summary(
+            settings.not_default(method.page, values)
+        )
 
 
 def _run(app: Dash, workspace: Workspace, method: MethodPage) -> None:
