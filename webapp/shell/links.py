@@ -1,4 +1,4 @@
-"""What one sees, as a link: pure functions between a URL and a :class:`View`.
+"""Links to what is shown: pure functions between a URL and a :class:`View`.
 
 A link may come from an e-mail that broke it, from an older version, or from someone's imagination. Parsing never
 raises: what cannot be understood is left out and named in the list of problems.

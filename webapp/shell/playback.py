@@ -1,4 +1,4 @@
-"""From what is selected to what the Stage plays: the feature whose selection it is answers."""
+"""Turns a selection into what the Stage plays: the feature that owns the selection answers."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def missing(
     selection: Mapping[str, Any],
     view: Mapping[str, str] | None = None,
 ) -> str | None:
-    """What a selection names that is not there, in plain words; None where it is, or where nobody can tell yet."""
+    """A sentence about what a selection names that does not exist; None where it exists or cannot be checked yet."""
     if not selection or not dataset_name:
         return None
     try:
@@ -88,7 +88,7 @@ def overlay(dataset: Dataset, items: list[dict[str, Any]], title: str) -> StageR
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """The selection plays, whichever page it was made on."""
+    """Registers the callback that plays the selection, whichever page it was made on."""
 
     @app.callback(
         Output("stage-request", "data"),
@@ -109,7 +109,7 @@ def register(app: Dash, workspace: Workspace) -> None:
 
 
 def _feature_of(selection: Mapping[str, Any]) -> Feature | None:
-    """The feature that answers for a selection; None for a clip as it is, and for what nobody knows."""
+    """The feature that answers for a selection; None for a plain clip, and for an unknown selection."""
     for feature in features():
         if any(kind.key in selection for kind in feature.selections):
             return feature

@@ -33,7 +33,7 @@ def shown_graph(
 
 
 def motif_notes(workspace: Workspace, dataset: str, view: Mapping[str, Any] | None) -> dict[int, MotifNote]:
-    """What people said of the motifs of this result, by motif id; empty where there is no result."""
+    """People's notes on the motifs of this result, by motif id; empty where there is no result."""
     graph, key = motif_graph(workspace, dataset, view), motif_graph_key(workspace, dataset, view)
     if graph is None or key is None:
         return {}

@@ -1,4 +1,4 @@
-"""What one sees, as stores of the browser: opened from a link, kept in the address, and the choice of the dataset."""
+"""The stores that say what is shown: opened from a link, kept in the address; and the choice of the dataset."""
 
 from __future__ import annotations
 

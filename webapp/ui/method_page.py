@@ -33,7 +33,7 @@ from webapp.ui.parameter_form import parameter_form, read_form, summary
 
 @dataclass(frozen=True)
 class MethodPage:
-    """How a page speaks of its method.
+    """The texts and settings of a page for its method.
 
     page: its name, as in Feature.methods; title: what the result is called ("Motion map"); action: what the button
     says ("Build map"); doing: what the job does ("Building the map"); hint: what the result shows, one sentence;
@@ -60,7 +60,7 @@ class MethodPage:
 
     @property
     def shown(self) -> list[analyses.Parameter]:
-        """The parameters that stand in the form."""
+        """The parameters in the form."""
         return [p for p in settings.parameters(self.page) if p.name not in self.without]
 
 
@@ -194,7 +194,7 @@ def _look(app: Dash, workspace: Workspace, method: MethodPage) -> None:
 
 
 def status(method: MethodPage, dataset: str | None, job: Job | None, ready: bool) -> Component | None:
-    """What stands in place of a result that is not there (yet); None where it is there."""
+    """The message in place of a result that does not exist yet; None where it exists."""
     if ready:
         return None
     if not dataset:
@@ -224,7 +224,7 @@ def _card(child: Component) -> Component:
 
 
 def earlier_menu(workspace: Workspace, method: MethodPage, dataset: str | None, ready: bool) -> list[Component]:
-    """A menu of the results there are with other settings; empty where there is only the one shown."""
+    """A menu of the results with other settings; empty where there are none."""
     past = settings.earlier(workspace, method.page, dataset)
     if len(past) <= (1 if ready else 0):
         return []

@@ -26,7 +26,7 @@ KNOTS = 25  # moments at which the browser knows the times of each motion
 
 
 def layout() -> Component:
-    """The controls' places, and what stands there while there is nothing to mix."""
+    """The containers of the controls, and the message shown while there is nothing to mix."""
     return html.Div(
         className="blend-side",
         children=[

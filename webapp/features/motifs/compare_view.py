@@ -146,7 +146,7 @@ def _choose(app: Dash, workspace: Workspace) -> None:
 
 
 def _start(workspace: Workspace, name: str, other: str) -> None:
-    """Has the other result computed where it is not there."""
+    """Starts the job of the other result where it has not been computed."""
     try:
         if results.motif_graph_key(workspace, name, read_other(other)) is None:
             job = jobs.start(workspace, settings.request_of(results.MOTIFS, name, read_other(other)))
@@ -331,7 +331,7 @@ def read_other(text: str) -> dict[str, str]:
 
 
 def status(other: str | None, job: Job | None, ready: bool) -> Component | None:
-    """What stands in place of a comparison that is not there (yet)."""
+    """The message in place of a comparison that does not exist yet."""
     if ready:
         return None
     if not other:

@@ -54,7 +54,7 @@ def stores() -> list[Component]:
 
 
 def page() -> Component:
-    """The page before it knows what there is to show."""
+    """The page before any data is loaded."""
     return html.Div(
         className="motifs",
         children=[

@@ -202,7 +202,7 @@ class StabilityData(TypedDict):
 
 
 class OnDemandNames(Group):
-    """Ids of a part that is computed when someone asks for it; ``name`` is its view."""
+    """Ids of a part that is computed on demand; ``name`` is its view."""
 
     def __init__(self, name: str, place: str):
         self.place = Id(place)  # what it fills

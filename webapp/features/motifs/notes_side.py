@@ -20,7 +20,7 @@ CARRIED = "Carried over from an earlier result, whose motif had most of these fr
 
 
 def layout() -> Component:
-    """The form, and what stands in its place while no motif is chosen."""
+    """The form, and the message in its place while no motif is chosen."""
     return html.Div(
         className="notes-side",
         children=[

@@ -1,4 +1,4 @@
-"""A part of a view that is computed when someone asks for it: the request for it, its job, and what came of it."""
+"""A part of a view that is computed on demand: its request, its job and its result."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from webapp.shell.messages import empty_state, notice
 
 
 class OnDemand(NamedTuple):
-    """What it is called and what it shows. Its stores are NAME-find, NAME-asked and NAME-shown; NAME is a view."""
+    """The name and the texts of such a part. Its stores are NAME-find, NAME-asked and NAME-shown; NAME is a view."""
 
     name: str
     method: str
@@ -42,7 +42,7 @@ class OnDemand(NamedTuple):
         return [dcc.Store(id=f"{self.name}-{what}") for what in ("find", "asked", "shown")]
 
     def waiting(self, job: Job | None) -> Component:
-        """What stands there while there is no result: progress, or an invitation."""
+        """The content while there is no result: progress, or an invitation to compute it."""
         if job is not None and job.alive:
             return running(job, self.doing, self.symbol)
         title, words = self.missing, self.hint
@@ -58,7 +58,7 @@ Body = Callable[[Any, str, Mapping[str, Any] | None, str | None], Any]  # (resul
 
 
 def register(app: Dash, workspace: Workspace, part: OnDemand, body: Body) -> None:
-    """Ask for ``part``, follow its job, show the ``body`` of what it gives."""
+    """Registers the callbacks that start the job of ``part``, follow it, and show the ``body`` of its result."""
 
     @app.callback(
         Output(f"{part.name}-asked", "data"),

@@ -27,7 +27,7 @@ def plays(workspace: Workspace, dataset: Dataset, shown: Shown) -> StageRequest 
 
 
 def missing(workspace: Workspace, shown: Shown) -> str | None:
-    """What a selection names that is not there, in plain words; None where it is, or where nobody can tell yet."""
+    """A sentence about what a selection names that does not exist; None where it exists or cannot be checked yet."""
     graph, selection = motif_graph(workspace, shown.dataset, shown.view), shown.selection
     if graph is None:
         return None
@@ -46,7 +46,7 @@ def stage_request(
     selection: Mapping[str, Any],
     names: Mapping[int, str] = MappingProxyType({}),
 ) -> StageRequest | None:
-    """What to play for ``selection``, None where it names nothing that is there; names: what people call motifs."""
+    """What to play for ``selection``, None where it names nothing that exists; names: people's names of motifs."""
     if "clip" in selection:
         return clip_request(dataset, selection)
     if graph is None:

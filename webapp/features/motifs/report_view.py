@@ -41,7 +41,7 @@ def layout() -> Component:
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """Ask for the report, follow its job, show it."""
+    """Registers the callbacks that start the job of the report, follow it and show the report."""
 
     def shown(report: Redundancy, name: str, view: Mapping[str, Any] | None, scheme: str | None) -> Component:
         recipe = recipes.script(workspace.path, REPORT.request(name, view))

@@ -106,7 +106,7 @@ def legend() -> Component:
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """Ask for it, follow it, show it."""
+    """Registers the callbacks that start the measurement, follow it and show its result."""
 
     @app.callback(
         Output("view-change", "data", allow_duplicate=True),

@@ -1,4 +1,4 @@
-"""The stability of the motifs that a view shows: its settings in the link, its request, what is there of it."""
+"""The stability of the motifs that a view shows: its settings in the link, its request and its result."""
 
 from __future__ import annotations
 

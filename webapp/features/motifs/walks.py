@@ -1,4 +1,4 @@
-"""Walks in the app: what the link says of one, the walk made of it, and what the browser needs to show it.
+"""Walks in the app: how a link describes one, the walk itself, and what the browser needs to show it.
 
 ``~walk~KEY`` holds the clip ``walk``; KEY is that of the walk's result (webapp/shell/virtual.py).
 """

@@ -1,4 +1,4 @@
-"""The Sweeps page's callbacks: read the form, ask for the work, show what is there."""
+"""The Sweeps page's callbacks: they read the form, start the job and show the results."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _CONTROLS = ("x-name", "x-values", "y-name", "y-values", "seeds")
 
 
 class Shown(NamedTuple):
-    """The sweep of a view and what is there of it."""
+    """The sweep of a view and the results that exist."""
 
     dataset: Dataset
     sweep: SweepParameters
@@ -325,7 +325,7 @@ def _usual(table: SweepTable, name: str) -> str | None:
 
 
 def _shown(workspace: Workspace, name: str | None, view: Any) -> Shown | None:
-    """The sweep shown where any point of it is there."""
+    """The sweep that is shown; None where no point of it has been computed."""
     try:
         shown = shown_sweep(workspace, name, view)
     except (ParameterError, WorkspaceError):

@@ -30,7 +30,7 @@ HINT = (
 
 
 def page() -> Component:
-    """The page before it knows what there is to show."""
+    """The page before any data is loaded."""
     return html.Div(
         className="sweeps",
         children=[

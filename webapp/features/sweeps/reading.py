@@ -102,7 +102,7 @@ def request_of(name: str, sweep: SweepParameters) -> analyses.Request:
 
 
 def table_of(workspace: Workspace, dataset: Dataset, sweep: SweepParameters) -> SweepTable:
-    """The figures of the sweep as far as they are there."""
+    """The figures of the points that have been computed."""
     keys = [analyses.point_key(dataset.fingerprint, point) for point in sweep.points()]
     return SweepTable(sweep.values_of_axes(), sweep.seeds, read_figures(workspace, dataset, keys))
 
@@ -129,7 +129,7 @@ def recipes_of(workspace: Path, name: str, sweep: SweepParameters) -> dict[str, 
 
 
 def _kappas(dataset: Dataset | None) -> tuple[Any, ...]:
-    """The paper's, as far as there are frames for so many letters (30 a second, as poses are usually looked at)."""
+    """The paper's values of kappa for which there are enough frames (at 30 a second, the default)."""
     most = 30 * dataset.seconds / _ENOUGH_FRAMES if dataset is not None else float("inf")
     return tuple(kappa for kappa in USUAL["kappa"] if float(kappa) <= most) or USUAL["kappa"][:2]
 
