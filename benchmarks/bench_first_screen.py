@@ -1,6 +1,6 @@
 """Loading of every page in headless Chromium: requests, bytes sent, and the time until the first useful screen.
 
-usage: python -m benchmarks.bench_first_screen [--before CHECKOUT] [--runs N]
+usage: python -m benchmarks.bench_first_screen [--before CHECKOUT] [--runs N] [--pages library,motifs]
 
 The app runs as ``motionscape serve`` runs it, in a process of its own, on a workspace with the demo and its results.
 With ``--before`` (or MOTIONSCAPE_BEFORE), another checkout with its own ``.venv`` is measured in turn with this one.
@@ -16,12 +16,12 @@ import statistics
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
-from playwright.sync_api import Browser, BrowserContext, sync_playwright
+from playwright.sync_api import Browser, BrowserContext, CDPSession, sync_playwright
 
 from core import analyses
 from core.demo import make_demo
@@ -29,7 +29,7 @@ from core.workspace import Workspace
 from tests.browser.start import start_chromium
 from tests.browser.wire import Wire
 
-COMMAND = "python -m benchmarks first-screen"
+COMMAND = "python -m benchmarks first_screen"
 REPOSITORY = Path(__file__).resolve().parents[1]
 VIEW = {"width": 1280, "height": 800}
 RUNS = 5
@@ -61,12 +61,14 @@ WATCH = """(selector) => {
 
 @dataclass(frozen=True)
 class Load:
-    """One opening of a page: requests that went over the wire, bytes received (compressed, with headers), and
-    milliseconds from the start of the navigation to the first useful screen."""
+    """One opening of a page: requests that went over the wire, bytes received (compressed, with headers), seconds from
+    the start of the navigation to the first useful screen, and seconds that the page's main thread computed till then.
+    """
 
     requests: int
     received: int
-    milliseconds: float
+    seconds: float
+    computed: float
 
 
 def open_page(context: BrowserContext, address: str, selector: str) -> Load:
@@ -74,12 +76,21 @@ def open_page(context: BrowserContext, address: str, selector: str) -> Load:
     page = context.new_page()
     page.add_init_script(f"({WATCH})({selector!r})")
     wire = Wire(page)
+    metrics = context.new_cdp_session(page)
+    metrics.send("Performance.enable")
+    before = thread_seconds(metrics)
     page.goto(address, wait_until="commit")
     milliseconds = page.wait_for_function("window.usefulAfter", timeout=PATIENCE).json_value()
+    computed = thread_seconds(metrics) - before
     wire.wait_until_quiet(page)  # the bar of jobs asks for news every four seconds
-    load = Load(len(wire.addresses), wire.received, milliseconds)
+    load = Load(len(wire.addresses), wire.received, milliseconds / 1000, computed)
     page.close()
     return load
+
+
+def thread_seconds(session: CDPSession) -> float:
+    """CPU time of the page's main thread: it hardly depends on what else the machine does."""
+    return next(m["value"] for m in session.send("Performance.getMetrics")["metrics"] if m["name"] == "ThreadTime")
 
 
 def measure(browser: Browser, address: str, page: str) -> tuple[Load, Load]:
@@ -117,12 +128,14 @@ def prepare(folder: Path) -> Path:
     return folder
 
 
-def compare(browser: Browser, addresses: dict[str, str], runs: int) -> dict[tuple[str, str], list[tuple[Load, Load]]]:
+def compare(
+    browser: Browser, addresses: dict[str, str], pages: Sequence[str], runs: int
+) -> dict[tuple[str, str], list[tuple[Load, Load]]]:
     """Loads by (page, checkout's name). The checkouts take turns, so that both see the same machine."""
     loads: dict[tuple[str, str], list[tuple[Load, Load]]] = {}
     for address in addresses.values():  # what the server computes at the first request
         measure(browser, address, "library")
-    for page in USEFUL:
+    for page in pages:
         for _ in range(runs):
             for name, address in addresses.items():
                 loads.setdefault((page, name), []).append(measure(browser, address, page))
@@ -133,10 +146,14 @@ def row(page: str, name: str, loads: list[tuple[Load, Load]]) -> str:
     """A line of the table."""
     cells = []
     for cache in zip(*loads, strict=True):
-        times = [load.milliseconds / 1000 for load in cache]
-        size = statistics.median(load.received for load in cache) / 1e6
-        requests = statistics.median(load.requests for load in cache)
-        cells += [f"{requests:.0f}", f"{size:.2f}", f"{min(times):.2f}", f"{statistics.median(times):.2f}"]
+        seconds = [load.seconds for load in cache]
+        cells += [
+            f"{statistics.median(load.requests for load in cache):.0f}",
+            f"{statistics.median(load.received for load in cache) / 1e6:.2f}",
+            f"{min(seconds):.2f}",
+            f"{statistics.median(seconds):.2f}",
+            f"{statistics.median(load.computed for load in cache):.2f}",
+        ]
     return f"| {page} | {name} | {' | '.join(cells)} |"
 
 
@@ -151,10 +168,11 @@ def report(loads: dict[tuple[str, str], list[tuple[Load, Load]]], version: str, 
             f"Cold: fresh context, nothing cached; warm: the same page again in a new tab. {runs} runs each; requests "
             "and MB (received over the wire, with headers) are medians, seconds run from the start of the navigation "
             "to the first useful screen. Machine load at the end: "
-            f"{os.getloadavg()[0]:.1f} on {os.cpu_count()} cores.",
+            f"{os.getloadavg()[0]:.1f} on {os.cpu_count()} cores. CPU: seconds that the page's main thread computed "
+            "until then, which say more where the machine is busy.",
             "",
-            "| page | code | requests | MB | s, least | s, median | warm: requests | MB | s, least | s, median |",
-            "|---|---|---|---|---|---|---|---|---|---|",
+            "| page | code | requests | MB | least s | median s | CPU s | warm: requests | MB | least | median | CPU |",
+            "|---|---|---|---|---|---|---|---|---|---|---|---|",
             *(row(page, name, found) for (page, name), found in loads.items()),
             "",
             "First useful screen: " + "; ".join(f"{page}: {words}" for page, (_, words) in USEFUL.items()) + ".",
@@ -164,7 +182,9 @@ def report(loads: dict[tuple[str, str], list[tuple[Load, Load]]], version: str, 
     )
 
 
-def main(before: str | None = os.environ.get("MOTIONSCAPE_BEFORE"), runs: int = RUNS) -> str:
+def main(
+    before: str | None = os.environ.get("MOTIONSCAPE_BEFORE"), runs: int = RUNS, pages: Sequence[str] = tuple(USEFUL)
+) -> str:
     """Measure, print and return the Markdown section."""
     checkouts = ({"before": Path(before).resolve()} if before else {}) | {"now": REPOSITORY}
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
@@ -174,7 +194,7 @@ def main(before: str | None = os.environ.get("MOTIONSCAPE_BEFORE"), runs: int = 
             addresses = {
                 name: servers.enter_context(served(checkout, workspace)) for name, checkout in checkouts.items()
             }
-            loads = compare(browser, addresses, runs)
+            loads = compare(browser, addresses, pages, runs)
         section = report(loads, browser.version, runs)
         browser.close()
     print(section)
@@ -185,5 +205,6 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--before", default=os.environ.get("MOTIONSCAPE_BEFORE"))
     parser.add_argument("--runs", type=int, default=RUNS)
+    parser.add_argument("--pages", default=",".join(USEFUL))
     options = parser.parse_args()
-    main(options.before, options.runs)
+    main(options.before, options.runs, options.pages.split(","))

@@ -35,7 +35,11 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> Loadi
     )
     stores = [*changes.stores(), *(store for feature in features() for store in feature.stores())]
     app.layout = frame.layout(player.stage(), job_bar.layout(), stores)
+    pages = {feature.path: feature.page() for feature in features()}
     app.shown_at_once = {feature.path: feature.shows for feature in features()}
+    app.first_values = lambda pathname, search: (
+        state.first_values(workspace, pages, pathname, search) | job_bar.first_values(workspace)
+    )
     access.protect(app.server, token)
     compression.register(app.server)
     messages.register(app.server)
@@ -46,7 +50,7 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> Loadi
     player.register(app)
     for part in (job_bar, changes, following, state, playback):
         part.register(app, workspace)
-    state.register_pages(app, {feature.path: feature.page() for feature in features()})
+    state.register_pages(app, pages)
     for feature in features():
         feature.register(app, workspace)
     return app

@@ -669,6 +669,11 @@
 
   // shell/loading.mjs
   var { suites = {}, plotly = "", pages = {} } = JSON.parse(find(LOADING)?.textContent || "{}");
+  var scriptsOf = (pathname) => pages[pathname.split("/").pop() || "library"] || [];
+  function whenIdle(act2) {
+    if (window.requestIdleCallback) window.requestIdleCallback(act2, { timeout: 2e3 });
+    else setTimeout(act2, 500);
+  }
   function answerFirstRequests() {
     const answers = /* @__PURE__ */ new Map([
       ["_dash-layout", find(FIRST_LAYOUT)?.textContent],
@@ -712,9 +717,18 @@
     });
     for (const name of components) suite[name] = component(name);
     function component(name) {
-      const { createElement, lazy, Suspense } = window.React;
+      const { createElement, lazy, Suspense, useLayoutEffect, useRef, useState } = window.React;
       const Loaded = lazy(() => load().then(() => ({ default: library?.[name] })));
-      const Component = (props) => createElement(Suspense, { fallback: null }, createElement(Loaded, props));
+      const Component = (props) => {
+        const place5 = useRef(null);
+        const [wanted2, setWanted] = useState(false);
+        useLayoutEffect(() => {
+          if (place5.current?.offsetParent) setWanted(true);
+          else whenIdle(() => setWanted(true));
+        }, []);
+        if (!wanted2) return createElement("div", { ref: place5 });
+        return createElement(Suspense, { fallback: null }, createElement(Loaded, props));
+      };
       const ready2 = () => library?.[name]._dashprivate_isLazyComponentReady ?? true;
       Object.defineProperty(Component, "_dashprivate_isLazyComponentReady", {
         get: () => library ? ready2() : arrived.then(ready2)
@@ -722,21 +736,34 @@
       return Component;
     }
   }
+  function plotlyLater() {
+    let library = null;
+    let loading = null;
+    const turn5 = () => new Promise((resolve) => {
+      if (scriptsOf(location.pathname).includes(plotly)) resolve();
+      else whenIdle(resolve);
+    });
+    Object.defineProperty(window, "Plotly", {
+      get: () => library || (loading ||= turn5().then(() => loadScript(plotly)).then(() => library)),
+      set: (value) => {
+        library = value;
+      }
+    });
+  }
   function fetchAhead(event) {
     const link2 = (
       /** @type {HTMLAnchorElement | null} */
       /** @type {Element | null} */
       closest(event, "a.nav-link")
     );
-    for (const address2 of link2 && pages[link2.pathname.split("/").pop() ?? ""] || []) {
+    for (const address2 of link2 ? scriptsOf(link2.pathname) : []) {
       if (document.head.querySelector(`link[href="${address2}"]`)) continue;
       document.head.append(Object.assign(document.createElement("link"), { rel: "preload", as: "script", href: address2 }));
     }
   }
   answerFirstRequests();
   for (const [namespace, suite] of Object.entries(suites)) standIn(namespace, suite);
-  if (plotly) Object.defineProperty(window, "_dashPlotlyJSURL", { get: () => plotly, set() {
-  } });
+  if (plotly) plotlyLater();
   for (const kind of ["pointerover", "focusin"]) document.addEventListener(kind, fetchAhead, { passive: true });
 
   // shared/dash.mjs

@@ -14,7 +14,14 @@ declare global {
   var dashAgGridFunctions: Record<string, (params: any) => any>;
   var dashAgGridComponentFunctions: Record<string, (props: any) => any>;
   var dash_ag_grid: { getApiAsync(id: string): Promise<any> };
-  var React: { createElement(...parts: any[]): any; lazy(load: () => Promise<{ default: any }>): any; Suspense: any };
+  var React: {
+    createElement(...parts: any[]): any;
+    lazy(load: () => Promise<{ default: any }>): any;
+    useLayoutEffect(effect: () => void, dependencies: unknown[]): void;
+    useRef(value: HTMLElement | null): { current: HTMLElement | null };
+    useState<T>(value: T): [T, (value: T) => void];
+    Suspense: any;
+  };
   var Plotly: {
     relayout(plot: Element, change: object): Promise<void>;
     downloadImage(plot: Element, options: object): Promise<string>;

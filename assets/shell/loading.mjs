@@ -8,6 +8,15 @@ import { FIRST_DEPENDENCIES, FIRST_LAYOUT, LOADING } from "../shared/ids.mjs";
 /** @type {{ suites?: Record<string, Suite>, plotly?: string, pages?: Record<string, string[]> }} */
 const { suites = {}, plotly = "", pages = {} } = JSON.parse(find(LOADING)?.textContent || "{}");
 
+/** The scripts that the page of an address begins with. @param {string} pathname */
+const scriptsOf = (pathname) => pages[pathname.split("/").pop() || "library"] || [];
+
+/** Calls `act` when the browser has nothing better to do. @param {() => void} act */
+function whenIdle(act) {
+  if (window.requestIdleCallback) window.requestIdleCallback(act, { timeout: 2000 });
+  else setTimeout(act, 500);
+}
+
 /** Answers from the page for the two requests that Dash's renderer makes when it starts. */
 function answerFirstRequests() {
   const answers = new Map([
@@ -37,7 +46,8 @@ function loadScript(source) {
 }
 
 /**
- * Takes a library's place in `window[namespace]`; its components load the library when they are first drawn.
+ * Takes a library's place in `window[namespace]`; its components load the library when they are first drawn, and those
+ * that cannot be seen yet are drawn after all others.
  * @param {string} namespace
  * @param {Suite} suite
  */
@@ -65,9 +75,18 @@ function standIn(namespace, { source, components }) {
 
   /** @param {string} name */
   function component(name) {
-    const { createElement, lazy, Suspense } = window.React;
+    const { createElement, lazy, Suspense, useLayoutEffect, useRef, useState } = window.React;
     const Loaded = lazy(() => load().then(() => ({ default: library?.[name] })));
-    const Component = (/** @type {object} */ props) => createElement(Suspense, { fallback: null }, createElement(Loaded, props));
+    const Component = (/** @type {object} */ props) => {
+      const place = useRef(null);
+      const [wanted, setWanted] = useState(false);
+      useLayoutEffect(() => {
+        if (place.current?.offsetParent) setWanted(true);
+        else whenIdle(() => setWanted(true)); // it lies behind a tab
+      }, []);
+      if (!wanted) return createElement("div", { ref: place });
+      return createElement(Suspense, { fallback: null }, createElement(Loaded, props));
+    };
     // Dash's protocol for components that come later: callbacks about them wait until this is true.
     const ready = () => library?.[name]._dashprivate_isLazyComponentReady ?? true;
     Object.defineProperty(Component, "_dashprivate_isLazyComponentReady", {
@@ -77,10 +96,30 @@ function standIn(namespace, { source, components }) {
   }
 }
 
+/**
+ * Plotly, which dcc.Graph waits for as `window.Plotly`: at once where the page begins with a chart, and otherwise, where
+ * a chart lies behind a tab, when the browser has nothing better to do.
+ */
+function plotlyLater() {
+  /** @type {unknown} */
+  let library = null;
+  /** @type {Promise<unknown> | null} */
+  let loading = null;
+  /** @type {() => Promise<void>} */
+  const turn = () => new Promise((resolve) => {
+    if (scriptsOf(location.pathname).includes(plotly)) resolve();
+    else whenIdle(resolve);
+  });
+  Object.defineProperty(window, "Plotly", {
+    get: () => library || (loading ||= turn().then(() => loadScript(plotly)).then(() => library)),
+    set: (value) => { library = value; },
+  });
+}
+
 /** Fetches what a page will need while the pointer or the focus is on its link. @param {Event} event */
 function fetchAhead(event) {
   const link = /** @type {HTMLAnchorElement | null} */ (/** @type {Element | null} */ (closest(event, "a.nav-link")));
-  for (const address of (link && pages[link.pathname.split("/").pop() ?? ""]) || []) {
+  for (const address of link ? scriptsOf(link.pathname) : []) {
     if (document.head.querySelector(`link[href="${address}"]`)) continue;
     document.head.append(Object.assign(document.createElement("link"), { rel: "preload", as: "script", href: address }));
   }
@@ -88,5 +127,5 @@ function fetchAhead(event) {
 
 answerFirstRequests();
 for (const [namespace, suite] of Object.entries(suites)) standIn(namespace, suite);
-if (plotly) Object.defineProperty(window, "_dashPlotlyJSURL", { get: () => plotly, set() {} });
+if (plotly) plotlyLater();
 for (const kind of ["pointerover", "focusin"]) document.addEventListener(kind, fetchAhead, { passive: true });

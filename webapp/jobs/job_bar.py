@@ -11,6 +11,7 @@ import hashlib
 import time
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from dash import Dash, Input, Output, State, dcc, html, no_update
 from dash.dependencies import ClientsideFunction
@@ -130,6 +131,33 @@ def _failed(job: Job) -> dict:
     }
 
 
+def marks_of(pulse: Pulse) -> dict[str, Any]:
+    """What a browser has seen when it has shown a pulse; kept in the store "jobs-seen"."""
+    return {
+        "rows": _mark(map(str, rows(pulse.jobs))),
+        "speed": FAST if pulse.busy else SLOW,
+        "revision": pulse.revision,
+        "finished": pulse.finished,
+    }
+
+
+def first_values(workspace: Workspace) -> dict[str, dict[str, Any]]:
+    """What the first look at the workspace shows, for the layout: id of a component -> its properties.
+
+    Rows are left to the first poll where there are any: only the browser knows which ones were dismissed.
+    """
+    pulse = read_pulse(workspace)
+    marks = marks_of(pulse)
+    if pulse.jobs:
+        marks |= {"rows": "", "speed": FAST}
+    return {
+        names.JOB_TICK: {"interval": marks["speed"]},
+        REVISION: {"data": pulse.revision},
+        names.JOBS_FINISHED: {"data": pulse.finished},
+        names.JOBS_SEEN: {"data": marks},
+    }
+
+
 def register(app: Dash, workspace: Workspace) -> None:
     """Registers the poll, the rows of the bar and their buttons."""
     app.clientside_callback(ClientsideFunction("jobs", "show"), Input(names.JOBS_SHOWN, "data"))
@@ -144,19 +172,13 @@ def register(app: Dash, workspace: Workspace) -> None:
         Input(names.JOB_POKE, "data"),
         Input(names.JOBS_DISMISSED, "data"),
         State(names.JOBS_SEEN, "data"),
+        prevent_initial_call=True,
     )
     def poll(_ticks, _poke, dismissed, seen):
         pulse = read_pulse(workspace, dismissed or ())
         if pulse.busy:
             webapp_jobs.ensure_worker(workspace)  # a worker may have died, or the page that started the job may be gone
-        shown = rows(pulse.jobs)
-        marks = {
-            "rows": _mark(map(str, shown)),
-            "speed": FAST if pulse.busy else SLOW,
-            "revision": pulse.revision,
-            "finished": pulse.finished,
-        }
-        seen = seen or {}
+        shown, marks, seen = rows(pulse.jobs), marks_of(pulse), seen or {}
 
         def when_new(name, value):
             return no_update if seen.get(name) == marks[name] else value

@@ -21,6 +21,7 @@ COMPRESSED_TYPES = frozenset(
         "application/javascript",
         "application/json",
         "image/svg+xml",
+        "image/x-icon",
         "text/css",
         "text/csv",
         "text/html",
@@ -82,5 +83,5 @@ def _compressed_file(content: bytes, encoding: str) -> bytes:
 
 def _compress(content: bytes, encoding: str, *, quickly: bool) -> bytes:
     if encoding == "br":
-        return brotli.compress(content, quality=4 if quickly else 6)
+        return brotli.compress(content, quality=4 if quickly else 5)
     return gzip.compress(content, compresslevel=1 if quickly else 6, mtime=0)

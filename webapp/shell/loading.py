@@ -10,15 +10,17 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 import dash
 from flask import request
+from plotly.utils import PlotlyJSONEncoder
 
 from webapp.shell import links
 from webapp.shell.names import FIRST_DEPENDENCIES, FIRST_LAYOUT, LOADING
+from webapp.shell.state import Values
 from webapp.shell.stores import CheckedDash
 
 UNUSED = ("/dash_table/", "/dash/deps/polyfill@")  # no page has a DataTable; no supported browser needs the polyfill
@@ -36,9 +38,11 @@ class LoadingDash(CheckedDash):
     """Dash whose pages load only what they need.
 
     shown_at_once: path of a page -> what it begins with, of "table", "chart" and "graph".
+    first_values: pathname and search of an address -> properties of the layout's components, by id, that show it.
     """
 
     shown_at_once: Mapping[str, Sequence[str]] = {}
+    first_values: Callable[[str, str], Values] = staticmethod(lambda pathname, search: {})
 
     def interpolate_index(self, *_: Any, **parts: Any) -> str:
         """The page's HTML. Raises RuntimeError where Dash writes its scripts otherwise than this module knows."""
@@ -48,7 +52,7 @@ class LoadingDash(CheckedDash):
         loading = {"suites": _suites(later), "plotly": addresses["chart"][-1], "pages": pages}
         parts["scripts"] = "\n".join(
             [
-                _data(FIRST_LAYOUT, self.serve_layout().get_data(as_text=True)),
+                _data(FIRST_LAYOUT, self._first_layout()),
                 _data(FIRST_DEPENDENCIES, self.dependencies().get_data(as_text=True)),
                 _data(LOADING, json.dumps(loading)),
                 *scripts,
@@ -57,6 +61,11 @@ class LoadingDash(CheckedDash):
         ahead = pages.get(links.page_of(request.path) or "", ())
         parts["css"] += "".join(f'\n<link rel="preload" as="script" href="{address}">' for address in ahead)
         return super().interpolate_index(**parts)
+
+    def _first_layout(self) -> str:
+        """The layout with what the requested address shows, so that the browser need not ask for it."""
+        search = "?" + request.query_string.decode("ascii", "replace") if request.query_string else ""
+        return filled(self.serve_layout().get_data(as_text=True), self.first_values(request.path, search))
 
     def _addresses(self, later: Mapping[str, str]) -> dict[str, list[str]]:
         """What to load for each kind of thing a page shows."""
@@ -90,6 +99,27 @@ def _source(tag: str) -> str:
     if match is None:
         raise RuntimeError(f"Dash {dash.__version__} writes a script without an address: {tag}")
     return match[1]
+
+
+def filled(layout: str, values: Values) -> str:
+    """A layout (JSON) with ``values`` put into its components. Raises KeyError for an id that it does not have."""
+    missing = dict(values)
+
+    def fill(node: Any) -> None:
+        if isinstance(node, list):
+            for child in node:
+                fill(child)
+        elif isinstance(node, dict) and "props" in node:
+            fill(node["props"].get("children"))
+            name = node["props"].get("id")
+            if isinstance(name, str):
+                node["props"] |= missing.pop(name, {})
+
+    tree = json.loads(layout)
+    fill(tree)
+    if missing:
+        raise KeyError(f"no component of the layout is called {', '.join(missing)}")
+    return json.dumps(tree, cls=PlotlyJSONEncoder)
 
 
 def _suites(sources: Mapping[str, str]) -> dict[str, dict[str, object]]:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
 
 import dash
 from dash import Input, Output, State, no_update, set_props
@@ -13,11 +15,66 @@ from core.workspace import Workspace
 from webapp.shell import links, settings
 from webapp.shell.messages import notice, unknown_page
 
+Values = dict[str, dict[str, Any]]
+"""Id of a component -> its properties."""
 
-def register_pages(app: dash.Dash, pages: dict[str, Component]) -> None:
-    """The page of the address; pages: path -> page."""
 
-    @app.callback(Output("page", "children"), Input("url", "pathname"))
+@dataclass(frozen=True)
+class OpenedLink:
+    """What a link opens: data of the stores of these names, and what of the link cannot be opened, as sentences."""
+
+    dataset: str | None
+    selection: dict[str, Any]
+    view: dict[str, Any]
+    stage: dict[str, Any]
+    problems: tuple[str, ...] = ()
+
+
+def open_link(
+    workspace: Workspace, pathname: str, search: str, current: str | None = None, view: Mapping[str, str] | None = None
+) -> OpenedLink:
+    """What the address names. current, view: the dataset and the view shown until now, if any."""
+    link, problems = links.parse(pathname, search)
+    known = [info.name for info in workspace.datasets()]
+    dataset, more = choose_dataset(link.dataset, known)
+    if links.page_of(pathname) is None:
+        problems = problems[1:]  # the page itself says so
+    usable, refused = settings.usable(link.page, link.view)
+    link = replace(link, view=usable)
+    if more:
+        link = links.without_selection(link)
+    others = settings.of_other_pages(link.page, view) if dataset == current else {}
+    return OpenedLink(
+        dataset,
+        dict(link.selection),
+        {**others, **link.view},
+        dict(link.stage),
+        (*more, *problems, *refused),
+    )
+
+
+def first_values(workspace: Workspace, pages: Mapping[str, Component], pathname: str, search: str) -> Values:
+    """What an address shows, for the layout that the browser gets first: id of a component -> its properties.
+
+    Empty where the link has problems: then the browser asks, as it does for every later link, and is told of them.
+    """
+    page = links.page_of(pathname)
+    if page is None or (opened := open_link(workspace, pathname, search)).problems:
+        return {}
+    return {
+        "url": {"pathname": pathname, "search": search},
+        "page": {"children": pages[page]},
+        "dataset": {"data": opened.dataset},
+        "selection": {"data": opened.selection},
+        "view": {"data": opened.view},
+        "stage-restore": {"data": opened.stage},
+    }
+
+
+def register_pages(app: dash.Dash, pages: Mapping[str, Component]) -> None:
+    """The page of the address; pages: path -> page. The first one comes with the layout (see first_values)."""
+
+    @app.callback(Output("page", "children"), Input("url", "pathname"), prevent_initial_call=True)
     def show_page(pathname):
         page = links.page_of(pathname)
         return pages[page] if page else unknown_page()
@@ -35,25 +92,16 @@ def register(app: dash.Dash, workspace: Workspace) -> None:
         Input("url", "search"),
         State("dataset", "data"),
         State("view", "data"),
+        prevent_initial_call=True,
     )
-    def open_link(pathname, search, current, shown):
+    def show_link(pathname, search, current, shown):
         if current and not search:  # a click on the navigation: what is shown stays
             return (no_update,) * 4
-        view, problems = links.parse(pathname, search)
-        known = [info.name for info in workspace.datasets()]
-        dataset, more = choose_dataset(view.dataset, known)
-        if links.page_of(pathname) is None:
-            problems = problems[1:]  # the page itself says so
-        usable, refused = settings.usable(view.page, view.view)
-        view = replace(view, view=usable)
-        problems = (*more, *problems, *refused)
-        if problems:
-            message = " ".join(problems)
-            set_props("notices", {"sendNotifications": [notice("Part of the link was left out", message, "orange")]})
-        if more:
-            view = links.without_selection(view)
-        others = settings.of_other_pages(view.page, shown) if dataset == current else {}
-        return dataset, dict(view.selection), others | dict(view.view), dict(view.stage)
+        opened = open_link(workspace, pathname, search, current, shown)
+        if opened.problems:
+            message = notice("Part of the link was left out", " ".join(opened.problems), "orange")
+            set_props("notices", {"sendNotifications": [message]})
+        return opened.dataset, opened.selection, opened.view, opened.stage
 
     @app.callback(
         Output("dataset-picker", "data"),

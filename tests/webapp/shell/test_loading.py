@@ -10,6 +10,8 @@ import pytest
 from plotly.offline import get_plotlyjs_version
 
 import webapp
+from core.demo import make_demo
+from core.workspace import Workspace
 from webapp.app import create_app
 from webapp.shell import loading
 from webapp.shell.feature import features
@@ -117,3 +119,63 @@ def test_charts_are_of_kinds_that_this_plotly_draws():
     for path in Path(webapp.__file__).parent.rglob("*.py"):
         used |= set(re.findall(r"\bgo\.([A-Z]\w+)\(", path.read_text(encoding="utf-8"))) - {"Figure", "Layout"}
     assert used and used <= IN_THE_BUNDLE
+
+
+@pytest.fixture(scope="module")
+def demo(tmp_path_factory):
+    """Pages of a workspace with a dataset, by address."""
+    workspace = Workspace(tmp_path_factory.mktemp("demo") / "workspace")
+    workspace.add_dataset("demo", make_demo(minutes=0.3))
+    client = create_app(workspace.path).server.test_client()
+    return lambda path: client.get(path).get_data(as_text=True)
+
+
+def first_values(page):
+    """The properties of the first layout's components, by id."""
+    found = {}
+
+    def walk(node):
+        if isinstance(node, list):
+            for child in node:
+                walk(child)
+        elif isinstance(node, dict) and "props" in node:
+            if isinstance(node["props"].get("id"), str):
+                found[node["props"]["id"]] = node["props"]
+            walk(node["props"].get("children"))
+
+    walk(data(page, "first-layout"))
+    return found
+
+
+def test_the_first_layout_shows_what_the_link_names(demo):
+    shown = first_values(demo("/motifs?dataset=demo&kappa=60&motif=3&time=1.5"))
+    assert shown["url"]["pathname"] == "/motifs"
+    assert shown["url"]["search"] == "?dataset=demo&kappa=60&motif=3&time=1.5"
+    assert shown["dataset"]["data"] == "demo"
+    assert "60" in shown["view"]["data"].values()
+    assert shown["selection"]["data"] == {"motif": 3}
+    assert "motif-result" in shown and "dataset-detail" not in shown
+    assert shown["revision"]["data"] and shown["jobs-seen"]["data"]["revision"] == shown["revision"]["data"]
+
+
+def test_the_bare_address_shows_the_library_of_the_first_dataset(demo):
+    shown = first_values(demo("/"))
+    assert (shown["url"]["pathname"], shown["url"]["search"]) == ("/", "")
+    assert shown["dataset"]["data"] == "demo" and "dataset-detail" in shown
+
+
+@pytest.mark.parametrize("address", ["/library?dataset=gone", "/motifs?kappa=-3", "/no-such-page"])
+def test_a_link_with_problems_is_opened_by_the_browser_which_is_told_of_them(demo, address):
+    shown = first_values(demo(address))
+    assert "pathname" not in shown["url"] and not shown["page"]["children"]
+    assert shown["revision"]["data"]
+
+
+def test_one_page_does_not_change_the_next(demo):
+    demo("/clip?dataset=demo")
+    assert "clip-graph" not in first_values(demo("/library"))
+
+
+def test_values_for_components_that_do_not_exist_are_refused():
+    with pytest.raises(KeyError, match="nowhere"):
+        loading.filled('{"props": {"id": "page"}}', {"nowhere": {"data": 1}})
