@@ -30,7 +30,7 @@ class Wire:
     def addresses(self) -> list[str]:
         return list(self.sent.values())
 
-    def wait_until_quiet(self, page: Page, quiet: int = 500, patience: int = 8000) -> None:
+    def wait_until_quiet(self, page: Page, quiet: int = 500, patience: int = 60_000) -> None:
         """Until no request has been under way for ``quiet`` milliseconds, at most ``patience`` milliseconds."""
         still = 0
         for _ in range(patience // POLL):

@@ -10,6 +10,7 @@ from playwright.sync_api import Browser, Page, expect
 
 from core import analyses
 from tests.browser.app import address, demo_workspace, wait_for_graph, workspace
+from tests.browser.conftest import WAIT
 from tests.browser.wire import Wire
 
 __all__ = ["address", "demo_workspace", "workspace"]
@@ -32,6 +33,7 @@ DRAWN = {"table": ".ag-row .ag-cell-value", "graph": "#motif-graph canvas", "cha
 def fresh(chromium: Browser) -> Page:
     """A tab of a context that has never loaded anything."""
     context = chromium.new_context(viewport={"width": 1280, "height": 800})
+    context.set_default_timeout(WAIT)
     yield context.new_page()
     context.close()
 
