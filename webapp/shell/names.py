@@ -101,6 +101,8 @@ LOADING = Id("loading")
 FIRST_LAYOUT = Id("first-layout")
 FIRST_DEPENDENCIES = Id("first-dependencies")
 
+MOTIF_METHOD = MethodNames("motifs")  # other pages show something of the motif graph, too
+
 MANTINE = Id("mantine")
 SHELL = Id("shell")
 PAGE = Id("page")
@@ -130,7 +132,5 @@ THEME = Store("theme", Literal["light", "dark"])
 
 # marks of what the server has: pages look again when they change
 REVISION = Store("revision", Name)  # of the list of data sets
-MOTIFS_SETTINGS = Store("motifs-settings", View)  # those of the motifs in the view
-MOTIFS_RESULT_KEY = Store("motifs-result-key", Name)  # key of the motif graph that is shown
 JOB_STARTED = Store("job-started", int)
 JOB_ENDED = Store("job-ended", str)

@@ -9,6 +9,7 @@ from dash import Dash, Input, Output, State, no_update, set_props
 
 from core.mocap.dataset import Dataset
 from core.workspace import Workspace, WorkspaceError
+from webapp.shell import names
 from webapp.shell.feature import Feature, features
 from webapp.shell.messages import notice
 
@@ -91,20 +92,20 @@ def register(app: Dash, workspace: Workspace) -> None:
     """Registers the callback that plays the selection, whichever page it was made on."""
 
     @app.callback(
-        Output("stage-request", "data"),
-        Input("selection", "data"),
+        Output(names.STAGE_REQUEST, "data"),
+        Input(names.SELECTION, "data"),
         {store: Input(store, "data") for feature in features() for store in feature.replay_on},
-        State("view", "data"),
-        State("dataset", "data"),
+        State(names.VIEW, "data"),
+        State(names.DATASET, "data"),
         prevent_initial_call=True,
     )
     def play(selection, _stores, view, dataset_name):
         message = missing(workspace, dataset_name, selection, view)
         if message:
             set_props(
-                "notices", {"sendNotifications": [notice("That is not there", message, "orange", id="not-there")]}
+                names.NOTICES, {"sendNotifications": [notice("That is not there", message, "orange", id="not-there")]}
             )
-            set_props("selection", {"data": {}})
+            set_props(names.SELECTION, {"data": {}})
         return selected_request(workspace, dataset_name, selection, view) or no_update
 
 

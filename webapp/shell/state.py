@@ -12,7 +12,7 @@ from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
 from core.workspace import Workspace
-from webapp.shell import links, settings
+from webapp.shell import links, names, settings
 from webapp.shell.messages import notice, unknown_page
 
 Values = dict[str, dict[str, Any]]
@@ -67,14 +67,14 @@ def first_values(workspace: Workspace, pages: Mapping[str, Component], pathname:
         "dataset": {"data": opened.dataset},
         "selection": {"data": opened.selection},
         "view": {"data": opened.view},
-        "stage-restore": {"data": opened.stage},
+        names.STAGE_RESTORE: {"data": opened.stage},
     }
 
 
 def register_pages(app: dash.Dash, pages: Mapping[str, Component]) -> None:
     """The page of the address; pages: path -> page. The first one comes with the layout (see first_values)."""
 
-    @app.callback(Output("page", "children"), Input("url", "pathname"), prevent_initial_call=True)
+    @app.callback(Output(names.PAGE, "children"), Input(names.URL, "pathname"), prevent_initial_call=True)
     def show_page(pathname):
         page = links.page_of(pathname)
         return pages[page] if page else unknown_page()
@@ -84,14 +84,14 @@ def register(app: dash.Dash, workspace: Workspace) -> None:
     """Links open what they name, the address follows what is shown, and datasets can be chosen."""
 
     @app.callback(
-        Output("dataset", "data"),
-        Output("selection", "data"),
-        Output("view", "data"),
-        Output("stage-restore", "data"),
-        Input("url", "pathname"),
-        Input("url", "search"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(names.DATASET, "data"),
+        Output(names.SELECTION, "data"),
+        Output(names.VIEW, "data"),
+        Output(names.STAGE_RESTORE, "data"),
+        Input(names.URL, "pathname"),
+        Input(names.URL, "search"),
+        State(names.DATASET, "data"),
+        State(names.VIEW, "data"),
         prevent_initial_call=True,
     )
     def show_link(pathname, search, current, shown):
@@ -100,48 +100,48 @@ def register(app: dash.Dash, workspace: Workspace) -> None:
         opened = open_link(workspace, pathname, search, current, shown)
         if opened.problems:
             message = notice("Part of the link was left out", " ".join(opened.problems), "orange")
-            set_props("notices", {"sendNotifications": [message]})
+            set_props(names.NOTICES, {"sendNotifications": [message]})
         return opened.dataset, opened.selection, opened.view, opened.stage
 
     @app.callback(
-        Output("dataset-picker", "data"),
-        Output("dataset-picker", "value"),
-        Output("dataset-picker", "disabled"),
-        Input("revision", "data"),
-        Input("dataset", "data"),
-        State("awaited", "data"),
+        Output(names.DATASET_PICKER, "data"),
+        Output(names.DATASET_PICKER, "value"),
+        Output(names.DATASET_PICKER, "disabled"),
+        Input(names.REVISION, "data"),
+        Input(names.DATASET, "data"),
+        State(names.AWAITED, "data"),
     )
     def show_datasets(_revision, current, awaited):
         known = [info.name for info in workspace.datasets()]
         if awaited in known:  # an import has ended: show what it brought
-            set_props("awaited", {"data": None})
-            set_props("dataset-choice", {"data": {"dataset": awaited}})
+            set_props(names.AWAITED, {"data": None})
+            set_props(names.DATASET_CHOICE, {"data": {"dataset": awaited}})
         elif known and current not in known:
-            set_props("dataset-choice", {"data": {"dataset": known[0]}})
+            set_props(names.DATASET_CHOICE, {"data": {"dataset": known[0]}})
         elif not known and current:
-            set_props("dataset-choice", {"data": {"dataset": None}})
+            set_props(names.DATASET_CHOICE, {"data": {"dataset": None}})
         return known, current if current in known else None, not known
 
     app.clientside_callback(
-        ClientsideFunction("shell", "choose"), Input("dataset-choice", "data"), State("view-of-dataset", "data")
+        ClientsideFunction("shell", "choose"), Input(names.DATASET_CHOICE, "data"), State(names.VIEW_OF_DATASET, "data")
     )
     app.clientside_callback(
-        ClientsideFunction("shell", "pick"), Input("dataset-picker", "value"), State("dataset", "data")
+        ClientsideFunction("shell", "pick"), Input(names.DATASET_PICKER, "value"), State(names.DATASET, "data")
     )
     app.clientside_callback(
         ClientsideFunction("shell", "address"),
-        Output("address", "data"),
-        Input("url", "pathname"),
-        Input("dataset", "data"),
-        Input("selection", "data"),
-        Input("view", "data"),
-        State("view-keys", "data"),
+        Output(names.ADDRESS, "data"),
+        Input(names.URL, "pathname"),
+        Input(names.DATASET, "data"),
+        Input(names.SELECTION, "data"),
+        Input(names.VIEW, "data"),
+        State(names.VIEW_KEYS, "data"),
     )
-    app.clientside_callback(ClientsideFunction("shell", "change"), Input("view-change", "data"))
-    app.clientside_callback(ClientsideFunction("shell", "restore"), Input("stage-restore", "data"))
-    app.clientside_callback(ClientsideFunction("shell", "current"), Input("url", "pathname"))
+    app.clientside_callback(ClientsideFunction("shell", "change"), Input(names.VIEW_CHANGE, "data"))
+    app.clientside_callback(ClientsideFunction("shell", "restore"), Input(names.STAGE_RESTORE, "data"))
+    app.clientside_callback(ClientsideFunction("shell", "current"), Input(names.URL, "pathname"))
     app.clientside_callback(
-        ClientsideFunction("shell", "share"), Output("notices", "sendNotifications"), Input("share", "n_clicks")
+        ClientsideFunction("shell", "share"), Output(names.NOTICES, "sendNotifications"), Input(names.SHARE, "n_clicks")
     )
 
 

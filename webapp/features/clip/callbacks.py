@@ -17,7 +17,7 @@ from webapp.features.clip.figures import curves as figures
 from webapp.features.clip.figures.gait import gait_table
 from webapp.features.clip.figures.path import path_chart, selected_part
 from webapp.shell import results
-from webapp.shell.names import DATASET, MOTIFS_RESULT_KEY, REVISION, SELECTION, THEME, VIEW
+from webapp.shell.names import DATASET, MOTIF_METHOD, REVISION, SELECTION, THEME, VIEW
 from webapp.shell.results import find_edge, find_motif
 from webapp.ui.charts import tall
 from webapp.ui.timeline import motif_colour, motif_name
@@ -55,7 +55,7 @@ def _choose(app: Dash, workspace: Workspace) -> None:
         Input(DATASET, "data"),
         Input(SELECTION, "data"),
         Input(REVISION, "data"),
-        Input(MOTIFS_RESULT_KEY, "data"),
+        Input(MOTIF_METHOD.result_key, "data"),
         State(VIEW, "data"),
         State(names.CLIP_SHOWN, "data"),
     )
@@ -68,7 +68,7 @@ def _choose(app: Dash, workspace: Workspace) -> None:
             return None, [], None, layout.nothing(dataset, None), "hidden"
         graph = results.motif_graph(workspace, name, view)
         clip = clip_of(dataset, graph, selection or {})
-        if clip is None and ctx.triggered_id == MOTIFS_RESULT_KEY and before and before["clip"] in dataset.names:
+        if clip is None and ctx.triggered_id == MOTIF_METHOD.result_key and before and before["clip"] in dataset.names:
             return (no_update,) * 5
         if clip is None:
             clip = dataset.names[0]
@@ -171,7 +171,7 @@ def _draw(app: Dash, workspace: Workspace) -> None:
         Input(names.CLIP_SHOWN, "data"),
         Input(VIEW, "data"),
         Input(THEME, "data"),
-        Input(MOTIFS_RESULT_KEY, "data"),
+        Input(MOTIF_METHOD.result_key, "data"),
         State(SELECTION, "data"),
     )
     def draw(shown, view, scheme, _key, selection):

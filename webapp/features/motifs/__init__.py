@@ -1,6 +1,8 @@
 """Motifs: the motif graph and all that is made of it: walks, blends, comparisons, compression, reports."""
 
-from webapp.shell.feature import Command, Feature, LinkKeys, SelectionKind, later
+from webapp.features.motifs import names
+from webapp.shell.feature import Command, Feature, SelectionKind, later, link_keys
+from webapp.shell.names import MOTIF_METHOD
 
 _ARGUMENTS = "webapp.features.motifs.arguments"
 _RECIPES = "webapp.features.motifs.recipes"
@@ -12,13 +14,7 @@ FEATURE = Feature(
     page=later("webapp.features.motifs.layout:page"),
     register=later("webapp.features.motifs.callbacks:register"),
     shows=("graph", "table"),
-    keys=LinkKeys(
-        names=(
-            *("view", "side", "walk", "weights", "other", "gained"),
-            *("extra", "gaps", "ends", "feet", "stability", "step"),
-        ),
-        of_dataset=("walk", "weights", "other", "gained"),
-    ),
+    keys=link_keys(names.View),
     methods={"motifs": "motifs"},
     on_every_page=("motifs",),
     routes=later("webapp.features.motifs.routes:blueprints"),
@@ -57,7 +53,7 @@ FEATURE = Feature(
     ),
     plays=later("webapp.features.motifs.playing:plays"),
     missing=later("webapp.features.motifs.playing:missing"),
-    replay_on=("motifs-result-key",),
+    replay_on=(MOTIF_METHOD.result_key,),
     motion_kinds={
         "walk": later("webapp.features.motifs.walks:open_walk"),
         "blend": later("webapp.features.motifs.mixtures:open_blend"),

@@ -13,11 +13,12 @@ from core.mocap.dataset import Dataset
 from core.motifs.blend_space import BlendSpace, blendable
 from core.motifs.graph import Motif
 from core.workspace import Workspace, WorkspaceError
-from webapp.features.motifs import mixtures
+from webapp.features.motifs import mixtures, names
 from webapp.features.motifs.playing import mixing, moment, shown_motions, stage_request
 from webapp.shell import results
 from webapp.shell.attributes import attributes
 from webapp.shell.icons import icon
+from webapp.shell.names import DATASET, MOTIF_METHOD, SELECTION, VIEW
 from webapp.shell.results import find_motif
 from webapp.ui.brief_names import brief_names
 
@@ -30,16 +31,16 @@ def layout() -> Component:
     return html.Div(
         className="blend-side",
         children=[
-            html.P("Choose a motif to mix its motions.", id="blend-hint", className="muted"),
+            html.P("Choose a motif to mix its motions.", id=names.BLEND_HINT, className="muted"),
             html.Div(
-                id="blend-panel",
+                id=names.BLEND_PANEL,
                 className="hidden",
                 children=[
                     html.Div(
-                        [html.H2(id="blend-title"), html.Span(id="blend-count", className="muted")],
+                        [html.H2(id=names.BLEND_TITLE), html.Span(id=names.BLEND_COUNT, className="muted")],
                         className="section-head",
                     ),
-                    html.Div(id="blend-controls", className="blend-controls"),
+                    html.Div(id=names.BLEND_CONTROLS, className="blend-controls"),
                     html.Div(
                         className="blend-buttons",
                         role="group",
@@ -50,17 +51,18 @@ def layout() -> Component:
                             _button("Middle frames", "middles", "The middle frame of every motion of the motif"),
                             html.A(
                                 [icon("download", 14), "BVH"],
-                                id="blend-bvh",
+                                id=names.BLEND_BVH,
                                 className="blend-button",
                                 title="Save the mixture as a BVH file",
                             ),
                         ],
                         **attributes(aria_label="Mixture"),
                     ),
-                    html.P(id="blend-note", className="muted blend-note"),
+                    html.P(id=names.BLEND_NOTE, className="muted blend-note"),
                 ],
             ),
-            *(dcc.Store(id=f"blend-{name}") for name in ("data", "drawn")),
+            dcc.Store(id=names.BLEND_DATA),
+            dcc.Store(id=names.BLEND_DRAWN),
         ],
     )
 
@@ -74,13 +76,13 @@ def register(app: Dash, workspace: Workspace) -> None:
     """What can be mixed comes from the server once a motif; the rest happens in the browser."""
 
     @app.callback(
-        Output("blend-data", "data"),
-        Input("selection", "data"),
-        Input("view", "data"),
-        Input("blend-controls", "id"),
-        State("motifs-result-key", "data"),
-        State("dataset", "data"),
-        State("blend-data", "data"),
+        Output(names.BLEND_DATA, "data"),
+        Input(SELECTION, "data"),
+        Input(VIEW, "data"),
+        Input(names.BLEND_CONTROLS, "id"),
+        State(MOTIF_METHOD.result_key, "data"),
+        State(DATASET, "data"),
+        State(names.BLEND_DATA, "data"),
     )
     def gather(selection, view, _controls, key, name, before):
         if not mixing(view) or not key or not name:
@@ -106,11 +108,11 @@ def register(app: Dash, workspace: Workspace) -> None:
 
     app.clientside_callback(
         ClientsideFunction("blend", "draw"),
-        Output("blend-drawn", "data"),
-        Input("blend-data", "data"),
-        Input("view", "data"),
-        Input("blend-controls", "id"),
-        State("selection", "data"),
+        Output(names.BLEND_DRAWN, "data"),
+        Input(names.BLEND_DATA, "data"),
+        Input(VIEW, "data"),
+        Input(names.BLEND_CONTROLS, "id"),
+        State(SELECTION, "data"),
     )
 
 

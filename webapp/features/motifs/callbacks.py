@@ -8,10 +8,11 @@ from dash import Dash, Input, Output, State, dcc
 from dash.dependencies import ClientsideFunction
 
 from core.workspace import Workspace, WorkspaceError
-from webapp.features.motifs import layout, stability_marks, views
+from webapp.features.motifs import layout, names, stability_marks, views
 from webapp.features.motifs.figures import graph as graph_figure
 from webapp.features.motifs.graph_drawing import graph_elements
 from webapp.shell import results, settings
+from webapp.shell.names import DATASET, MOTIF_METHOD, SELECTION, THEME, VIEW
 from webapp.ui import method_page, tables
 
 
@@ -26,12 +27,12 @@ def register(app: Dash, workspace: Workspace) -> None:
 
 def _show(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("motif-result", "children"),
-        Output("motif-menus", "children"),
-        Input("motifs-result-key", "data"),
-        State("dataset", "data"),
-        State("view", "data"),
-        State("theme", "data"),
+        Output(names.MOTIF_RESULT, "children"),
+        Output(names.MOTIF_MENUS, "children"),
+        Input(MOTIF_METHOD.result_key, "data"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
+        State(THEME, "data"),
     )
     def show_result(key, name, view, scheme):
         graph = results.motif_graph(workspace, name, view) if key and name else None
@@ -47,11 +48,11 @@ def _show(app: Dash, workspace: Workspace) -> None:
 
 def _browse(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("motif-table-place", "children"),
-        Input("motif-table-place", "id"),
-        Input("motifs-result-key", "data"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(names.MOTIF_TABLE_PLACE, "children"),
+        Input(names.MOTIF_TABLE_PLACE, "id"),
+        Input(MOTIF_METHOD.result_key, "data"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
     )
     def show_table(_place, key, name, view):
         graph = results.motif_graph(workspace, name, view) if key and name else None
@@ -63,16 +64,16 @@ def _browse(app: Dash, workspace: Workspace) -> None:
             tables.motif_rows(graph, dataset, results.motif_notes(workspace, name, view)),
         )
         # what is done to the table has its outputs beside it: where there is no table, Dash does not ask for it
-        beside = [dcc.Store(id=name) for name in ("motifs-marked", "motifs-searched", "stability-listed")]
-        return [tables.grid("motif-table", columns, rows, "All motifs"), *beside]
+        beside = [dcc.Store(id=name) for name in (names.MOTIFS_MARKED, names.MOTIFS_SEARCHED, names.STABILITY_LISTED)]
+        return [tables.grid(names.MOTIF_TABLE, columns, rows, "All motifs"), *beside]
 
     @app.callback(
-        Output("motif-selection", "children"),
-        Output("motions", "data"),
-        Input("selection", "data"),
-        Input("motif-graph", "id"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(names.MOTIF_SELECTION, "children"),
+        Output(names.MOTIONS, "data"),
+        Input(SELECTION, "data"),
+        Input(names.MOTIF_GRAPH, "id"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
     )
     def show_selection(selection, _graph, name, view):
         try:
@@ -85,30 +86,32 @@ def _browse(app: Dash, workspace: Workspace) -> None:
         except WorkspaceError:
             return [], {}
 
-    app.clientside_callback(ClientsideFunction("motions", "list"), Input("motions", "data"))
+    app.clientside_callback(ClientsideFunction("motions", "list"), Input(names.MOTIONS, "data"))
 
     app.clientside_callback(
         ClientsideFunction("graph", "tapped"),
-        Output("graph-tapped", "data"),
-        Input("motif-graph", "tapNodeData"),
-        Input("motif-graph", "tapEdgeData"),
+        Output(names.GRAPH_TAPPED, "data"),
+        Input(names.MOTIF_GRAPH, "tapNodeData"),
+        Input(names.MOTIF_GRAPH, "tapEdgeData"),
     )
     app.clientside_callback(
         ClientsideFunction("graph", "mark"),
-        Output("graph-marked", "data"),
-        Input("selection", "data"),
-        Input("edge-threshold", "value"),
-        Input("motif-graph", "elements"),
+        Output(names.GRAPH_MARKED, "data"),
+        Input(SELECTION, "data"),
+        Input(names.EDGE_THRESHOLD, "value"),
+        Input(names.MOTIF_GRAPH, "elements"),
     )
-    app.clientside_callback(ClientsideFunction("graph", "tool"), Input("graph-tool", "data"), State("dataset", "data"))
+    app.clientside_callback(
+        ClientsideFunction("graph", "tool"), Input(names.GRAPH_TOOL, "data"), State(DATASET, "data")
+    )
     app.clientside_callback(
         ClientsideFunction("tables", "mark"),
-        Output("motifs-marked", "data"),
-        Input("selection", "data"),
-        Input("motif-table", "rowData"),
-        State("motif-table", "id"),
+        Output(names.MOTIFS_MARKED, "data"),
+        Input(SELECTION, "data"),
+        Input(names.MOTIF_TABLE, "rowData"),
+        State(names.MOTIF_TABLE, "id"),
     )
 
-    @app.callback(Output("motif-graph", "stylesheet"), Input("theme", "data"), prevent_initial_call=True)
+    @app.callback(Output(names.MOTIF_GRAPH, "stylesheet"), Input(THEME, "data"), prevent_initial_call=True)
     def restyle(scheme):
         return graph_figure.stylesheet(scheme or "light")

@@ -18,14 +18,17 @@ from core.motifs.neighbours import neighbours, other_seeds
 from core.motifs.parameters import MotifParameters
 from core.workspace import Job, Workspace, WorkspaceError
 from webapp import jobs
+from webapp.features.motifs import names
 from webapp.features.motifs.figures import compare as figure
 from webapp.features.motifs.playing import comparing, mixing, stage_request
 from webapp.features.motifs.recipes import compare_commands, compare_script
+from webapp.jobs.names import JOBS_FINISHED, JOBS_SEEN
 from webapp.jobs.running import running
 from webapp.shell import results, settings
 from webapp.shell.attributes import attributes
 from webapp.shell.buttons import copies, sends
 from webapp.shell.messages import empty_state, notice
+from webapp.shell.names import DATASET, JOB_STARTED, MOTIF_METHOD, NOTICES, SELECTION, VIEW, VIEW_CHANGE
 from webapp.ui import tables
 from webapp.ui.downloads import table_download
 from webapp.ui.parameter_form import summary
@@ -41,9 +44,9 @@ def layout() -> Component:
             html.Div(
                 className="compare-bar",
                 children=[
-                    html.Label("Compare with", htmlFor="compare-other", className="muted"),
+                    html.Label("Compare with", htmlFor=names.COMPARE_OTHER, className="muted"),
                     dmc.Select(
-                        id="compare-other",
+                        id=names.COMPARE_OTHER,
                         placeholder="Choose another result",
                         data=[],
                         searchable=True,
@@ -54,22 +57,24 @@ def layout() -> Component:
                     ),
                 ],
             ),
-            html.Div(id="compare-status"),
-            html.Div(id="compare-result", className="compare-result hidden", children=_result()),
-            dcc.Store(id="compare-status-of"),
-            dcc.Store(id="compare-keys"),  # of both results, where both are there
-            dcc.Store(id="compare-flow-data"),
-            dcc.Store(id="compare-request"),  # what the Stage is to play
-            dcc.Store(id="compare-ask"),  # the button that has the other result computed
-            dcc.Store(id="compare-asked"),
-            *(dcc.Store(id=f"compare-{name}") for name in ("drawn", "marked", "row-marked")),
+            html.Div(id=names.COMPARE_STATUS),
+            html.Div(id=names.COMPARE_RESULT, className="compare-result hidden", children=_result()),
+            dcc.Store(id=names.COMPARE_STATUS_OF),
+            dcc.Store(id=names.COMPARE_KEYS),  # of both results, where both are there
+            dcc.Store(id=names.COMPARE_FLOW_DATA),
+            dcc.Store(id=names.COMPARE_REQUEST),  # what the Stage is to play
+            dcc.Store(id=names.COMPARE_ASK),  # the button that has the other result computed
+            dcc.Store(id=names.COMPARE_ASKED),
+            dcc.Store(id=names.COMPARE_DRAWN),
+            dcc.Store(id=names.COMPARE_MARKED),
+            dcc.Store(id=names.COMPARE_ROW_MARKED),
         ],
     )
 
 
 def _result() -> list[Component]:
     control = dmc.SegmentedControl(
-        id="compare-filter",
+        id=names.COMPARE_FILTER,
         data=[{"value": "all", "label": "All"}],
         value="all",
         size="xs",
@@ -80,17 +85,17 @@ def _result() -> list[Component]:
         [
             control,
             html.Div(className="spacer"),
-            html.Div(id="compare-again", className="head-menus"),
-            table_download("compare-table", "comparison"),
+            html.Div(id=names.COMPARE_AGAIN, className="head-menus"),
+            table_download(names.COMPARE_TABLE, "comparison"),
         ],
         className="table-bar",
     )
     heads = html.Div([html.Span("This result"), html.Span("The other result")], className="compare-heads muted")
     return [
-        html.P(id="compare-sentence", className="compare-sentence", role="status"),
-        html.Div([heads, html.Div(id="compare-flow", className="compare-flow")], className="card compare-card"),
+        html.P(id=names.COMPARE_SENTENCE, className="compare-sentence", role="status"),
+        html.Div([heads, html.Div(id=names.COMPARE_FLOW, className="compare-flow")], className="card compare-card"),
         bar,
-        tables.grid("compare-table", figure.COLUMNS, [], "Motifs of both results"),
+        tables.grid(names.COMPARE_TABLE, figure.COLUMNS, [], "Motifs of both results"),
     ]
 
 
@@ -103,14 +108,14 @@ def register(app: Dash, workspace: Workspace) -> None:
 
 def _choose(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("compare-other", "data"),
-        Output("compare-other", "value"),
-        Input("view", "data"),
-        Input("compare-other", "id"),
-        Input("motifs-result-key", "data"),
-        Input("jobs-finished", "data"),
-        State("dataset", "data"),
-        State("compare-other", "data"),
+        Output(names.COMPARE_OTHER, "data"),
+        Output(names.COMPARE_OTHER, "value"),
+        Input(VIEW, "data"),
+        Input(names.COMPARE_OTHER, "id"),
+        Input(MOTIF_METHOD.result_key, "data"),
+        Input(JOBS_FINISHED, "data"),
+        State(DATASET, "data"),
+        State(names.COMPARE_OTHER, "data"),
     )
     def offer(view, _id, key, _finished, name, before):
         graph = results.shown_graph(workspace, key, name, view) if _shown(view) else None
@@ -121,10 +126,10 @@ def _choose(app: Dash, workspace: Workspace) -> None:
         return (no_update if offered == before else offered), other
 
     @app.callback(
-        Output("view-change", "data", allow_duplicate=True),
-        Input("compare-other", "value"),
-        State("view", "data"),
-        State("dataset", "data"),
+        Output(VIEW_CHANGE, "data", allow_duplicate=True),
+        Input(names.COMPARE_OTHER, "value"),
+        State(VIEW, "data"),
+        State(DATASET, "data"),
         prevent_initial_call=True,
     )
     def choose(value, view, name):
@@ -134,9 +139,9 @@ def _choose(app: Dash, workspace: Workspace) -> None:
         return {"other": value, "gained": ""}
 
     @app.callback(
-        Output("compare-asked", "data"),
-        Input("compare-ask", "data"),
-        State("dataset", "data"),
+        Output(names.COMPARE_ASKED, "data"),
+        Input(names.COMPARE_ASK, "data"),
+        State(DATASET, "data"),
         prevent_initial_call=True,
     )
     def compute(computation, name):
@@ -150,23 +155,23 @@ def _start(workspace: Workspace, name: str, other: str) -> None:
     try:
         if results.motif_graph_key(workspace, name, read_other(other)) is None:
             job = jobs.start(workspace, settings.request_of(results.MOTIFS, name, read_other(other)))
-            set_props("job-started", {"data": job.id})
+            set_props(JOB_STARTED, {"data": job.id})
     except MotionscapeError as error:
-        set_props("notices", {"sendNotifications": [notice("Cannot find the other motifs", str(error), "red")]})
+        set_props(NOTICES, {"sendNotifications": [notice("Cannot find the other motifs", str(error), "red")]})
 
 
 def _show(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("compare-status", "children"),
-        Output("compare-result", "className"),
-        Output("compare-keys", "data"),
-        Output("compare-status-of", "data"),
-        Input("view", "data"),
-        Input("jobs-seen", "data"),
-        Input("motifs-result-key", "data"),
-        Input("compare-status", "id"),
-        State("dataset", "data"),
-        State("compare-status-of", "data"),
+        Output(names.COMPARE_STATUS, "children"),
+        Output(names.COMPARE_RESULT, "className"),
+        Output(names.COMPARE_KEYS, "data"),
+        Output(names.COMPARE_STATUS_OF, "data"),
+        Input(VIEW, "data"),
+        Input(JOBS_SEEN, "data"),
+        Input(MOTIF_METHOD.result_key, "data"),
+        Input(names.COMPARE_STATUS, "id"),
+        State(DATASET, "data"),
+        State(names.COMPARE_STATUS_OF, "data"),
     )
     def show_status(view, _seen, key, _id, name, before):
         if not _shown(view) or results.shown_graph(workspace, key, name, view) is None:
@@ -184,29 +189,35 @@ def _show(app: Dash, workspace: Workspace) -> None:
         return status(other, job, bool(other_key)), "compare-result" if other_key else "hidden", keys, status_key
 
     @app.callback(
-        Output("compare-sentence", "children"),
-        Output("compare-flow-data", "data"),
-        Output("compare-filter", "data"),
-        Output("compare-filter", "value"),
-        Output("compare-again", "children"),
-        Input("compare-keys", "data"),
-        State("view", "data"),
-        State("dataset", "data"),
+        Output(names.COMPARE_SENTENCE, "children"),
+        Output(names.COMPARE_FLOW_DATA, "data"),
+        Output(names.COMPARE_FILTER, "data"),
+        Output(names.COMPARE_FILTER, "value"),
+        Output(names.COMPARE_AGAIN, "children"),
+        Input(names.COMPARE_KEYS, "data"),
+        State(VIEW, "data"),
+        State(DATASET, "data"),
     )
     def show_result(keys, view, name):
         compared = _compared(workspace, name, view) if keys else None
         if compared is None:
             return (no_update,) * 5
-        comparison, names = compared[2], _names(workspace, name, view)
+        comparison, motif_names = compared[2], _names(workspace, name, view)
         again = _again(workspace, name, view)
-        return figure.sentence(comparison), figure.flow(comparison, names), figure.filters(comparison), "all", again
+        return (
+            figure.sentence(comparison),
+            figure.flow(comparison, motif_names),
+            figure.filters(comparison),
+            "all",
+            again,
+        )
 
     @app.callback(
-        Output("compare-table", "rowData"),
-        Input("compare-filter", "value"),
-        Input("compare-filter", "data"),
-        State("view", "data"),
-        State("dataset", "data"),
+        Output(names.COMPARE_TABLE, "rowData"),
+        Input(names.COMPARE_FILTER, "value"),
+        Input(names.COMPARE_FILTER, "data"),
+        State(VIEW, "data"),
+        State(DATASET, "data"),
     )
     def list_rows(change, _counts, view, name):
         compared = _compared(workspace, name, view) if _shown(view) and name else None
@@ -218,33 +229,33 @@ def _show(app: Dash, workspace: Workspace) -> None:
 
     app.clientside_callback(
         ClientsideFunction("compare", "draw"),
-        Output("compare-drawn", "data"),
-        Input("compare-flow-data", "data"),
-        State("selection", "data"),
-        State("view", "data"),
+        Output(names.COMPARE_DRAWN, "data"),
+        Input(names.COMPARE_FLOW_DATA, "data"),
+        State(SELECTION, "data"),
+        State(VIEW, "data"),
     )
     app.clientside_callback(
         ClientsideFunction("compare", "mark"),
-        Output("compare-marked", "data"),
-        Input("selection", "data"),
-        Input("view", "data"),
+        Output(names.COMPARE_MARKED, "data"),
+        Input(SELECTION, "data"),
+        Input(VIEW, "data"),
     )
     app.clientside_callback(
         ClientsideFunction("tables", "mark"),
-        Output("compare-row-marked", "data"),
-        Input("selection", "data"),
-        Input("compare-table", "rowData"),
-        State("compare-table", "id"),
+        Output(names.COMPARE_ROW_MARKED, "data"),
+        Input(SELECTION, "data"),
+        Input(names.COMPARE_TABLE, "rowData"),
+        State(names.COMPARE_TABLE, "id"),
     )
 
 
 def _play(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("compare-request", "data"),
-        Input("selection", "data"),
-        Input("view", "data"),
-        Input("compare-keys", "data"),
-        State("dataset", "data"),
+        Output(names.COMPARE_REQUEST, "data"),
+        Input(SELECTION, "data"),
+        Input(VIEW, "data"),
+        Input(names.COMPARE_KEYS, "data"),
+        State(DATASET, "data"),
     )
     def play(selection, view, keys, name):
         selection = selection or {}
@@ -261,7 +272,7 @@ def _play(app: Dash, workspace: Workspace) -> None:
         except WorkspaceError:
             return no_update
 
-    app.clientside_callback(ClientsideFunction("compare", "play"), Input("compare-request", "data"))
+    app.clientside_callback(ClientsideFunction("compare", "play"), Input(names.COMPARE_REQUEST, "data"))
 
 
 def _again(workspace: Workspace, name: str, view: Mapping[str, str]) -> list[Component]:
@@ -339,7 +350,9 @@ def status(other: str | None, job: Job | None, ready: bool) -> Component | None:
         return html.Div(empty_state("graph", "Nothing to compare with yet", hint), className="card")
     if job is not None and job.alive:
         return html.Div(running(job, "Finding the other motifs", "graph"), className="card")
-    again = dmc.Button("Find its motifs", variant="light", **sends("compare-ask", {"other": other}, every_time=True))
+    again = dmc.Button(
+        "Find its motifs", variant="light", **sends(names.COMPARE_ASK, {"other": other}, every_time=True)
+    )
     title, hint = "The other result is not there yet", f"Its settings: {summary(read_other(other))}."
     if job is not None and job.state == "failed":
         title, hint = "Finding the other motifs failed", job.error

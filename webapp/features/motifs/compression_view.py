@@ -12,7 +12,7 @@ from dash.development.base_component import Component
 from core.motifs.compressed_dataset import Compression
 from core.motifs.compression import METHODS, Curves, Step, motion_errors
 from core.workspace import Workspace, WorkspaceError
-from webapp.features.motifs import mixtures, on_demand
+from webapp.features.motifs import mixtures, names, on_demand
 from webapp.features.motifs.figures.compression import (
     HEIGHT,
     MEASURES,
@@ -23,13 +23,14 @@ from webapp.features.motifs.figures.compression import (
 )
 from webapp.shell.attributes import attributes
 from webapp.shell.icons import icon
+from webapp.shell.names import MOTIF_METHOD, SELECTION, STAGE_REQUEST, THEME, VIEW, VIEW_CHANGE
 from webapp.ui import charts
 from webapp.ui.downloads import chart_menu
 
 WHOLE = on_demand.OnDemand(
     name="compression",
     method="compression",
-    place="compression-whole",
+    ids=names.COMPRESSION,
     symbol="stack",
     doing="Compressing",
     missing="Not computed yet",
@@ -58,17 +59,17 @@ def layout() -> Component:
                 children=[
                     html.Div(
                         [
-                            html.H3("This motif", id="compression-title"),
+                            html.H3("This motif", id=names.COMPRESSION_TITLE),
                             help_mark(HELP),
                             html.Div(className="spacer"),
                             dmc.SegmentedControl(
-                                id="compression-measure",
+                                id=names.COMPRESSION_MEASURE,
                                 data=[{"value": value, "label": label} for value, (label, _) in MEASURES.items()],
                                 value="cm",
                                 size="xs",
                                 **attributes(aria_label="How the error is measured"),
                             ),
-                            chart_menu("compression-chart", "compression of a motif"),
+                            chart_menu(names.COMPRESSION_CHART, "compression of a motif"),
                         ],
                         className="chart-head",
                     ),
@@ -80,8 +81,8 @@ def layout() -> Component:
                     ),
                 ],
             ),
-            html.Div(id=WHOLE.place, className="card chart-card"),
-            dcc.Store(id="compression-of"),
+            html.Div(id=WHOLE.ids.place, className="card chart-card"),
+            dcc.Store(id=names.COMPRESSION_OF),
             *WHOLE.stores(),
         ],
     )
@@ -89,17 +90,17 @@ def layout() -> Component:
 
 def _motif_part() -> list[Component]:
     return [
-        html.P(id="compression-sentence", className="muted compression-sentence"),
+        html.P(id=names.COMPRESSION_SENTENCE, className="muted compression-sentence"),
         html.Div(
-            id="compression-motif",
+            id=names.COMPRESSION_MOTIF,
             className="hidden",
             children=[
-                dcc.Graph(id="compression-chart", figure=_NO_CHART, config=charts.CONFIG, style=_TALL),
+                dcc.Graph(id=names.COMPRESSION_CHART, figure=_NO_CHART, config=charts.CONFIG, style=_TALL),
                 html.Div(
                     className="compression-bar",
                     children=[
-                        _select("compression-step", "Play what comes back from …", "How it is stored"),
-                        _select("compression-motion", "Motion", "Which motion"),
+                        _select(names.COMPRESSION_STEP, "Play what comes back from …", "How it is stored"),
+                        _select(names.COMPRESSION_MOTION, "Motion", "Which motion"),
                     ],
                 ),
             ],
@@ -139,20 +140,20 @@ def register(app: Dash, workspace: Workspace) -> None:
 
 def _chart(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("compression-title", "children"),
-        Output("compression-sentence", "children"),
-        Output("compression-motif", "className"),
-        Output("compression-chart", "figure"),
-        Output("compression-step", "data"),
-        Output("compression-step", "value"),
-        Output("compression-of", "data"),
-        Input("selection", "data"),
-        Input("view", "data"),
-        Input("compression-measure", "value"),
-        Input("theme", "data"),
-        Input("compression-chart", "id"),
-        State("motifs-result-key", "data"),
-        State("compression-of", "data"),
+        Output(names.COMPRESSION_TITLE, "children"),
+        Output(names.COMPRESSION_SENTENCE, "children"),
+        Output(names.COMPRESSION_MOTIF, "className"),
+        Output(names.COMPRESSION_CHART, "figure"),
+        Output(names.COMPRESSION_STEP, "data"),
+        Output(names.COMPRESSION_STEP, "value"),
+        Output(names.COMPRESSION_OF, "data"),
+        Input(SELECTION, "data"),
+        Input(VIEW, "data"),
+        Input(names.COMPRESSION_MEASURE, "value"),
+        Input(THEME, "data"),
+        Input(names.COMPRESSION_CHART, "id"),
+        State(MOTIF_METHOD.result_key, "data"),
+        State(names.COMPRESSION_OF, "data"),
     )
     def show(selection, view, measure, scheme, _id, key, before):
         if not _shown(view) or not key:
@@ -175,8 +176,8 @@ def _chart(app: Dash, workspace: Workspace) -> None:
         return f"Motif {number}", words, "", figure, steps, no_update if same else chosen, now
 
     @app.callback(
-        Output("compression-step", "value", allow_duplicate=True),
-        Input("compression-chart", "clickData"),
+        Output(names.COMPRESSION_STEP, "value", allow_duplicate=True),
+        Input(names.COMPRESSION_CHART, "clickData"),
         prevent_initial_call=True,
     )
     def choose(clicked):
@@ -215,14 +216,14 @@ def _steps(curves: Curves) -> list[dict[str, Any]]:
 
 def _play(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("compression-motion", "data"),
-        Output("compression-motion", "value"),
-        Input("compression-step", "value"),
-        State("compression-of", "data"),
+        Output(names.COMPRESSION_MOTION, "data"),
+        Output(names.COMPRESSION_MOTION, "value"),
+        Input(names.COMPRESSION_STEP, "value"),
+        State(names.COMPRESSION_OF, "data"),
         prevent_initial_call=True,
     )
     def list_motions(value, shown_part):
-        set_props("view-change", {"data": {"step": value or ""}})
+        set_props(VIEW_CHANGE, {"data": {"step": value or ""}})
         if not value or not shown_part:
             return [], None
         method, step = read_step(value)
@@ -236,12 +237,12 @@ def _play(app: Dash, workspace: Workspace) -> None:
         return data, str(worst)
 
     @app.callback(
-        Output("stage-request", "data", allow_duplicate=True),
-        Input("compression-motion", "value"),
-        Input("compression-step", "value"),
-        State("compression-motion", "data"),
-        State("compression-of", "data"),
-        State("theme", "data"),
+        Output(STAGE_REQUEST, "data", allow_duplicate=True),
+        Input(names.COMPRESSION_MOTION, "value"),
+        Input(names.COMPRESSION_STEP, "value"),
+        State(names.COMPRESSION_MOTION, "data"),
+        State(names.COMPRESSION_OF, "data"),
+        State(THEME, "data"),
         prevent_initial_call=True,
     )
     def play(motion, value, known, shown_part, scheme):
@@ -270,11 +271,11 @@ def rebuilt_request(key: str, number: Any, method: str, step: Step, motion: int,
 
 def _whole(whole: Compression, name: str, view: Mapping[str, Any] | None, scheme: str | None) -> list[Component]:
     """The chart over all of the data set."""
-    head = [html.H3("Whole dataset"), html.Div(className="spacer"), chart_menu("compression-all", "compression")]
+    head = [html.H3("Whole dataset"), html.Div(className="spacer"), chart_menu(names.COMPRESSION_ALL, "compression")]
     return [
         html.Div(head, className="chart-head"),
         html.P(dataset_sentence(whole), className="muted compression-sentence"),
-        dcc.Graph(id="compression-all", figure=dataset_chart(whole, scheme), config=charts.CONFIG, style=_TALL),
+        dcc.Graph(id=names.COMPRESSION_ALL, figure=dataset_chart(whole, scheme), config=charts.CONFIG, style=_TALL),
     ]
 
 

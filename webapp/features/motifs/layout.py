@@ -14,13 +14,14 @@ from dash.development.base_component import Component
 from core.mocap.dataset import Dataset
 from core.motifs.graph import Motif, MotifGraph
 from core.workspace import MotifNote
-from webapp.features.motifs import stability_marks, views
+from webapp.features.motifs import names, stability_marks, views
 from webapp.features.motifs.figures import graph as graph_figure
 from webapp.features.motifs.playing import moment, transition_segment
 from webapp.shell.attributes import attributes
 from webapp.shell.buttons import sends, similar
 from webapp.shell.icons import icon
 from webapp.shell.messages import empty_state
+from webapp.shell.names import SELECTION
 from webapp.shell.results import MOTIFS, find_edge, find_motif, find_motifs
 from webapp.ui import method_page
 from webapp.ui.brief_names import brief_names
@@ -50,7 +51,7 @@ MOST_ROWS = 60  # motions or transitions listed at once
 
 def stores() -> list[Component]:
     """For the frame of the app: the graph that is shown stays known on other pages."""
-    return [*method_page.stores(METHOD), dcc.Store(id="graph-tool")]
+    return [*method_page.stores(METHOD), dcc.Store(id=names.GRAPH_TOOL)]
 
 
 def page() -> Component:
@@ -58,10 +59,10 @@ def page() -> Component:
     return html.Div(
         className="motifs",
         children=[
-            page_head("Motifs", html.Div(id="motif-menus", className="head-menus"), method_page.run_button(METHOD)),
+            page_head("Motifs", html.Div(id=names.MOTIF_MENUS, className="head-menus"), method_page.run_button(METHOD)),
             method_page.settings_fold(METHOD),
             method_page.status_place(METHOD),
-            html.Div(id="motif-result"),
+            html.Div(id=names.MOTIF_RESULT),
         ],
     )
 
@@ -89,7 +90,7 @@ def result(graph: MotifGraph, dataset: Dataset, elements: list[dict], scheme: st
             ),
             html.Div([views.switch("view", "What to look at")], className="section-head section"),
             *views.panels("view"),
-            *(dcc.Store(id=name) for name in ("motions", "graph-tapped", "graph-marked")),
+            *(dcc.Store(id=name) for name in (names.MOTIONS, names.GRAPH_TAPPED, names.GRAPH_MARKED)),
         ]
     )
 
@@ -124,10 +125,12 @@ def _graph_card(graph: MotifGraph, elements: list[dict], scheme: str) -> Compone
                         + ("" if max(counts, default=1) > 1 and len(counts) > MANY_TO_FILTER else " hidden"),
                         children=[
                             html.Span(
-                                f"Transitions seen at least {threshold}×", className="number", id="edge-filter-label"
+                                f"Transitions seen at least {threshold}×",
+                                className="number",
+                                id=names.EDGE_FILTER_LABEL,
                             ),
                             dmc.Slider(
-                                id="edge-threshold",
+                                id=names.EDGE_THRESHOLD,
                                 min=1,
                                 max=max(2, min(max(counts, default=2), 20)),
                                 value=threshold,
@@ -150,7 +153,7 @@ def _graph_card(graph: MotifGraph, elements: list[dict], scheme: str) -> Compone
                 ],
             ),
             cyto.Cytoscape(
-                id="motif-graph",
+                id=names.MOTIF_GRAPH,
                 elements=elements,
                 layout={"name": "preset", "fit": True, "padding": 26},
                 stylesheet=graph_figure.stylesheet(scheme),
@@ -172,7 +175,7 @@ def _tool(symbol: str, label: str, value: dict[str, str]) -> Component:
         icon(symbol, 16),
         variant="default",
         size=30,
-        **sends("graph-tool", value, every_time=True),
+        **sends(names.GRAPH_TOOL, value, every_time=True),
         **attributes(aria_label=label),
         attributes={"root": {"title": label}},
     )
@@ -186,7 +189,7 @@ def download_menu(graph: MotifGraph, query: str, copies: Sequence[Component]) ->
         _download("Motifs and edges (JSON)", f"/api/motifs.json?{query}"),
         _download("All motions (CSV)", f"/api/motifs.csv?{query}"),
         _download("Drawing of the graph (SVG)", f"/api/motifs.svg?{query}"),
-        dmc.MenuItem("Picture of the graph (PNG)", **sends("graph-tool", {"graph": "png"}, every_time=True)),
+        dmc.MenuItem("Picture of the graph (PNG)", **sends(names.GRAPH_TOOL, {"graph": "png"}, every_time=True)),
         dmc.MenuDivider(),
         *copies,
     ]
@@ -210,7 +213,7 @@ def selection_panel(
             size="compact-sm",
             variant="default" if "motion" in selection else "filled",
             leftSection=icon("play", 14),
-            **sends("selection", {"motif": motif.id}),
+            **sends(SELECTION, {"motif": motif.id}),
         )
         name = notes[motif.id].name if motif.id in notes else ""
         number = int(selection.get("motion", motif.medoid))
@@ -239,7 +242,7 @@ def _several(motifs: list[Motif], notes: Mapping[int, MotifNote]) -> Component:
         html.Button(
             (notes[motif.id].name if motif.id in notes else "") or f"Motif {motif.id}",
             className="soft-button",
-            **sends("selection", {"motif": motif.id}),
+            **sends(SELECTION, {"motif": motif.id}),
         )
         for motif in motifs
     ]

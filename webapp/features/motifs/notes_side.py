@@ -12,7 +12,9 @@ from dash.development.base_component import Component
 
 from core.workspace import MotifNote, Workspace, WorkspaceError
 from core.workspace.notes import LONGEST_NAME, MOST_TAGS
+from webapp.features.motifs import names
 from webapp.shell import results
+from webapp.shell.names import DATASET, SELECTION, VIEW
 from webapp.shell.results import find_motif
 from webapp.ui.tables import motif_rows
 
@@ -24,33 +26,35 @@ def layout() -> Component:
     return html.Div(
         className="notes-side",
         children=[
-            html.P("Choose a motif to name it, tag it, or write a note.", id="notes-hint", className="muted"),
+            html.P("Choose a motif to name it, tag it, or write a note.", id=names.NOTES_HINT, className="muted"),
             html.Div(
-                id="notes-form",
+                id=names.NOTES_FORM,
                 className="notes-form hidden",
                 children=[
-                    html.Div(html.H2(id="notes-title"), className="section-head"),
+                    html.Div(html.H2(id=names.NOTES_TITLE), className="section-head"),
                     dmc.TextInput(
-                        id="notes-name",
+                        id=names.NOTES_NAME,
                         label="Name",
                         placeholder="jumping jack",
                         debounce=True,
                         attributes={"input": {"maxLength": LONGEST_NAME}},
                     ),
                     dmc.TagsInput(
-                        id="notes-tags",
+                        id=names.NOTES_TAGS,
                         label="Tags",
                         placeholder="Type one, then Enter",
                         maxTags=MOST_TAGS,
                         clearable=True,
                     ),
-                    dmc.Textarea(id="notes-text", label="Note", autosize=True, minRows=3, maxRows=10, debounce=True),
-                    html.Div(id="notes-status", className="muted notes-status", role="status"),
+                    dmc.Textarea(
+                        id=names.NOTES_TEXT, label="Note", autosize=True, minRows=3, maxRows=10, debounce=True
+                    ),
+                    html.Div(id=names.NOTES_STATUS, className="muted notes-status", role="status"),
                 ],
             ),
-            dcc.Store(id="notes-motif"),
-            dcc.Store(id="notes-names"),
-            dcc.Store(id="notes-drawn"),
+            dcc.Store(id=names.NOTES_MOTIF),
+            dcc.Store(id=names.NOTES_NAMES),
+            dcc.Store(id=names.NOTES_DRAWN),
         ],
     )
 
@@ -59,18 +63,18 @@ def register(app: Dash, workspace: Workspace) -> None:
     """Fill the form, save it, and show the names everywhere."""
 
     @app.callback(
-        Output("notes-hint", "className"),
-        Output("notes-form", "className"),
-        Output("notes-title", "children"),
-        Output("notes-name", "value"),
-        Output("notes-tags", "value"),
-        Output("notes-text", "value"),
-        Output("notes-motif", "data"),
-        Output("notes-status", "children"),
-        Input("selection", "data"),
-        Input("notes-form", "id"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(names.NOTES_HINT, "className"),
+        Output(names.NOTES_FORM, "className"),
+        Output(names.NOTES_TITLE, "children"),
+        Output(names.NOTES_NAME, "value"),
+        Output(names.NOTES_TAGS, "value"),
+        Output(names.NOTES_TEXT, "value"),
+        Output(names.NOTES_MOTIF, "data"),
+        Output(names.NOTES_STATUS, "children"),
+        Input(SELECTION, "data"),
+        Input(names.NOTES_FORM, "id"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
     )
     def fill(selection, _form, name, view):
         graph = results.motif_graph(workspace, name, view) if name else None
@@ -82,13 +86,13 @@ def register(app: Dash, workspace: Workspace) -> None:
         return "hidden", "notes-form", f"Motif {motif.id}", note.name, list(note.tags), note.note, motif.id, status
 
     @app.callback(
-        Output("notes-status", "children", allow_duplicate=True),
-        Input("notes-name", "value"),
-        Input("notes-tags", "value"),
-        Input("notes-text", "value"),
-        State("notes-motif", "data"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(names.NOTES_STATUS, "children", allow_duplicate=True),
+        Input(names.NOTES_NAME, "value"),
+        Input(names.NOTES_TAGS, "value"),
+        Input(names.NOTES_TEXT, "value"),
+        State(names.NOTES_MOTIF, "data"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
         prevent_initial_call=True,
     )
     def save(name, tags, text, motif, dataset, view):
@@ -111,22 +115,22 @@ def register(app: Dash, workspace: Workspace) -> None:
         return "Saved."
 
     @app.callback(
-        Output("notes-names", "data"),
-        Input("notes-status", "children"),
-        Input("notes-form", "id"),
-        State("notes-names", "data"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(names.NOTES_NAMES, "data"),
+        Input(names.NOTES_STATUS, "children"),
+        Input(names.NOTES_FORM, "id"),
+        State(names.NOTES_NAMES, "data"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
     )
     def collect(_status, _form, before, name, view):
         now = said(results.motif_notes(workspace, name, view)) if name else {}
         return no_update if now == before else now
 
     @app.callback(
-        Output("motif-table", "rowData"),
-        Input("notes-names", "data"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(names.MOTIF_TABLE, "rowData"),
+        Input(names.NOTES_NAMES, "data"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
         prevent_initial_call=True,
     )
     def rows(_names, name, view):
@@ -137,15 +141,15 @@ def register(app: Dash, workspace: Workspace) -> None:
 
     app.clientside_callback(
         ClientsideFunction("names", "draw"),
-        Output("notes-drawn", "data"),
-        Input("notes-names", "data"),
-        Input("motif-graph", "elements"),
+        Output(names.NOTES_DRAWN, "data"),
+        Input(names.NOTES_NAMES, "data"),
+        Input(names.MOTIF_GRAPH, "elements"),
     )
     app.clientside_callback(
         ClientsideFunction("names", "search"),
-        Output("motifs-searched", "data"),
-        Input("motif-search", "value"),
-        Input("motif-table", "rowData"),
+        Output(names.MOTIFS_SEARCHED, "data"),
+        Input(names.MOTIF_SEARCH, "value"),
+        Input(names.MOTIF_TABLE, "rowData"),
     )
 
 

@@ -13,18 +13,21 @@ from core import analyses
 from core.errors import ParameterError
 from core.workspace import Job, Workspace, WorkspaceError
 from webapp import jobs
+from webapp.features.motifs.names import OnDemandNames
+from webapp.jobs.names import JOBS_FINISHED
 from webapp.jobs.running import running
 from webapp.shell import results, settings
 from webapp.shell.buttons import sends
 from webapp.shell.messages import empty_state, notice
+from webapp.shell.names import DATASET, JOB_STARTED, MOTIF_METHOD, NOTICES, THEME, VIEW
 
 
 class OnDemand(NamedTuple):
-    """The name and the texts of such a part. Its stores are NAME-find, NAME-asked and NAME-shown; NAME is a view."""
+    """The name and the texts of such a part; ``name`` is its view, ``ids`` are those of its elements and stores."""
 
     name: str
     method: str
-    place: str  # id of the element that it fills
+    ids: OnDemandNames
     symbol: str
     doing: str  # "Making the report"
     missing: str  # "No report yet"
@@ -39,7 +42,7 @@ class OnDemand(NamedTuple):
 
     def stores(self) -> list[Component]:
         """For the view's skeleton."""
-        return [dcc.Store(id=f"{self.name}-{what}") for what in ("find", "asked", "shown")]
+        return [dcc.Store(id=store) for store in (self.ids.find, self.ids.asked, self.ids.shown)]
 
     def waiting(self, job: Job | None) -> Component:
         """The content while there is no result: progress, or an invitation to compute it."""
@@ -50,7 +53,7 @@ class OnDemand(NamedTuple):
             title, words = f"{self.doing} failed", job.error
         elif job is not None and job.state == "cancelled":
             title, words = f"{self.doing} was cancelled", "Nothing was kept of it."
-        asks = sends(f"{self.name}-find", {"find": True}, every_time=True)
+        asks = sends(self.ids.find, {"find": True}, every_time=True)
         return empty_state(self.symbol, title, words, dmc.Button(self.button, variant="light", **asks))
 
 
@@ -61,32 +64,32 @@ def register(app: Dash, workspace: Workspace, part: OnDemand, body: Body) -> Non
     """Registers the callbacks that start the job of ``part``, follow it, and show the ``body`` of its result."""
 
     @app.callback(
-        Output(f"{part.name}-asked", "data"),
-        Input(f"{part.name}-find", "data"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(part.ids.asked, "data"),
+        Input(part.ids.find, "data"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
         prevent_initial_call=True,
     )
     def ask(_clicked, name, view):
         try:
             job = jobs.start(workspace, part.request(name, view))
         except (ParameterError, WorkspaceError) as error:
-            set_props("notices", {"sendNotifications": [notice(part.refused, str(error), "red")]})
+            set_props(NOTICES, {"sendNotifications": [notice(part.refused, str(error), "red")]})
             return no_update
-        set_props("job-started", {"data": job.id})
+        set_props(JOB_STARTED, {"data": job.id})
         return job.id
 
     @app.callback(
-        Output(part.place, "children"),
-        Output(f"{part.name}-shown", "data"),
-        Input("view", "data"),
-        Input(part.place, "id"),
-        Input(f"{part.name}-asked", "data"),
-        Input("jobs-finished", "data"),
-        Input("theme", "data"),
-        State(f"{part.name}-shown", "data"),
-        State("motifs-result-key", "data"),
-        State("dataset", "data"),
+        Output(part.ids.place, "children"),
+        Output(part.ids.shown, "data"),
+        Input(VIEW, "data"),
+        Input(part.ids.place, "id"),
+        Input(part.ids.asked, "data"),
+        Input(JOBS_FINISHED, "data"),
+        Input(THEME, "data"),
+        State(part.ids.shown, "data"),
+        State(MOTIF_METHOD.result_key, "data"),
+        State(DATASET, "data"),
     )
     def show(view, _place, _asked, _finished, scheme, shown, graph_key, name):
         if (view or {}).get("view") != part.name or results.shown_graph(workspace, graph_key, name, view) is None:

@@ -12,10 +12,11 @@ from dash.development.base_component import Component
 from core.motifs.graph import MotifGraph
 from core.motifs.redundancy import Redundancy
 from core.workspace import Workspace, WorkspaceError
-from webapp.features.motifs import on_demand
+from webapp.features.motifs import names, on_demand
 from webapp.features.motifs.figures.redundancy import CLIP_COLUMNS, clip_rows, copy_entries, kept_chart, rare_entries
 from webapp.shell import recipes, results
 from webapp.shell.buttons import copies, sends
+from webapp.shell.names import SELECTION
 from webapp.ui import charts
 from webapp.ui.downloads import chart_menu, table_download
 from webapp.ui.tables import grid
@@ -24,7 +25,7 @@ MOST_GROUPS = 40
 REPORT = on_demand.OnDemand(
     name="report",
     method="redundancy",
-    place="report-body",
+    ids=names.REPORT,
     symbol="graph",
     doing="Making the report",
     missing="No report yet",
@@ -37,7 +38,7 @@ REPORT = on_demand.OnDemand(
 
 def layout() -> Component:
     """The place of the report."""
-    return html.Div([html.Div(id=REPORT.place), *REPORT.stores()], className="report-view")
+    return html.Div([html.Div(id=REPORT.ids.place), *REPORT.stores()], className="report-view")
 
 
 def register(app: Dash, workspace: Workspace) -> None:
@@ -63,10 +64,10 @@ def body(report: Redundancy, graph: MotifGraph, dataset: Any, scheme: str | None
             html.Div(
                 [
                     html.Div(
-                        [html.H3("What the clips hold"), chart_menu("report-chart", "keep-list")],
+                        [html.H3("What the clips hold"), chart_menu(names.REPORT_CHART, "keep-list")],
                         className="chart-head",
                     ),
-                    dcc.Graph(id="report-chart", figure=chart, config=charts.CONFIG, style=charts.tall(chart)),
+                    dcc.Graph(id=names.REPORT_CHART, figure=chart, config=charts.CONFIG, style=charts.tall(chart)),
                 ],
                 className="card chart-card",
             ),
@@ -108,7 +109,7 @@ def _copies(entries: list[dict[str, Any]]) -> Component:
                 html.Span(f"Motif {entry['motif']}", className="copies-motif"),
                 html.Div(
                     [
-                        html.Button(text, type="button", className="copy-chip", **sends("selection", selection))
+                        html.Button(text, type="button", className="copy-chip", **sends(SELECTION, selection))
                         for text, selection in entry["motions"]
                     ],
                     className="copy-chips",
@@ -133,5 +134,5 @@ def _rare(entry: dict[str, Any]) -> Component:
         type="button",
         className="rare-posture",
         title=f"Play {entry['where']}",
-        **sends("selection", entry["selection"]),
+        **sends(SELECTION, entry["selection"]),
     )

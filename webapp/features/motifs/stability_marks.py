@@ -16,12 +16,14 @@ from core import analyses
 from core.errors import ParameterError
 from core.workspace import Job, Workspace, WorkspaceError
 from webapp import jobs
-from webapp.features.motifs import stability_request
+from webapp.features.motifs import names, stability_request
 from webapp.jobs.job_bar import stage_words
+from webapp.jobs.names import JOB_ACTION, JOBS_SEEN
 from webapp.shell import recipes, results, settings, theme
 from webapp.shell.buttons import copies, sends
 from webapp.shell.icons import icon
 from webapp.shell.messages import notice
+from webapp.shell.names import DATASET, JOB_STARTED, MOTIF_METHOD, NOTICES, SELECTION, VIEW, VIEW_CHANGE
 
 if TYPE_CHECKING:
     from core.motifs.stability import Stability
@@ -45,7 +47,7 @@ def control() -> Component:
             dmc.PopoverTarget(
                 dmc.Button(
                     "Stability",
-                    id="stability-button",
+                    id=names.STABILITY_BUTTON,
                     variant="default",
                     size="xs",
                     className="stability-button",
@@ -64,12 +66,12 @@ def control() -> Component:
                                 _number("noise_degrees", "Noise in degrees", 0, 45, 0.5),
                             ],
                         ),
-                        html.Div(id="stability-status", role="status"),
+                        html.Div(id=names.STABILITY_STATUS, role="status"),
                         html.Div(
                             className="stability-actions",
                             children=[
-                                dmc.Button("Show stability", id="stability-show", size="compact-sm"),
-                                dmc.Button("Hide", id="stability-hide", size="compact-sm", variant="default"),
+                                dmc.Button("Show stability", id=names.STABILITY_SHOW, size="compact-sm"),
+                                dmc.Button("Hide", id=names.STABILITY_HIDE, size="compact-sm", variant="default"),
                             ],
                         ),
                     ],
@@ -81,7 +83,14 @@ def control() -> Component:
 
 def _number(name: str, label: str, low: float, high: float, step: float) -> Component:
     return dmc.NumberInput(
-        id=f"stability-{name}", label=label, value=DEFAULTS[name], min=low, max=high, step=step, size="xs", w=130
+        id=names.STABILITY_NUMBERS[name],
+        label=label,
+        value=DEFAULTS[name],
+        min=low,
+        max=high,
+        step=step,
+        size="xs",
+        w=130,
     )
 
 
@@ -93,14 +102,14 @@ def legend() -> Component:
         html.Span("100 %"),
     ]
     return html.Div(
-        id="stability-legend",
+        id=names.STABILITY_LEGEND,
         className="stability-legend hidden",
         children=[
             html.Span(["Rings: stability ", *ends], className="stability-key muted number"),
-            html.Span(id="stability-words", role="status"),
-            dcc.Store(id="stability-data"),
-            dcc.Store(id="stability-of"),
-            dcc.Store(id="stability-drawn"),
+            html.Span(id=names.STABILITY_WORDS, role="status"),
+            dcc.Store(id=names.STABILITY_DATA),
+            dcc.Store(id=names.STABILITY_OF),
+            dcc.Store(id=names.STABILITY_DRAWN),
         ],
     )
 
@@ -109,41 +118,41 @@ def register(app: Dash, workspace: Workspace) -> None:
     """Registers the callbacks that start the measurement, follow it and show its result."""
 
     @app.callback(
-        Output("view-change", "data", allow_duplicate=True),
-        Input("stability-show", "n_clicks"),
-        Input("stability-hide", "n_clicks"),
-        State("stability-repetitions", "value"),
-        State("stability-noise_degrees", "value"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(VIEW_CHANGE, "data", allow_duplicate=True),
+        Input(names.STABILITY_SHOW, "n_clicks"),
+        Input(names.STABILITY_HIDE, "n_clicks"),
+        State(names.STABILITY_NUMBERS["repetitions"], "value"),
+        State(names.STABILITY_NUMBERS["noise_degrees"], "value"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
         prevent_initial_call=True,
     )
     def ask(shown, hidden, repetitions, degrees, name, view):
         if not (shown or hidden) or not name:
             return no_update  # the buttons came with a new graph
-        if ctx.triggered_id == "stability-hide":
+        if ctx.triggered_id == names.STABILITY_HIDE:
             return {"stability": ""}
         text = stability_request.write(repetitions, degrees)
         try:
             measurement = stability_request.request(name, view, text)
             if analyses.stored(workspace, measurement) is None:
-                set_props("job-started", {"data": jobs.start(workspace, measurement).id})
+                set_props(JOB_STARTED, {"data": jobs.start(workspace, measurement).id})
         except (ParameterError, WorkspaceError) as error:
-            set_props("notices", {"sendNotifications": [notice("Cannot measure stability", str(error), "red")]})
+            set_props(NOTICES, {"sendNotifications": [notice("Cannot measure stability", str(error), "red")]})
             return no_update
         return {"stability": text}
 
     @app.callback(
-        Output("stability-data", "data"),
-        Output("stability-status", "children"),
-        Output("stability-button", "children"),
-        Output("stability-of", "data"),
-        Input("view", "data"),
-        Input("jobs-seen", "data"),
-        Input("motifs-result-key", "data"),
-        Input("stability-button", "id"),
-        State("dataset", "data"),
-        State("stability-of", "data"),
+        Output(names.STABILITY_DATA, "data"),
+        Output(names.STABILITY_STATUS, "children"),
+        Output(names.STABILITY_BUTTON, "children"),
+        Output(names.STABILITY_OF, "data"),
+        Input(VIEW, "data"),
+        Input(JOBS_SEEN, "data"),
+        Input(MOTIF_METHOD.result_key, "data"),
+        Input(names.STABILITY_BUTTON, "id"),
+        State(DATASET, "data"),
+        State(names.STABILITY_OF, "data"),
     )
     def follow(view, _seen, key, _id, name, before):
         if key and results.shown_graph(workspace, key, name, view) is None:
@@ -163,16 +172,16 @@ def register(app: Dash, workspace: Workspace) -> None:
 
     app.clientside_callback(
         ClientsideFunction("stability", "draw"),
-        Output("stability-drawn", "data"),
-        Input("stability-data", "data"),
-        Input("motif-graph", "elements"),
-        Input("selection", "data"),
+        Output(names.STABILITY_DRAWN, "data"),
+        Input(names.STABILITY_DATA, "data"),
+        Input(names.MOTIF_GRAPH, "elements"),
+        Input(SELECTION, "data"),
     )
     app.clientside_callback(
         ClientsideFunction("stability", "list"),
-        Output("stability-listed", "data"),
-        Input("stability-data", "data"),
-        Input("motif-table", "rowData"),
+        Output(names.STABILITY_LISTED, "data"),
+        Input(names.STABILITY_DATA, "data"),
+        Input(names.MOTIF_TABLE, "rowData"),
     )
 
 
@@ -213,7 +222,7 @@ def status(
             size="compact-xs",
             variant="default",
             disabled=job.cancelling,
-            **sends("job-action", {"action": "cancel", "job": job.id}, every_time=True),
+            **sends(JOB_ACTION, {"action": "cancel", "job": job.id}, every_time=True),
         )
         return html.Div([f"{stage_words(job).capitalize()}, {round(100 * job.fraction)} % ", cancel])
     if job is not None and job.state == "failed":

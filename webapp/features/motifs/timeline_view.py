@@ -10,8 +10,10 @@ from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
 from core.workspace import Workspace
+from webapp.features.motifs import names
 from webapp.shell import results, settings
 from webapp.shell.attributes import attributes
+from webapp.shell.names import DATASET, MOTIF_METHOD, SELECTION, VIEW
 from webapp.ui.downloads import drawing_menu
 from webapp.ui.timeline import timeline
 
@@ -27,7 +29,7 @@ def layout() -> Component:
                 className="timeline-bar",
                 children=[
                     dmc.Select(
-                        id="timeline-order",
+                        id=names.TIMELINE_ORDER,
                         data=[{"value": value, "label": label} for value, label in ORDERS],
                         value="name",
                         size="xs",
@@ -36,20 +38,22 @@ def layout() -> Component:
                         **attributes(aria_label="Order of the clips"),
                     ),
                     dmc.SegmentedControl(
-                        id="timeline-scale",
+                        id=names.TIMELINE_SCALE,
                         data=[{"value": "same", "label": "Same scale"}, {"value": "fill", "label": "Fill the width"}],
                         value="same",
                         size="xs",
                         **attributes(aria_label="Scale of time"),
                     ),
                     drawing_menu("timeline", "timeline"),
-                    html.Div(id="timeline-legend", className="timeline-legend"),
+                    html.Div(id=names.TIMELINE_LEGEND, className="timeline-legend"),
                 ],
             ),
-            html.Div(id="timeline-rows", className="card timeline-rows", role="list", **attributes(aria_label="Clips")),
-            dcc.Store(id="timeline-data"),
-            dcc.Store(id="timeline-drawn"),
-            dcc.Store(id="timeline-marked"),
+            html.Div(
+                id=names.TIMELINE_ROWS, className="card timeline-rows", role="list", **attributes(aria_label="Clips")
+            ),
+            dcc.Store(id=names.TIMELINE_DATA),
+            dcc.Store(id=names.TIMELINE_DRAWN),
+            dcc.Store(id=names.TIMELINE_MARKED),
         ],
     )
 
@@ -58,12 +62,12 @@ def register(app: Dash, workspace: Workspace) -> None:
     """Data from the server once a result; the drawing is the browser's."""
 
     @app.callback(
-        Output("timeline-data", "data"),
-        Input("view", "data"),
-        Input("timeline-rows", "id"),
-        Input("notes-names", "data"),
-        State("motifs-result-key", "data"),
-        State("dataset", "data"),
+        Output(names.TIMELINE_DATA, "data"),
+        Input(VIEW, "data"),
+        Input(names.TIMELINE_ROWS, "id"),
+        Input(names.NOTES_NAMES, "data"),
+        State(MOTIF_METHOD.result_key, "data"),
+        State(DATASET, "data"),
     )
     def gather(view, _rows, _names, key, name):
         if not key or not name or (view or {}).get("view") != "timeline":
@@ -77,15 +81,15 @@ def register(app: Dash, workspace: Workspace) -> None:
 
     app.clientside_callback(
         ClientsideFunction("timeline", "draw"),
-        Output("timeline-drawn", "data"),
-        Input("timeline-data", "data"),
-        Input("timeline-order", "value"),
-        Input("timeline-scale", "value"),
-        State("selection", "data"),
+        Output(names.TIMELINE_DRAWN, "data"),
+        Input(names.TIMELINE_DATA, "data"),
+        Input(names.TIMELINE_ORDER, "value"),
+        Input(names.TIMELINE_SCALE, "value"),
+        State(SELECTION, "data"),
     )
     app.clientside_callback(
         ClientsideFunction("timeline", "mark"),
-        Output("timeline-marked", "data"),
-        Input("selection", "data"),
-        State("timeline-order", "value"),
+        Output(names.TIMELINE_MARKED, "data"),
+        Input(SELECTION, "data"),
+        State(names.TIMELINE_ORDER, "value"),
     )

@@ -19,6 +19,7 @@ from webapp.features.motifs import (
     blend_side,
     compare_view,
     compression_view,
+    names,
     notes_side,
     report_view,
     timeline_view,
@@ -26,6 +27,7 @@ from webapp.features.motifs import (
 )
 from webapp.shell.attributes import attributes
 from webapp.shell.icons import icon
+from webapp.shell.names import VIEW
 from webapp.ui.downloads import table_download
 
 
@@ -40,13 +42,14 @@ class Part(NamedTuple):
 
 def _motions() -> Component:
     return html.Div(
-        [html.Div(id="motif-selection"), html.Div(id="motion-list", className="motion-list")], className="side-motions"
+        [html.Div(id=names.MOTIF_SELECTION), html.Div(id=names.MOTION_LIST, className="motion-list")],
+        className="side-motions",
     )
 
 
 def _table() -> Component:
     search = dmc.TextInput(
-        id="motif-search",
+        id=names.MOTIF_SEARCH,
         placeholder="Search names, tags, notes, labels",
         leftSection=icon("search", 14),
         size="xs",
@@ -54,9 +57,9 @@ def _table() -> Component:
         **attributes(aria_label="Search motifs"),
     )
     bar = html.Div(
-        [search, html.Div(className="spacer"), table_download("motif-table", "motifs")], className="table-bar"
+        [search, html.Div(className="spacer"), table_download(names.MOTIF_TABLE, "motifs")], className="table-bar"
     )
-    return html.Div([bar, html.Div(id="motif-table-place")])
+    return html.Div([bar, html.Div(id=names.MOTIF_TABLE_PLACE)])
 
 
 def _nothing(app: Dash, workspace: Workspace) -> None:
@@ -86,13 +89,13 @@ def register(app: Dash, workspace: Workspace) -> None:
         for part in parts:
             part.register(app, workspace)
         app.clientside_callback(
-            ClientsideFunction("views", "chosen"), Input(f"motif-{key}", "value"), State("view", "data")
+            ClientsideFunction("views", "chosen"), Input(names.SWITCHES[key], "value"), State(VIEW, "data")
         )
         app.clientside_callback(
             ClientsideFunction("views", "show"),
-            Output(f"motif-{key}", "value"),
-            Input("view", "data"),
-            Input(f"motif-{key}", "id"),
+            Output(names.SWITCHES[key], "value"),
+            Input(VIEW, "data"),
+            Input(names.SWITCHES[key], "id"),
         )
 
 
@@ -104,7 +107,7 @@ def is_shown(view: Mapping[str, str] | None, key: str, value: str) -> bool:
 def switch(key: str, label: str) -> Component:
     """The control that chooses among the parts of ``key``; nothing where there is no choice."""
     return dmc.SegmentedControl(
-        id=f"motif-{key}",
+        id=names.SWITCHES[key],
         data=[{"value": part.value, "label": part.label} for part in PARTS[key]],
         value=PARTS[key][0].value,
         size="xs",

@@ -21,7 +21,7 @@ from webapp.features.motion_map.figures import heatmap as figures
 from webapp.features.motion_map.maps import other_maps
 from webapp.shell import results, settings
 from webapp.shell.messages import notice
-from webapp.shell.names import DATASET, MOTIFS_RESULT_KEY, NOTICES, REVISION, SELECTION, THEME, VIEW
+from webapp.shell.names import DATASET, MOTIF_METHOD, NOTICES, REVISION, SELECTION, THEME, VIEW
 from webapp.shell.results import find_motifs
 from webapp.ui import method_page, tables
 
@@ -110,7 +110,7 @@ def _draw(app: Dash, workspace: Workspace) -> None:
         Input(names.MAP_KNOWN, "data"),
         Input(names.MAP_LOOK, "data"),
         Input(THEME, "data"),
-        Input(MOTIFS_RESULT_KEY, "data"),
+        Input(MOTIF_METHOD.result_key, "data"),
         State(DATASET, "data"),
         State(VIEW, "data"),
     )
@@ -136,7 +136,7 @@ def _draw(app: Dash, workspace: Workspace) -> None:
         Output(names.MAP_LIT, "data"),
         Input(SELECTION, "data"),
         Input(names.MAP_KNOWN, "data"),
-        Input(MOTIFS_RESULT_KEY, "data"),
+        Input(MOTIF_METHOD.result_key, "data"),
         State(DATASET, "data"),
         State(VIEW, "data"),
     )
@@ -177,7 +177,7 @@ def _below(app: Dash, workspace: Workspace) -> None:
         Output(names.MAP_REGION, "children"),
         Input(names.MAP_KNOWN, "data"),
         Input(names.MAP_LOOK, "data"),
-        Input(MOTIFS_RESULT_KEY, "data"),
+        Input(MOTIF_METHOD.result_key, "data"),
         *where,
     )
     def region(known, look, _graph, name, view):

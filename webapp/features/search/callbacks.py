@@ -28,7 +28,7 @@ from webapp.shell.icons import icon
 from webapp.shell.names import (
     DATASET,
     JOB_STARTED,
-    MOTIFS_RESULT_KEY,
+    MOTIF_METHOD,
     REVISION,
     SELECTION,
     THEME,
@@ -79,7 +79,7 @@ def _choices(app: Dash, workspace: Workspace) -> None:
 
     @app.callback(
         Output(names.SEARCH_MOTIFS, "data"),
-        Input(MOTIFS_RESULT_KEY, "data"),
+        Input(MOTIF_METHOD.result_key, "data"),
         Input(names.SEARCH_MOTIF, "id"),
         State(DATASET, "data"),
         State(VIEW, "data"),

@@ -1,6 +1,7 @@
 """Sweeps: motif graphs over ranges of two settings, as charts, with a suggestion."""
 
-from webapp.shell.feature import Command, Feature, LinkKeys, later
+from webapp.features.sweeps import names
+from webapp.shell.feature import Command, Feature, later, link_keys
 
 FEATURE = Feature(
     path="sweeps",
@@ -9,7 +10,7 @@ FEATURE = Feature(
     page=later("webapp.features.sweeps.layout:page"),
     register=later("webapp.features.sweeps.callbacks:register"),
     shows=("chart",),
-    keys=LinkKeys(names=("x", "y", "seeds")),
+    keys=link_keys(names.View),
     commands={
         "sweep": Command(
             "Find motifs over ranges of parameters, at about the price of a few.",

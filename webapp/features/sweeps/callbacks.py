@@ -16,21 +16,21 @@ from core.motifs.sweep_table import SweepTable
 from core.parameters import write_value
 from core.workspace import Workspace, WorkspaceError
 from webapp import jobs
-from webapp.features.sweeps import layout, reading
+from webapp.features.sweeps import layout, names, reading
 from webapp.features.sweeps.figures import charts
 from webapp.features.sweeps.figures import rows as sweep_rows
 from webapp.features.sweeps.figures.drawing import fixed
 from webapp.features.sweeps.figures.measures import MEASURES, PAIRS, pairs_of
 from webapp.features.sweeps.reading import Form
+from webapp.jobs.names import JOBS_FINISHED, JOBS_SEEN
 from webapp.shell import settings
-from webapp.shell.identifiers import Pattern
 from webapp.shell.messages import notice
+from webapp.shell.names import DATASET, JOB_STARTED, MOTIF_METHOD, NOTICES, THEME, VIEW, VIEW_CHANGE
 from webapp.shell.results import MOTIFS
 from webapp.ui import tables
 from webapp.ui.parameter_form import parameter_form, read_form, summary
 
-_BASE = {"type": "sweep-base", "name": ALL}
-_CONTROLS = ("x-name", "x-values", "y-name", "y-values", "seeds")
+_BASE = names.BASE_SETTING(ALL)
 
 
 class Shown(NamedTuple):
@@ -56,7 +56,7 @@ def register(app: Dash, workspace: Workspace) -> None:
     _ask(app, workspace)
     _look(app, workspace)
     _draw(app, workspace)
-    for graph in ("sweep-lines-x", "sweep-lines-y", "sweep-heat"):
+    for graph in (names.SWEEP_LINES["x"], names.SWEEP_LINES["y"], names.SWEEP_HEAT):
         app.clientside_callback(ClientsideFunction("sweeps", "open"), Input(graph, "clickData"))
 
 
@@ -71,50 +71,50 @@ def shown_sweep(workspace: Workspace, name: str | None, view: Any) -> Shown | No
 
 def _fill(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        *(Output(f"sweep-{control}", "value") for control in _CONTROLS),
-        Output("sweep-y-box", "className"),
-        Input("view", "data"),
-        Input("dataset", "data"),
-        Input("sweep-x-name", "value"),
-        Input("sweep-y-name", "value"),
+        *(Output(control, "value") for control in names.FORM),
+        Output(names.SWEEP_BOX["y"], "className"),
+        Input(VIEW, "data"),
+        Input(DATASET, "data"),
+        Input(names.SWEEP_NAME["x"], "value"),
+        Input(names.SWEEP_NAME["y"], "value"),
     )
     def fill(view, name, x_name, y_name):
         dataset = _dataset(workspace, name)
         form = reading.form_of(dataset, view)
         values: dict[str, Any] = {}
-        if ctx.triggered_id == "sweep-x-name" and x_name and x_name != form.x_name:
+        if ctx.triggered_id == names.SWEEP_NAME["x"] and x_name and x_name != form.x_name:
             values = {"x_name": x_name, "x_values": reading.usual_values(dataset, x_name)}
             values |= {"y_name": y_name, "y_values": no_update, "seeds": no_update}
-        elif ctx.triggered_id == "sweep-y-name" and y_name and y_name != form.y_name:
+        elif ctx.triggered_id == names.SWEEP_NAME["y"] and y_name and y_name != form.y_name:
             values = {"y_name": y_name, "y_values": reading.usual_values(dataset, y_name)}
             values |= {"x_name": x_name, "x_values": no_update, "seeds": no_update}
         shown = form._asdict() | values
         return (*shown.values(), "hidden" if shown["y_name"] == reading.NO_AXIS else "")
 
     @app.callback(
-        Output("sweep-base", "children"),
-        Output("sweep-base-summary", "children"),
-        Input("motifs-settings", "data"),
-        Input("sweep-x-name", "value"),
-        Input("sweep-y-name", "value"),
+        Output(names.SWEEP_BASE, "children"),
+        Output(names.SWEEP_BASE_SUMMARY, "children"),
+        Input(MOTIF_METHOD.settings, "data"),
+        Input(names.SWEEP_NAME["x"], "value"),
+        Input(names.SWEEP_NAME["y"], "value"),
     )
     def show_base(view, x_name, y_name):
         without = {x_name, y_name, "seed"}
         values = settings.request_of(MOTIFS, "", view).parameters
         texts = {name: text for name, text in settings.not_default(MOTIFS, values).items() if name not in without}
         shown = [parameter for parameter in settings.parameters(MOTIFS) if parameter.name not in without]
-        return parameter_form(shown, values, Pattern("sweep-base", "name")), summary(texts)
+        return parameter_form(shown, values, names.BASE_SETTING), summary(texts)
 
     @app.callback(
-        Output("sweep-plan", "children"),
-        Output("sweep-x-values", "error"),
-        Output("sweep-y-values", "error"),
-        Output("sweep-y-name", "error"),
-        Output("sweep-seeds", "error"),
-        *(Input(f"sweep-{control}", "value") for control in _CONTROLS),
-        Input("sweep-seen", "data"),
-        State("dataset", "data"),
-        State("view", "data"),
+        Output(names.SWEEP_PLAN, "children"),
+        Output(names.SWEEP_VALUES["x"], "error"),
+        Output(names.SWEEP_VALUES["y"], "error"),
+        Output(names.SWEEP_NAME["y"], "error"),
+        Output(names.SWEEP_SEEDS, "error"),
+        *(Input(control, "value") for control in names.FORM),
+        Input(names.SWEEP_SEEN, "data"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
     )
     def plan(x_name, x_values, y_name, y_values, seeds, _seen, name, view):
         form = _form(x_name, x_values, y_name, y_values, seeds)
@@ -152,18 +152,18 @@ def _plan(sweep: SweepParameters, n_ready: int) -> str:
 def _ask(app: Dash, workspace: Workspace) -> None:
     @app.callback(
         Output(_BASE, "error"),
-        Input("sweep-run", "n_clicks"),
-        *(State(f"sweep-{control}", "value") for control in _CONTROLS),
+        Input(names.SWEEP_RUN, "n_clicks"),
+        *(State(control, "value") for control in names.FORM),
         State(_BASE, "value"),
         State(_BASE, "id"),
-        State("dataset", "data"),
+        State(DATASET, "data"),
         prevent_initial_call=True,
     )
     def run(_clicks, x_name, x_values, y_name, y_values, seeds, base, ids, name):
         taken, problems = read_form(settings.parameters(MOTIFS), ids, base)
         form = _form(x_name, x_values, y_name, y_values, seeds)
         if problems:
-            set_props("sweep-base-fold", {"value": "base"})
+            set_props(names.SWEEP_BASE_FOLD, {"value": "base"})
             return [problems.get(component["name"]) for component in ids]
         try:
             if not name or form is None:
@@ -172,26 +172,26 @@ def _ask(app: Dash, workspace: Workspace) -> None:
             request = reading.request_of(name, sweep := reading.sweep_of(form, change))
             dataset = workspace.open(name)
             if reading.table_of(workspace, dataset, sweep).n_ready < len(sweep.points()):
-                set_props("job-started", {"data": jobs.start(workspace, request).id})
-            set_props("view-change", {"data": reading.view_of(form) | change})
+                set_props(JOB_STARTED, {"data": jobs.start(workspace, request).id})
+            set_props(VIEW_CHANGE, {"data": reading.view_of(form) | change})
         except (ParameterError, WorkspaceError) as error:
-            set_props("notices", {"sendNotifications": [notice("Cannot run the sweep", str(error), "red")]})
+            set_props(NOTICES, {"sendNotifications": [notice("Cannot run the sweep", str(error), "red")]})
         return [None] * len(ids)
 
 
 def _look(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output("sweep-status", "children"),
-        Output("sweep-status-of", "data"),
-        Output("sweep-seen", "data"),
-        Output("sweep-result", "className"),
-        Input("dataset", "data"),
-        Input("view", "data"),
-        Input("jobs-seen", "data"),
-        Input("jobs-finished", "data"),
-        Input("sweep-result", "id"),
-        State("sweep-status-of", "data"),
-        State("sweep-seen", "data"),
+        Output(names.SWEEP_STATUS, "children"),
+        Output(names.SWEEP_STATUS_OF, "data"),
+        Output(names.SWEEP_SEEN, "data"),
+        Output(names.SWEEP_RESULT, "className"),
+        Input(DATASET, "data"),
+        Input(VIEW, "data"),
+        Input(JOBS_SEEN, "data"),
+        Input(JOBS_FINISHED, "data"),
+        Input(names.SWEEP_RESULT, "id"),
+        State(names.SWEEP_STATUS_OF, "data"),
+        State(names.SWEEP_SEEN, "data"),
     )
     def look(name, view, _seen, _finished, _page, shown_status, seen):
         problem, shown, job = "", None, None
@@ -214,30 +214,30 @@ def _look(app: Dash, workspace: Workspace) -> None:
 
 
 def _draw(app: Dash, workspace: Workspace) -> None:
-    where = (State("dataset", "data"), State("view", "data"))
+    where = (State(DATASET, "data"), State(VIEW, "data"))
 
     @app.callback(
-        *(Output(f"sweep-at-{side}", prop) for side in "xy" for prop in ("data", "value")),
-        *(Output(f"sweep-at-name-{side}", "children") for side in "xy"),
-        *(Output(f"sweep-at-box-{side}", "className") for side in "xy"),
-        *(Output(f"sweep-pair-{side}", prop) for side in "xy" for prop in ("data", "value")),
-        Output("sweep-card-heat", "className"),
-        Output("sweep-menu", "children"),
-        Input("sweep-seen", "data"),
-        *(State(f"sweep-at-{side}", "value") for side in "xy"),
-        *(State(f"sweep-pair-{side}", "value") for side in "xy"),
+        *(Output(names.SWEEP_AT[side], prop) for side in "xy" for prop in ("data", "value")),
+        *(Output(names.SWEEP_AT_NAME[side], "children") for side in "xy"),
+        *(Output(names.SWEEP_AT_BOX[side], "className") for side in "xy"),
+        *(Output(names.SWEEP_PAIR[side], prop) for side in "xy" for prop in ("data", "value")),
+        Output(names.SWEEP_CARD["heat"], "className"),
+        Output(names.SWEEP_MENU, "children"),
+        Input(names.SWEEP_SEEN, "data"),
+        *(State(names.SWEEP_AT[side], "value") for side in "xy"),
+        *(State(names.SWEEP_PAIR[side], "value") for side in "xy"),
         *where,
     )
     def choices(_seen, at_x, at_y, pair_x, pair_y, *view):
         shown = _shown(workspace, *view)
         if shown is None:
             return (no_update,) * 13 + ([],)
-        names = list(shown.table.axes)
-        others = {"x": names[1:2], "y": names[:1] if len(names) > 1 else []}
+        axes = list(shown.table.axes)
+        others = {"x": axes[1:2], "y": axes[:1] if len(axes) > 1 else []}
         data, values = {}, {}
         for side, at_value in (("x", at_x), ("y", at_y)):
             words = [write_value(v) for name in others[side] for v in shown.table.axes[name]]
-            usual = _usual(shown.table, names[0] if side == "x" else names[-1])
+            usual = _usual(shown.table, axes[0] if side == "x" else axes[-1])
             data[side] = words
             values[side] = at_value if at_value in words else usual
         at_texts = {side: f"at {others[side][0].replace('_', ' ')}" if others[side] else "" for side in "xy"}
@@ -247,7 +247,7 @@ def _draw(app: Dash, workspace: Workspace) -> None:
             data["x"], values["x"], data["y"], values["y"], at_texts["x"], at_texts["y"],
             *("sweep-at" if others[side] else "hidden" for side in "xy"),
             pairs, pair_x if pair_x in known else "error-coverage", pairs, pair_y if pair_y in known else "motifs",
-            "card chart-card sweep-heat-card" if len(names) > 1 else "hidden",
+            "card chart-card sweep-heat-card" if len(axes) > 1 else "hidden",
             layout.menu(reading.recipes_of(workspace.path, shown.dataset.name, shown.sweep)),
         )  # fmt: skip
 
@@ -255,12 +255,12 @@ def _draw(app: Dash, workspace: Workspace) -> None:
         _draw_lines(app, workspace, side, where)
 
     @app.callback(
-        Output("sweep-heat", "figure"),
-        Output("sweep-measure", "data"),
-        Output("sweep-measure-help", "children"),
-        Input("sweep-seen", "data"),
-        Input("sweep-measure", "value"),
-        Input("theme", "data"),
+        Output(names.SWEEP_HEAT, "figure"),
+        Output(names.SWEEP_MEASURE, "data"),
+        Output(names.SWEEP_MEASURE_HELP, "children"),
+        Input(names.SWEEP_SEEN, "data"),
+        Input(names.SWEEP_MEASURE, "value"),
+        Input(THEME, "data"),
         *where,
     )
     def draw_heat(_seen, measure, scheme, *view):
@@ -274,9 +274,9 @@ def _draw(app: Dash, workspace: Workspace) -> None:
         return figure, offered, MEASURES[measure].help
 
     @app.callback(
-        Output("sweep-suggestion", "children"),
-        Output("sweep-table-place", "children"),
-        Input("sweep-seen", "data"),
+        Output(names.SWEEP_SUGGESTION, "children"),
+        Output(names.SWEEP_TABLE_PLACE, "children"),
+        Input(names.SWEEP_SEEN, "data"),
         *where,
     )
     def tell(_seen, *view):
@@ -291,26 +291,28 @@ def _draw(app: Dash, workspace: Workspace) -> None:
             else ""
         )
         rows = sweep_rows.rows(table, points, addresses)
-        grid = tables.grid("sweep-table", sweep_rows.columns(table), rows, "All points", row_height=34, headerHeight=48)
+        grid = tables.grid(
+            names.SWEEP_TABLE, sweep_rows.columns(table), rows, "All points", row_height=34, headerHeight=48
+        )
         return layout.suggestion(suggested, link, table.n_ready == len(points)), grid
 
 
 def _draw_lines(app: Dash, workspace: Workspace, side: str, where: tuple) -> None:
     @app.callback(
-        Output(f"sweep-lines-{side}", "figure"),
-        Input("sweep-seen", "data"),
-        Input(f"sweep-at-{side}", "value"),
-        Input(f"sweep-pair-{side}", "value"),
-        Input("theme", "data"),
+        Output(names.SWEEP_LINES[side], "figure"),
+        Input(names.SWEEP_SEEN, "data"),
+        Input(names.SWEEP_AT[side], "value"),
+        Input(names.SWEEP_PAIR[side], "value"),
+        Input(THEME, "data"),
         *where,
     )
     def draw(_seen, at, pair, scheme, *view):
         shown = _shown(workspace, *view)
         if shown is None or pair not in PAIRS:
             return no_update
-        names = list(shown.table.axes)
-        name = names[0] if side == "x" else names[-1]
-        others = {other: {write_value(v): v for v in shown.table.axes[other]} for other in names if other != name}
+        axes = list(shown.table.axes)
+        name = axes[0] if side == "x" else axes[-1]
+        others = {other: {write_value(v): v for v in shown.table.axes[other]} for other in axes if other != name}
         if any(at not in values for values in others.values()):
             return no_update  # the choices of the last sweep: those of this one are on the way
         addresses = charts.link_array(shown.table, shown.sweep.points(), shown.link)

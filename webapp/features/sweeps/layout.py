@@ -11,6 +11,7 @@ from dash.development.base_component import Component
 from core.motifs.axes import sweepable
 from core.motifs.suggestion import CLEAR, Suggestion
 from core.workspace import Job
+from webapp.features.sweeps import names
 from webapp.features.sweeps.figures.measures import MEASURES
 from webapp.features.sweeps.reading import MOST_SEEDS, NO_AXIS
 from webapp.jobs.running import running
@@ -36,30 +37,30 @@ def page() -> Component:
         children=[
             page_head(
                 "Sweeps",
-                html.Div(id="sweep-menu", className="head-menus"),
-                dmc.Button("Run sweep", id="sweep-run", leftSection=icon("sweep", 16)),
+                html.Div(id=names.SWEEP_MENU, className="head-menus"),
+                dmc.Button("Run sweep", id=names.SWEEP_RUN, leftSection=icon("sweep", 16)),
             ),
             _form(),
-            html.Div(id="sweep-status"),
-            dcc.Store(id="sweep-status-of"),  # what it speaks of: drawn anew only when that changes
-            dcc.Store(id="sweep-seen"),  # which sweep is shown and how much of it is there
-            html.Div(id="sweep-result", className="hidden", children=_result()),
+            html.Div(id=names.SWEEP_STATUS),
+            dcc.Store(id=names.SWEEP_STATUS_OF),  # what it speaks of: drawn anew only when that changes
+            dcc.Store(id=names.SWEEP_SEEN),  # which sweep is shown and how much of it is there
+            html.Div(id=names.SWEEP_RESULT, className="hidden", children=_result()),
         ],
     )
 
 
 def _form() -> Component:
-    names = [{"value": p.name, "label": p.label} for p in sweepable()]
+    settings = [{"value": p.name, "label": p.label} for p in sweepable()]
     return html.Div(
         className="card sweep-form",
         children=[
-            _axis("x", "Try different", names),
-            _axis("y", "and", [{"value": NO_AXIS, "label": "Nothing else"}, *names]),
+            _axis("x", "Try different", settings),
+            _axis("y", "and", [{"value": NO_AXIS, "label": "Nothing else"}, *settings]),
             html.Div(
                 className="sweep-last",
                 children=[
                     dmc.NumberInput(
-                        id="sweep-seeds",
+                        id=names.SWEEP_SEEDS,
                         label="Seeds",
                         description="Repeats of each setting",
                         min=1,
@@ -69,11 +70,11 @@ def _form() -> Component:
                         clampBehavior="none",
                         w=150,
                     ),
-                    html.Div(id="sweep-plan", className="sweep-plan muted number", role="status"),
+                    html.Div(id=names.SWEEP_PLAN, className="sweep-plan muted number", role="status"),
                 ],
             ),
             dmc.Accordion(
-                id="sweep-base-fold",
+                id=names.SWEEP_BASE_FOLD,
                 variant="default",
                 className="form-advanced",
                 children=dmc.AccordionItem(
@@ -82,10 +83,10 @@ def _form() -> Component:
                         dmc.AccordionControl(
                             [
                                 html.Span("All other settings", className="settings-title"),
-                                html.Span(id="sweep-base-summary", className="muted"),
+                                html.Span(id=names.SWEEP_BASE_SUMMARY, className="muted"),
                             ]
                         ),
-                        dmc.AccordionPanel(html.Div(id="sweep-base")),
+                        dmc.AccordionPanel(html.Div(id=names.SWEEP_BASE)),
                     ],
                 ),
             ),
@@ -93,16 +94,18 @@ def _form() -> Component:
     )
 
 
-def _axis(side: str, label: str, names: Sequence[Mapping[str, str]]) -> Component:
+def _axis(side: str, label: str, settings: Sequence[Mapping[str, str]]) -> Component:
     return html.Div(
         className="sweep-axis",
         children=[
-            dmc.Select(id=f"sweep-{side}-name", label=label, data=list(names), allowDeselect=False, searchable=True),
+            dmc.Select(
+                id=names.SWEEP_NAME[side], label=label, data=list(settings), allowDeselect=False, searchable=True
+            ),
             html.Div(
                 dmc.TextInput(
-                    id=f"sweep-{side}-values", label="Values, separated by commas", debounce=500, autoComplete="off"
+                    id=names.SWEEP_VALUES[side], label="Values, separated by commas", debounce=500, autoComplete="off"
                 ),
-                id=f"sweep-{side}-box",
+                id=names.SWEEP_BOX[side],
             ),
         ],
     )
@@ -110,27 +113,27 @@ def _axis(side: str, label: str, names: Sequence[Mapping[str, str]]) -> Componen
 
 def _result() -> list[Component]:
     return [
-        html.Div(id="sweep-suggestion", className="section"),
+        html.Div(id=names.SWEEP_SUGGESTION, className="section"),
         html.Div([_chart("x"), _chart("y"), _heat()], className="sweep-charts section"),
         html.Div(
-            [html.H2("All points"), html.Div(className="spacer"), table_download("sweep-table", "sweep")],
+            [html.H2("All points"), html.Div(className="spacer"), table_download(names.SWEEP_TABLE, "sweep")],
             className="section-head section",
         ),
-        html.Div(id="sweep-table-place"),
+        html.Div(id=names.SWEEP_TABLE_PLACE),
     ]
 
 
 def _chart(side: str) -> Component:
     """A chart along one axis, and what it shows."""
     return html.Div(
-        id=f"sweep-card-{side}",
+        id=names.SWEEP_CARD[side],
         className="card chart-card",
         children=[
             html.Div(
                 className="chart-head",
                 children=[
                     dmc.Select(
-                        id=f"sweep-pair-{side}",
+                        id=names.SWEEP_PAIR[side],
                         size="xs",
                         w=190,
                         allowDeselect=False,
@@ -138,23 +141,23 @@ def _chart(side: str) -> Component:
                     ),
                     html.Div(
                         [
-                            html.Span(id=f"sweep-at-name-{side}", className="muted"),
+                            html.Span(id=names.SWEEP_AT_NAME[side], className="muted"),
                             dmc.Select(
-                                id=f"sweep-at-{side}",
+                                id=names.SWEEP_AT[side],
                                 size="xs",
                                 w=92,
                                 allowDeselect=False,
                                 **attributes(aria_label="Value of the other axis"),
                             ),
                         ],
-                        id=f"sweep-at-box-{side}",
+                        id=names.SWEEP_AT_BOX[side],
                         className="sweep-at",
                     ),
                     html.Div(className="spacer"),
-                    chart_menu(f"sweep-lines-{side}", f"sweep {side}"),
+                    chart_menu(names.SWEEP_LINES[side], f"sweep {side}"),
                 ],
             ),
-            _graph(f"sweep-lines-{side}", 330),
+            _graph(names.SWEEP_LINES[side], 330),
         ],
     )
 
@@ -162,14 +165,14 @@ def _chart(side: str) -> Component:
 def _heat() -> Component:
     measures = [{"value": name, "label": measure.name} for name, measure in MEASURES.items()]
     return html.Div(
-        id="sweep-card-heat",
+        id=names.SWEEP_CARD["heat"],
         className="card chart-card sweep-heat-card",
         children=[
             html.Div(
                 className="chart-head",
                 children=[
                     dmc.Select(
-                        id="sweep-measure",
+                        id=names.SWEEP_MEASURE,
                         data=measures,
                         value="explained",
                         size="xs",
@@ -177,12 +180,12 @@ def _heat() -> Component:
                         allowDeselect=False,
                         **attributes(aria_label="Figure of the map"),
                     ),
-                    html.Span(id="sweep-measure-help", className="muted sweep-help"),
+                    html.Span(id=names.SWEEP_MEASURE_HELP, className="muted sweep-help"),
                     html.Div(className="spacer"),
-                    chart_menu("sweep-heat", "sweep map"),
+                    chart_menu(names.SWEEP_HEAT, "sweep map"),
                 ],
             ),
-            _graph("sweep-heat", 360),
+            _graph(names.SWEEP_HEAT, 360),
         ],
     )
 
