@@ -48,7 +48,7 @@ KINDS = {one.kind for one in identifiers() if isinstance(one, Pattern)}
 PREFIXES = tuple(str(one) for one in identifiers() if isinstance(one, Prefix))
 # words that are classes, too: allowed where no id is expected
 SHEETS = "\n".join(path.read_text(encoding="utf-8") for path in REPOSITORY.glob("assets/*/*.css"))
-CLASSES = {*re.findall(r"\.([a-z][\w-]*)", SHEETS), "map-way"}
+CLASSES = {*re.findall(r"\.([a-z][\w-]*)", SHEETS), "map-way", "compose-most"}
 STORES = {str(one): one for one in identifiers() if isinstance(one, Store)}
 
 
