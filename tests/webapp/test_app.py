@@ -8,8 +8,9 @@ import pytest
 
 from core.workspace import Workspace
 from tests.webapp.generated import walkers
+from tests.webapp.stored import misfit
 from webapp.app import create_app
-from webapp.jobs import job_bar
+from webapp.jobs import job_bar, names
 from webapp.shell import messages
 from webapp.shell.state import choose_dataset
 
@@ -110,7 +111,7 @@ def test_the_bar_shows_what_runs_and_what_failed(workspace):
     pulse = job_bar.read_pulse(workspace)
     assert pulse.busy and [j.id for j in pulse.jobs] == [job.id]
     waits = {"id": job.id, "title": job.title, "stage": "waiting for its turn", "percent": None, "stopping": False}
-    assert job_bar.rows(pulse.jobs) == [waits]
+    assert job_bar.rows(pulse.jobs) == [waits] and misfit([waits], names.JOBS_SHOWN) is None
     workspace.jobs.fail(job.id, "The disk is full.")
     failed = job_bar.read_pulse(workspace)
     assert not failed.busy and failed.finished != pulse.finished

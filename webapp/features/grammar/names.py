@@ -127,7 +127,7 @@ class Composed(TypedDict, total=False):
     seconds: float
     skate: list[float]
     speeds: list[float]
-    jump: float
+    jump: bool  # a blend is faster than anything in the recordings
     warnings: list[str]
     bands: list[Colour]
     novel: bool
@@ -135,7 +135,7 @@ class Composed(TypedDict, total=False):
     code: str
     svg: Annotated[str, Most(10_000_000)]
     chosen: Part | None
-    parents: Any
+    parents: list[str]  # of every action: path of the smallest phrase around it
 
 
 class Other(TypedDict):

@@ -1,6 +1,6 @@
 """Ids of the Motifs page, what its stores hold, and the keys of its links."""
 
-from typing import Annotated, Any, NotRequired, TypedDict
+from typing import Annotated, Any, Literal, NotRequired, TypedDict
 
 from webapp.shell.feature import LinkKey
 from webapp.shell.identifiers import Family, Group, Id, Store
@@ -148,7 +148,7 @@ class WalkData(TypedDict):
     blends: NotRequired[int]
     skate: NotRequired[list[float]]
     speeds: NotRequired[list[float]]
-    jump: NotRequired[float]
+    jump: NotRequired[bool]  # a blend is faster than anything in the recordings
     warnings: NotRequired[list[str]]
     bands: NotRequired[list[Colour]]
     unseen: NotRequired[int]
@@ -158,12 +158,12 @@ class WalkData(TypedDict):
 class FlowBar(TypedDict):
     """A motif of one of two results that are compared, as high as the motion in it."""
 
-    side: str
-    motif: int | None
+    side: Literal["a", "b"]
+    motif: int | None  # None: in no motif
     label: str
     y: float
     h: float
-    change: str
+    change: str | None
     title: str
 
 
@@ -175,7 +175,7 @@ class FlowRibbon(TypedDict):
     ya: float
     yb: float
     h: float
-    kind: str
+    kind: Literal["kept", "linked", "rest"]
     title: str
 
 

@@ -15,7 +15,8 @@ from core.mocap.clip import Label
 from core.mocap.dataset import Dataset
 from core.workspace import Workspace
 from tests.core.editing.figures import going, standing
-from webapp.features.clip import callbacks, clips, editing, layout, table
+from tests.webapp.stored import misfit
+from webapp.features.clip import callbacks, clips, editing, layout, names, table
 from webapp.features.clip.figures import curves as figures
 from webapp.features.clip.figures.gait import gait_table
 from webapp.features.clip.figures.path import path_chart, selected_part
@@ -134,9 +135,10 @@ def test_the_path_has_start_end_steps_and_the_selected_part(curves):
 
 def test_gait_in_words(curves):
     said = gait_table(curves.gait, "gait", 60.0)
+    assert misfit(said, names.CLIP_GAIT_TABLE) is None
     assert said["bouts"][0]["title"] == "Walking" and "steps/min" in said["bouts"][0]["facts"]
-    names = [row[0] for row in said["bouts"][0]["rows"]]
-    assert {"Cadence", "Stride length", "Stance"} <= set(names) and all(
+    measures = [row[0] for row in said["bouts"][0]["rows"]]
+    assert {"Cadence", "Stride length", "Stance"} <= set(measures) and all(
         len(row) == 7 for row in said["bouts"][0]["rows"]
     )
     assert len(said["events"]) == len(curves.gait.events)

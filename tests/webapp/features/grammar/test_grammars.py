@@ -14,9 +14,10 @@ from core.grammar.learned import from_json
 from core.grammar.trees import at_path, leaves
 from core.mocap.bvh import read_bvh
 from core.workspace import Workspace, WorkspaceError
+from tests.webapp.stored import misfit
 from webapp.app import create_app
 from webapp.cli.main import main
-from webapp.features.grammar import action_counts, compositions, grammars, playing
+from webapp.features.grammar import action_counts, compositions, grammars, names, playing
 from webapp.features.grammar.figures.tiles import tiles
 from webapp.jobs.job_bar import stage_words
 from webapp.shell import playback, recipes, settings
@@ -48,6 +49,7 @@ def found(workspace: Workspace):
 def test_all_that_the_page_draws_is_json_and_whole(workspace, found):
     dataset, key = workspace.open("demo"), settings.key_of(workspace, "grammar", "demo", VIEW)
     data = grammars.page_data(dataset, found, key, {})
+    assert misfit(data | {"names": ""}, names.GRAMMAR_DATA) is None
     assert json.loads(json.dumps(data)) == data
     assert [entry["count"] for entry in data["actions"]] == [len(own) for own in found.terminals.segments]
     assert sum(len(row["pieces"]) for row in data["rows"]) == sum(map(len, found.terminals.segments))
@@ -122,6 +124,7 @@ def _composed(workspace, **view):
 
 def test_a_new_routine_is_shown_played_and_saved(workspace, client, found, tmp_path):
     data = _composed(workspace, sentence="random:3:12")
+    assert misfit(data, names.COMPOSE_DATA) is None
     assert json.loads(json.dumps(data)) == data | {"chosen": None}
     assert found.grammar.accepts(data["actions"]) and len(data["spans"]) == len(data["actions"])
     assert data["spans"][0][0] == 0 and data["spans"][-1][1] == data["frames"]
@@ -138,6 +141,7 @@ def test_a_new_routine_is_shown_played_and_saved(workspace, client, found, tmp_p
 
 def test_the_chosen_part_grows_to_the_whole_routine(workspace, found):
     data = _composed(workspace, sentence="random:3:12", pick="1")
+    assert misfit(data, names.COMPOSE_DATA) is None
     sizes, up = [], 0
     while True:
         chosen = _composed(workspace, sentence="random:3:12", pick="1", up=str(up))["chosen"]
@@ -158,6 +162,7 @@ def test_the_chosen_part_grows_to_the_whole_routine(workspace, found):
 def test_four_other_ways_keep_what_is_outside_the_part(workspace, found):
     view = {**VIEW, "show": "compose", "sentence": "random:3:12", "pick": "1", "up": "9", "alt": "2"}
     data = compositions.alternatives(workspace, "demo", view)
+    assert misfit(data, names.COMPOSE_OTHER_DATA) is None
     assert json.loads(json.dumps(data)) == data and 1 <= len(data["others"]) <= 4
     assert len({tuple(other["actions"]) for other in data["others"]}) == len(data["others"])
     own = leaves(compositions.tree_of(found, "random:3:12"))
@@ -166,6 +171,7 @@ def test_four_other_ways_keep_what_is_outside_the_part(workspace, found):
         assert 0 <= other["start"] < other["stop"]
         assert list(leaves(compositions.tree_of(found, other["code"]))) == other["actions"]
     without = compositions.alternatives(workspace, "demo", {**view, "pick": ""})
+    assert misfit(without, names.COMPOSE_OTHER_DATA) is None
     assert without["error"] == "Choose an action first."
 
 

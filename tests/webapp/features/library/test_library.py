@@ -9,7 +9,8 @@ from core.mocap.dataset import Dataset
 from core.mocap.reports import FileReport, ImportReport
 from core.workspace import DatasetInfo, WorkspaceError
 from tests.webapp.generated import walk
-from webapp.features.library import adding
+from tests.webapp.stored import misfit
+from webapp.features.library import adding, names
 from webapp.features.library import layout as pages_layout
 from webapp.features.library.figures import tables as library_tables
 from webapp.features.library.layout import dataset_cards, duration, trash_list
@@ -48,6 +49,7 @@ def test_clips_say_length_labels_and_verdict():
 
 def test_the_report_shows_the_worst_first_and_can_be_filtered():
     rows = library_tables.report_rows(REPORTS)
+    assert misfit(rows, names.REPORT_ROWS) is None
     assert [row["verdict"] for row in rows] == ["error", "warning", "ok"]
     assert rows[0]["messages"] == "Line 7: found NaN; expected a number." and "selection" not in rows[0]
     assert not any(row["added"] for row in rows)

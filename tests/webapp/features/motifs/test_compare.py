@@ -11,7 +11,8 @@ from core.workspace import Workspace
 from tests.core.motifs.recordings import recurring
 from tests.core.motifs.test_compare import graph_of
 from tests.webapp.generated import walk
-from webapp.features.motifs import compare_view
+from tests.webapp.stored import misfit
+from webapp.features.motifs import compare_view, names
 from webapp.features.motifs.figures import compare as figure
 from webapp.shell.links import parse, view_keys
 
@@ -55,6 +56,7 @@ def test_filters_count_what_the_rows_hold(dataset):
 
 def test_bars_are_as_high_as_their_motion_and_ribbons_fit_into_them():
     drawn = figure.flow(FOUND, {0: "squat"})
+    assert misfit(drawn, names.COMPARE_FLOW_DATA) is None
     bars = {(bar["side"], bar["motif"]): bar for bar in drawn["bars"]}
     assert len(bars) == 12 and bars["a", 0]["title"] == "Motif 0 squat: 1.1 s, split"
     for side in "ab":

@@ -19,8 +19,9 @@ from core.motifs.compression import OWN, POSE_PCA, Step
 from core.motifs.graph import MotifGraph, dataset_head
 from core.workspace import Workspace, WorkspaceError
 from tests.core.motifs.test_blend_space import motif_of, scattered
+from tests.webapp.stored import misfit
 from webapp.app import create_app
-from webapp.features.motifs import mixtures
+from webapp.features.motifs import mixtures, names
 from webapp.features.motifs.blend_side import MOST_MIXED, blend_data
 from webapp.shell.virtual import open_any
 
@@ -108,6 +109,7 @@ def test_curves_only_where_two_motions_are_of_one_body(workspace: Workspace, key
 def test_what_the_blend_side_is_told(workspace: Workspace, key: str):
     dataset, motif = mixtures.motif_of(workspace, key, 0)
     data = json.loads(json.dumps(blend_data(workspace, key, dataset, motif, "punch")))
+    assert misfit(data, names.BLEND_DATA) is None
     assert data["total"] == 11 and len(data["bodies"]) == 1
     body = data["bodies"][0]
     assert [m["motion"] for m in body["motions"]] == list(blendable(dataset, motif)[0])

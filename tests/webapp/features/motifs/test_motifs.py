@@ -15,7 +15,8 @@ from core.mocap.clip import Label, Segment
 from core.mocap.dataset import Dataset
 from core.motifs.graph import Motif, MotifGraph, succession_edges
 from tests.webapp.generated import walk
-from webapp.features.motifs import playing
+from tests.webapp.stored import misfit
+from webapp.features.motifs import names, playing
 from webapp.features.motifs.figures import graph as graph_figure
 from webapp.features.motifs.figures.drawing import graph_svg
 from webapp.features.motifs.figures.placement import place_boxes, spread
@@ -216,6 +217,7 @@ def test_metrics_in_words(dataset, graph):
 
 def test_the_panel_lists_every_motion_with_its_time(dataset, graph):
     listed = motion_list(dataset, graph, {"motif": 0, "motion": 1})
+    assert misfit(listed, names.MOTIONS) is None
     assert [row["chosen"] for row in listed["rows"]] == [False, True, False] and listed["more"] == 0
     assert listed["rows"][1]["when"] == "0:00.2 to 0:01.0"
     assert listed["rows"][2]["selection"] == {"motif": 0, "motion": 2}

@@ -7,8 +7,9 @@ import pytest
 from core import analyses
 from core.workspace import Workspace
 from tests.core.motifs.recordings import recurring
+from tests.webapp.stored import misfit
 from webapp.app import create_app
-from webapp.features.motifs import stability_marks, stability_request
+from webapp.features.motifs import names, stability_marks, stability_request
 from webapp.shell import results
 
 SETTINGS = {"kappa": "60", "min_letters": "3"}
@@ -50,6 +51,7 @@ def test_what_is_measured_is_found_again_and_shown(workspace):
     assert stability_request.stored(workspace, "r", SETTINGS, "1,1") is found
     assert stability_request.latest_job(workspace, "r", SETTINGS, "1,1").state == "done"
     shown = stability_marks.shown_values(found)
+    assert misfit(shown, names.STABILITY_DATA) is None
     graph = results.motif_graph(workspace, "r", SETTINGS)
     assert set(shown["motifs"]) == {str(motif.id) for motif in graph.motifs} and shown["repeats"] == len(found.repeats)
     one = shown["motifs"]["0"]

@@ -12,6 +12,8 @@ from core.mocap.clip import Label, Segment
 from core.motifs.graph import Motif, MotifGraph
 from core.workspace import MotifNote
 from tests.webapp.generated import walkers
+from tests.webapp.stored import misfit
+from webapp.features.motifs import names
 from webapp.features.motifs.figures.timeline_drawing import timeline_svg
 from webapp.ui.brief_names import brief_names
 from webapp.ui.timeline import motif_colour, timeline
@@ -26,6 +28,7 @@ def test_a_row_tells_labels_and_motions_in_seconds():
     dataset = walkers(("walk", "stroll"), seconds=4.0, fps=60.0)
     dataset = replace(dataset, labels=(Label("walk", 60, 120, "step"), Label("walk", 0, 60, "idle")))
     found = timeline(dataset, graph((Segment("walk", 120, 180), Segment("stroll", 0, 60)), (Segment("walk", 0, 60),)))
+    assert misfit(found | {"drawing": ""}, names.TIMELINE_DATA) is None
     walk, stroll = found["rows"]
     assert found["actions"] == ["idle", "step"]
     assert walk["labels"] == [[0.0, 1.0, 0], [1.0, 2.0, 1]]

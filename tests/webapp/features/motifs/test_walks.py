@@ -12,8 +12,9 @@ from core.demo import make_demo
 from core.mocap.bvh import read_bvh
 from core.synthesis import open_ways
 from core.workspace import Workspace, WorkspaceError
+from tests.webapp.stored import misfit
 from webapp.app import create_app
-from webapp.features.motifs import walks
+from webapp.features.motifs import names, walks
 from webapp.shell import links, results
 from webapp.shell.virtual import open_any
 
@@ -33,7 +34,9 @@ def data_of(workspace: Workspace, **view: str) -> dict:
     """What the browser gets for a link that says this."""
     dataset, graph = workspace.open("demo"), results.motif_graph(workspace, "demo", {})
     key = results.motif_graph_key(workspace, "demo", {})
-    return walks.walk_data(workspace, dataset, graph, key, {"side": "walk", **view}, {0: "first"})
+    data = walks.walk_data(workspace, dataset, graph, key, {"side": "walk", **view}, {0: "first"})
+    assert misfit(data, names.WALK_DATA) is None
+    return data
 
 
 def test_a_walk_is_shown_played_and_saved(place: Path) -> None:

@@ -16,8 +16,9 @@ from core import analyses
 from core.demo import make_demo
 from core.motion_map.build import MapParameters
 from core.workspace import Workspace
+from tests.webapp.stored import misfit
 from webapp.app import create_app
-from webapp.features.motion_map import callbacks, layout, panels
+from webapp.features.motion_map import callbacks, layout, names, panels
 from webapp.features.motion_map.figures import heatmap as figures
 from webapp.features.motion_map.maps import other_maps
 from webapp.shell import settings
@@ -210,6 +211,7 @@ def test_what_stands_below_the_map(shown, graph):
 def test_facts_name_the_labels_of_every_node(shown):
     motion_map, dataset = shown
     facts = callbacks.facts_of(motion_map, dataset)
+    assert misfit({"key": "k", "dataset": "d", "version": "v", "facts": facts}, names.MAP_KNOWN) is None
     assert len(facts["labels"]) == 72 and set(facts["names"]) == {label.action for label in dataset.labels}
     assert all(node == sorted(node, key=lambda entry: -entry[1]) for node in facts["labels"])
 

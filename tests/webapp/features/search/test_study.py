@@ -13,8 +13,9 @@ from core.mocap.dataset import Dataset
 from core.retrieval.search import ENGINES
 from core.workspace import Workspace, WorkspaceError
 from tests.webapp.generated import walk
+from tests.webapp.stored import misfit
 from webapp.app import create_app
-from webapp.features.search import study_rounds
+from webapp.features.search import names, study_rounds
 from webapp.features.search.engines import ENGINES as CALLED
 from webapp.features.search.figures import agreement as figures
 from webapp.features.search.queries import write_hit
@@ -50,6 +51,7 @@ def test_each_query_stands_beside_the_first_hits_of_the_engines_that_are_there(w
 
 def test_nobody_is_told_which_engine_found_what(workspace, dataset):
     data = study_data(workspace, dataset, VIEW, "someone")
+    assert misfit({"asked": []} | data, names.STUDY_DATA) is None
     shown = json.dumps([data["pairs"], data["duels"]])
     assert data["pairs"] and data["duels"]
     assert not any(engine in shown for engine in ENGINES) and "rank" not in shown
