@@ -119,7 +119,7 @@
  * @property {number} [seconds]
  * @property {Array<number>} [skate]
  * @property {Array<number>} [speeds]
- * @property {number} [jump]
+ * @property {boolean} [jump]
  * @property {Array<string>} [warnings]
  * @property {Array<import("../shared/ids.mjs").Colour>} [bands]
  * @property {boolean} [novel]
@@ -127,7 +127,7 @@
  * @property {string} [code]
  * @property {string} [svg]
  * @property {Part | null} [chosen]
- * @property {any} [parents]
+ * @property {Array<string>} [parents]
  */
 
 /**

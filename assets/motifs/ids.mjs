@@ -141,7 +141,7 @@
  * @property {number} [blends]
  * @property {Array<number>} [skate]
  * @property {Array<number>} [speeds]
- * @property {number} [jump]
+ * @property {boolean} [jump]
  * @property {Array<string>} [warnings]
  * @property {Array<import("../shared/ids.mjs").Colour>} [bands]
  * @property {number} [unseen]
@@ -151,12 +151,12 @@
 /**
  * A motif of one of two results that are compared, as high as the motion in it.
  * @typedef {object} FlowBar
- * @property {string} side
+ * @property {"a" | "b"} side
  * @property {number | null} motif
  * @property {string} label
  * @property {number} y
  * @property {number} h
- * @property {string} change
+ * @property {string | null} change
  * @property {string} title
  */
 
@@ -168,7 +168,7 @@
  * @property {number} ya
  * @property {number} yb
  * @property {number} h
- * @property {string} kind
+ * @property {"kept" | "linked" | "rest"} kind
  * @property {string} title
  */
 
