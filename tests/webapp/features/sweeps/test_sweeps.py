@@ -73,7 +73,7 @@ def test_a_view_goes_through_the_form_and_the_link_unchanged(view):
         ({"x_values": ""}, "x", "at least one value"),
         ({"y_values": "0.1"}, "y", "from 0.2 to 5"),
         ({"y_name": "kappa"}, "y", "another setting"),
-        ({"x_values": ",".join(f"{k}.0000000" for k in range(100, 140))}, "x", "more values than a link can hold"),
+        ({"x_values": ",".join(f"{k}.0000000" for k in range(100, 140))}, "x", "cannot hold that many values"),
         ({"seeds": "0"}, "seeds", "1 to 20"),
         ({"seeds": "many"}, "seeds", "1 to 20"),
         ({"x_name": "nonsense"}, "x", "No parameter"),
