@@ -62,11 +62,11 @@ def first_values(workspace: Workspace, pages: Mapping[str, Component], pathname:
     if page is None or (opened := open_link(workspace, pathname, search)).problems:
         return {}
     return {
-        "url": {"pathname": pathname, "search": search},
-        "page": {"children": pages[page]},
-        "dataset": {"data": opened.dataset},
-        "selection": {"data": opened.selection},
-        "view": {"data": opened.view},
+        names.URL: {"pathname": pathname, "search": search},
+        names.PAGE: {"children": pages[page]},
+        names.DATASET: {"data": opened.dataset},
+        names.SELECTION: {"data": opened.selection},
+        names.VIEW: {"data": opened.view},
         names.STAGE_RESTORE: {"data": opened.stage},
     }
 
