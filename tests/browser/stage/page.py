@@ -72,17 +72,17 @@ def warped(n: int = 3) -> dict:
     return asked
 
 
-def play(page: Page, asked: dict, *, pause: bool = False) -> None:
+def play(page: Page, request: dict, *, pause: bool = False) -> None:
     """Show as the app does: through the store."""
     requests = page.evaluate(
-        "data => { const { asked } = motionscape.stage; dash_clientside.set_props('stage-request', { data });"
-        " return asked; }",
-        asked,
+        "data => { const { requestCount } = motionscape.stage; dash_clientside.set_props('stage-request', { data });"
+        " return requestCount; }",
+        request,
     )
     page.wait_for_function(
-        "([n, requests]) => motionscape.stage.asked > requests && motionscape.stage.status === 'ready'"
+        "([n, requests]) => motionscape.stage.requestCount > requests && motionscape.stage.status === 'ready'"
         " && motionscape.stage.figures === n",
-        arg=[len(asked["items"]), requests],
+        arg=[len(request["items"]), requests],
     )
     if pause:
         page.evaluate("motionscape.stage.pause(); motionscape.stage.seek(0)")
