@@ -238,5 +238,15 @@ def test_the_clips_of_another_data_set_can_be_laid_on_a_map(workspace, key):
 
 
 def test_parameters_have_everyday_names():
-    assert {p.name for p in settings.parameters("map")} == set(layout.METHOD.labels)
+    assert {p.name: p.label for p in settings.parameters("map")} == {
+        "grid": "Nodes across and down",
+        "analysis_fps": "Frames per second",
+        "samples": "Postures to learn from",
+        "sigma": "Smoothness (sigma)",
+        "epochs": "Rounds",
+        "training": "Training",
+        "passes": "Passes (online)",
+        "seed": "Random seed",
+        "model": "Earlier map",
+    }
     assert MapParameters().model == ""
