@@ -82,10 +82,13 @@ def item(clip: str, start: int, end: int, label: str, warp: list[float] | None =
     return {"clip": clip, "start": int(start), "end": int(end), "label": label, "warp": warp}
 
 
-def overlay(dataset: Dataset, items: list[dict[str, Any]], title: str) -> StageRequest:
-    """A request that lays its figures over one another, in step where they have warps."""
+def overlay(dataset: Dataset, items: list[dict[str, Any]], title: str, sync: str = "warp") -> StageRequest:
+    """A request that lays its figures over one another.
+
+    sync: "warp" plays them in step where they have warps, "start" each at its own pace from its start.
+    """
     content = {"dataset": dataset.name, "version": dataset.fingerprint, "items": items, "title": title}
-    return {**content, "layout": "overlay", "sync": "warp"}
+    return {**content, "layout": "overlay", "sync": sync}
 
 
 def register(app: Dash, workspace: Workspace) -> None:

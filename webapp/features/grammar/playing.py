@@ -10,7 +10,7 @@ from core.mocap.dataset import Dataset
 from core.workspace import Workspace
 from webapp.features.grammar import grammars
 from webapp.features.grammar.figures import actions
-from webapp.shell.playback import MOST_FIGURES, Shown, StageRequest
+from webapp.shell.playback import MOST_FIGURES, Shown, StageRequest, overlay
 
 
 def plays(workspace: Workspace, dataset: Dataset, shown: Shown) -> StageRequest | None:
@@ -43,11 +43,11 @@ def stage_request(
     occurrences, name = segments[action], actions.action_name(action, notes)
     if number is not None and 0 <= int(number) < len(occurrences):
         title = f"{name}, {int(number) + 1} of {len(occurrences)}"
-        return _request(dataset, [_item(occurrences[int(number)])], title)
+        return overlay(dataset, [_item(occurrences[int(number)])], title, sync="start")
     shown = typical_first(occurrences, learned.terminals.medoids[action])
     count = f"{len(shown)} of {len(occurrences)}" if len(shown) < len(occurrences) else str(len(occurrences))
     title = f"{name}: {count} time{'s' if len(occurrences) != 1 else ''}"
-    return _request(dataset, [_item(segment) for segment in shown], title)
+    return overlay(dataset, [_item(segment) for segment in shown], title, sync="start")
 
 
 def typical_first(occurrences: Sequence[Segment], typical: Segment, most: int = MOST_FIGURES) -> list[Segment]:
@@ -69,13 +69,8 @@ def _stretch(
     start, end = (start, end) if start < end else (0, clip.n_frames)
     span = Segment(clip.name, start, end)
     item = _item(span) | {"colours": actions.spans(segments, notes, span)}
-    return _request(dataset, [item], clip.name)
+    return overlay(dataset, [item], clip.name, sync="start")
 
 
 def _item(segment: Segment) -> dict[str, Any]:
     return {"clip": segment.clip, "start": int(segment.start), "end": int(segment.end), "label": segment.clip}
-
-
-def _request(dataset: Dataset, items: list[dict[str, Any]], title: str) -> dict[str, Any]:
-    content = {"dataset": dataset.name, "version": dataset.fingerprint, "items": items, "title": title}
-    return {**content, "layout": "overlay", "sync": "start"}
