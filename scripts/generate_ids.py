@@ -1,4 +1,4 @@
-"""Writes the ids and the shapes of stores that Python declares for the modules of the browser: ``assets/*/ids.mjs``.
+"""Writes the ids and shapes that Python declares for the modules of the browser: ``assets/*/ids.mjs``.
 
 ``python -m scripts.generate_ids`` writes the files; with ``--check`` it fails where one is not up to date.
 """
@@ -28,12 +28,14 @@ def ids_of(room: str) -> str:
     """The text of ``assets/<room>/ids.mjs``."""
     module = import_module(ROOMS[room])
     lines = [
-        f"// Ids of components, and what stores hold. Written by scripts/generate_ids.py from {ROOMS[room]}:",
-        "// change that module and run `make bundle`.",
+        "// Ids of components, and the shapes of stores and of answers. Written by scripts/generate_ids.py from",
+        f"// {ROOMS[room]}: change that module and run `make bundle`.",
         *(["", STORE_ID] if room == "shared" else ['/** @import { StoreId } from "../shared/ids.mjs" */']),
     ]
     for name, shape in _shapes(module):
         lines += ["", *_typedef(name, shape, room)]
+    if room == "shared":
+        lines += ["", *_views()]
     lines.append("")
     for _, identifier in declared(module):
         if isinstance(identifier, Pattern):  # only Dash looks for them
@@ -69,6 +71,19 @@ def typescript(shape: Any, room: str) -> str:
 def _shapes(module: ModuleType) -> list[tuple[str, Any]]:
     """The shapes that a module defines itself, by name."""
     return [item for item in vars(module).items() if is_typeddict(item[1]) and item[1].__module__ == module.__name__]
+
+
+def _views() -> list[str]:
+    """The keys of the links of all pages, as one type: the store "view" holds them together."""
+    views = {name: import_module(ROOMS[name]).View for name in FEATURES}
+    keys_of_pages = [(name, key) for name, view in views.items() for key in keys(view)[0]]
+    return [
+        "/**",
+        " * What the pages show beside the selection, by key of the link.",
+        " * @typedef {object} PageView",
+        *(f" * @property {{string}} [{key}] of the page {name.replace('_', ' ')}" for name, key in keys_of_pages),
+        " */",
+    ]
 
 
 def _typedef(name: str, shape: Any, room: str) -> list[str]:

@@ -1500,13 +1500,13 @@
     });
     return shelves;
   }
-  function inRows(shown7, wanted2, put6) {
+  function inRows(shown7, wanted2, put5) {
     const rows2 = Math.ceil(shown7.length / wanted2);
     const columns = Math.ceil(shown7.length / rows2);
     shown7.forEach((figure2, k) => {
       const row7 = Math.floor(k / columns);
       const inRow = row7 < rows2 - 1 ? columns : shown7.length - columns * (rows2 - 1);
-      put6(figure2, k, row7, rows2, k % columns - (inRow - 1) / 2);
+      put5(figure2, k, row7, rows2, k % columns - (inRow - 1) / 2);
     });
   }
   function groundCentre(figures, out) {
@@ -3524,9 +3524,11 @@
       return writeAddress();
     },
     // What the server changes of the view.
-    /** @param {Record<string, string | number | boolean | null> | null} change */
+    /** @param {ViewChange & { at?: number } | null} change */
     change(change) {
-      changeView({ ...change, at: null });
+      const keys = { ...change };
+      delete keys.at;
+      changeView(keys);
       return clientside.no_update;
     },
     // What a link says of the Stage; it is taken up when the motion has arrived.
@@ -3807,11 +3809,11 @@
       return current2 && JSON.stringify(next2) === JSON.stringify(current2) ? clientside.no_update : next2;
     },
     // Chips for a setting that is a list: here and not on the server, whose answer to one click would undo the next.
-    /** @param {View | null} view @param {ListSetting} of */
+    /** @param {Record<string, string> | null} view @param {ListSetting} of */
     list(view4, of2) {
       return inOrder((view4 || {})[of2.key] || of2.usual, of2);
     },
-    /** @param {string[] | null} chosen @param {View | null} view @param {ListSetting} of */
+    /** @param {string[] | null} chosen @param {Record<string, string> | null} view @param {ListSetting} of */
     listed(chosen3, view4, of2) {
       const wanted2 = inOrder((chosen3 || []).join(","), of2).join(",");
       const there = (view4 || {})[of2.key] || of2.usual;
@@ -3821,7 +3823,10 @@
   });
 
   // shell/views.mjs
-  var keyOf = (id) => id.split("-").pop() ?? "";
+  var keyOf = (id) => (
+    /** @type {ViewKey} */
+    id.split("-").pop()
+  );
   register("views", {
     // The control was used: the choice goes into the store; the first choice is the default and leaves the address.
     /** @param {string | null} value @param {View | null} view */
@@ -3829,7 +3834,7 @@
       const key = keyOf(clientside.callback_context.inputs_list[0].id);
       const first = allWithin(document, `.view-panel[data-key="${key}"]`)[0];
       const wanted2 = first && first.dataset.value === value ? "" : value;
-      if (value && ((view4 || {})[key] || "") !== wanted2) changeView({ [key]: wanted2 });
+      if (value && (view4?.[key] || "") !== wanted2) changeView({ [key]: wanted2 });
       return clientside.no_update;
     },
     // The store changed, or the page came: control and panels follow.
@@ -3838,7 +3843,7 @@
       const key = keyOf(id);
       const panels = allWithin(document, `.view-panel[data-key="${key}"]`);
       if (!panels.length) return clientside.no_update;
-      const wanted2 = (view4 || {})[key];
+      const wanted2 = view4?.[key];
       const shown7 = panels.find((panel) => panel.dataset.value === wanted2) || panels[0];
       for (const panel of panels) panel.classList.toggle("hidden", panel !== shown7);
       return shown7.dataset.value;
@@ -3955,15 +3960,19 @@
     event.stopPropagation();
     open(link2.dataset.clip);
   }, true);
-  var noted = { tab: "clips", files: "all" };
+  var USUAL = { tab: "clips", files: "all" };
   var set = {};
   register("library", {
     /** @param {string} tab @param {string} files @param {View | null} view */
     look(tab, files, view4) {
       const change = {};
-      for (const [key, value] of Object.entries({ tab, files })) {
-        const wanted2 = value === noted[key] ? "" : value || "";
-        if (value && value !== set[key] && ((view4 || {})[key] || "") !== wanted2) change[key] = wanted2;
+      for (
+        const [key, value] of
+        /** @type {[ViewKey, string][]} */
+        [["tab", tab], ["files", files]]
+      ) {
+        const wanted2 = value === USUAL[key] ? "" : value || "";
+        if (value && value !== set[key] && (view4?.[key] || "") !== wanted2) change[key] = wanted2;
       }
       set = {};
       if (Object.keys(change).length) changeView(change);
@@ -3971,7 +3980,7 @@
     },
     /** @param {View | null} view @param {{ value: string }[] | null} choices */
     show(view4, choices2) {
-      const wanted2 = { ...noted, ...view4 };
+      const wanted2 = { ...USUAL, ...view4 };
       const known3 = (choices2 || []).some((choice2) => choice2.value === wanted2.files);
       set = { tab: wanted2.tab === "report" ? "report" : "clips", files: known3 ? wanted2.files : "all" };
       return [set.tab, set.files];
@@ -4442,11 +4451,12 @@
     const i = nearest(line2.x, frame / fps);
     return i < 0 || Math.abs(line2.x[i] - frame / fps) > 1 / fps ? whole3 : line2.y[i];
   }
+  var CHART_KEYS = ["chart", "angles", "joints", "rig", "channels"];
   async function fetchValues(view4) {
     if (!at.shown) return;
     const { dataset: dataset2, clip, version } = at.shown;
     const query = new URLSearchParams({ v: version });
-    for (const key of ["chart", "angles", "joints", "rig", "channels"]) if (view4?.[key]) query.set(key, view4[key]);
+    for (const key of CHART_KEYS) if (view4?.[key]) query.set(key, view4[key]);
     const where = clip.split("/").map(encodeURIComponent).join("/");
     const address2 = `/api/clip-values/${encodeURIComponent(dataset2)}/${where}?${query}`;
     if (address2 === at.from) return;
@@ -4577,7 +4587,7 @@
       return clientside.no_update;
     },
     /** @param {object | null} edit */
-    asked(edit) {
+    editAtFrame(edit) {
       return edit ? { ...edit, frame: frameNow() ?? 0 } : clientside.no_update;
     }
   });
@@ -5966,7 +5976,7 @@
     if (data2.parts.length > 1) words2.push(`From ${data2.parts[0]} of ${total3} motifs one can come back to each other; ${data2.parts.length - 1} more such part${data2.parts.length > 2 ? "s" : ""}.`);
     const dead = data2.dead.length > MOST_NAMED ? `${data2.dead.length} motifs` : data2.dead.join(", ");
     if (data2.dead.length) words2.push(`Dead ends, where nothing leads on: ${dead} (marked in the graph).`);
-    if (data2.asked.extra) words2.push(data2.further.length ? `${data2.further.length} further transitions (dashed).` : "No further transition points are good enough.");
+    if (data2.inputs.extra) words2.push(data2.further.length ? `${data2.further.length} further transitions (dashed).` : "No further transition points are good enough.");
     return words2.join(" ");
   }
   var filled = (path2, [a, b], detour) => path2.flatMap((motif, i) => i && path2[i - 1] === a && motif === b ? detour.slice(1) : [motif]);
@@ -6037,14 +6047,14 @@
     if (gap && motifs().length) offer(`Take ${gap[1]} away`, () => write2(withoutGap(motifs(), gap)));
   }
   function show3() {
-    const busy = !same2(now2.asked, keysOf2(view));
+    const busy = !same2(now2.inputs, keysOf2(view));
     need(WALK_PATH).classList.toggle("busy", busy);
     if (busy) {
       need(WALK_HINT).textContent = view.walk ? "Making the walk …" : "";
       return;
     }
     const walks = Boolean(now2.name);
-    need(WALK_PATH).dataset.shown = now2.asked.walk || "";
+    need(WALK_PATH).dataset.shown = now2.inputs.walk || "";
     need(WALK_LENGTH).textContent = walks ? `${now2.path.length} motif${now2.path.length > 1 ? "s" : ""}, ${now2.seconds.toFixed(1)} s` : "";
     need(WALK_HINT).textContent = walks || now2.error ? "" : "Click motifs in the graph one after the other, or let chance choose.";
     need(WALK_NOTES).replaceChildren(...(now2.warnings || []).map((text) => Object.assign(document.createElement("p"), { textContent: text })));
@@ -6143,7 +6153,7 @@
     }
   };
   ahead.unless((selection) => walking.on && (selection.edge !== void 0 || selection.motif !== void 0 && selection.motion === void 0));
-  var OPTIONS = { extra: WALK_EXTRA, gaps: WALK_BRIDGE, ends: WALK_STOP, feet: WALK_FEET };
+  var OPTIONS = [["extra", WALK_EXTRA], ["gaps", WALK_BRIDGE], ["ends", WALK_STOP], ["feet", WALK_FEET]];
   var checkedFor = {
     /** @param {string | undefined} v */
     extra: (v) => v === "1",
@@ -6168,7 +6178,7 @@
       if (!find(WALK_PATH)) return clientside.no_update;
       const entered = !walking.on;
       walking.on = true;
-      for (const [key, id] of Object.entries(OPTIONS)) clientside.set_props(id, { checked: checkedFor[key](view[key]) });
+      for (const [key, id] of OPTIONS) clientside.set_props(id, { checked: checkedFor[key](view[key]) });
       const [, seconds, seed] = /^random:([\d.]+):(\d+)/.exec(view.walk || "") || [];
       if (seed) {
         clientside.set_props(WALK_SECONDS, { value: Number(seconds) });
@@ -6178,7 +6188,7 @@
       const before2 = now2;
       now2 = data2;
       show3();
-      if (!now2.name || !same2(now2.asked, keysOf2(view))) return clientside.no_update;
+      if (!now2.name || !same2(now2.inputs, keysOf2(view))) return clientside.no_update;
       const chosen3 = selection && Object.keys(selection).length > 0;
       if (entered && chosen3 && !before2.key) return clientside.no_update;
       if (entered && chosen3) setStore(SELECTION, {});
@@ -6201,7 +6211,7 @@
     option(extra, bridge, stop, feet, shown7) {
       if (!walking.on) return clientside.no_update;
       const wanted2 = { extra: extra ? "1" : "", gaps: bridge ? "bridge" : "", ends: stop ? "stop" : "", feet: feet ? "" : "0" };
-      if (Object.entries(wanted2).some(([key, value]) => ((shown7 || {})[key] || "") !== value)) changeView(wanted2);
+      if (OPTIONS.some(([key]) => (shown7?.[key] || "") !== wanted2[key])) changeView(wanted2);
       return clientside.no_update;
     }
   });
@@ -6354,7 +6364,7 @@
   var at2 = { rate: 0, vote: 0 };
   var shown6 = "";
   var mode = () => view2.study === "vote" ? "vote" : view2.study === "results" ? "results" : "rate";
-  var awaited = () => data.asked[2] !== (person.name || person.id);
+  var awaited = () => data.inputs.person !== (person.name || person.id);
   var rows = () => awaited() ? [] : (mode() === "vote" ? data.duels : data.pairs) || [];
   var visible = () => Boolean(find(STUDY_SETUP)?.offsetParent) && data && !data.error;
   var button2 = (words2, name, className = "search-button") => {
@@ -6503,10 +6513,10 @@
     }
   }
   register("study", {
-    /** @param {{ kept?: string[] } | null} confirmed */
-    kept(confirmed) {
-      if (!confirmed || !confirmed.kept) return clientside.no_update;
-      for (const id of confirmed.kept) {
+    /** @param {ReceivedAnswers | null} answers */
+    received(answers) {
+      if (!answers?.received) return clientside.no_update;
+      for (const id of answers.received) {
         const number2 = pending.findIndex((one) => one.id === id);
         if (number2 >= 0) pending.splice(number2, 1);
       }
@@ -6524,7 +6534,7 @@
       if (!stored || !stored.id) takePerson(stored);
       else person = stored;
       const fresh = found !== data;
-      const before2 = data && data.asked[2] === found.asked[2] ? data : null;
+      const before2 = data && data.inputs.person === found.inputs.person ? data : null;
       data = found;
       if (data.error) {
         need(STUDY_SETUP).replaceChildren(nothing(data.error));
@@ -6647,7 +6657,7 @@
   var ROUTINE_SVG = "routine-svg";
   var ROUTINE_TREE = "routine-tree";
   var COMPOSE_ERROR = "compose-error";
-  var COMPOSE_SAID = "compose-said";
+  var COMPOSE_STATUS = "compose-status";
   var COMPOSE_STRING = "compose-string";
   var COMPOSE_CHOSEN = "compose-chosen";
   var COMPOSE_OTHERS = "compose-others";
@@ -6703,7 +6713,7 @@
   };
   var downloadQuery = (view4, more2 = {}) => {
     const pairs = new URLSearchParams({ dataset: state2.data.dataset || "" });
-    for (const [key, value] of Object.entries(view4 || {})) if (key.startsWith("grammar-")) pairs.set(key, value);
+    for (const [key, value] of Object.entries(view4 || {})) if (value && key.startsWith("grammar-")) pairs.set(key, value);
     for (const [key, value] of Object.entries(more2)) pairs.set(key, String(value));
     return pairs.toString();
   };
@@ -6873,7 +6883,7 @@
   var past = { key: "", list: [], at: -1 };
   var keysOf3 = (shown7) => Object.fromEntries(KEYS5.filter((key) => shown7?.[key]).map((key) => [key, shown7?.[key]]));
   var same3 = (a, b) => KEYS5.every((key) => (a?.[key] || "") === (b?.[key] || ""));
-  var ready = () => Boolean(now3.name) && same3(now3.asked, keysOf3(view3));
+  var ready = () => Boolean(now3.name) && same3(now3.inputs, keysOf3(view3));
   var here2 = () => on && Boolean(find(COMPOSE_TREE)?.offsetParent);
   var onStage3 = () => String(player.frameOf(0)?.dataset || "").startsWith("~derive~");
   var goTo = (sentence, more2 = {}) => changeView({ sentence, pick: "", up: "", alt: "", ...more2 });
@@ -6911,14 +6921,14 @@
   }
   function string(data2) {
     const list2 = need(COMPOSE_STRING);
-    if (!isFresh(list2, [data2.name, data2.actions, state2.data.names, now3.asked, now3.chosen])) return;
+    if (!isFresh(list2, [data2.name, data2.actions, state2.data.names, now3.inputs, now3.chosen])) return;
     const chips = data2.actions.map((id, at3) => {
       const line2 = element("li", "compose-step");
       const button4 = actionChip(id);
       delete button4.dataset.store;
       button4.dataset.pick = String(at3);
       button4.title = `${actionOf(id).name}: choose it`;
-      button4.setAttribute("aria-pressed", String(String(at3) === now3.asked.pick));
+      button4.setAttribute("aria-pressed", String(String(at3) === now3.inputs.pick));
       line2.classList.toggle("within", Boolean(now3.chosen && at3 >= now3.chosen.first && at3 < now3.chosen.end));
       line2.append(button4);
       return line2;
@@ -6933,14 +6943,14 @@
     return `${chosen3.name}: ${span}, ${ways}`;
   }
   function show4() {
-    const busy = Boolean(view3.sentence) && !same3(now3.asked, keysOf3(view3));
+    const busy = Boolean(view3.sentence) && !same3(now3.inputs, keysOf3(view3));
     need(COMPOSE_STRING).classList.toggle("busy", busy);
     const error = !busy && now3.error;
     need(COMPOSE_ERROR).classList.toggle("hidden", !error);
     need(COMPOSE_ERROR).textContent = error || "";
     const there = ready();
-    need(COMPOSE_STRING).dataset.shown = busy ? "" : KEYS5.map((key) => now3.asked?.[key] || "").join(" ");
-    need(COMPOSE_SAID).textContent = busy ? "Making the routine …" : there ? `${plural(now3.actions.length, "action")}, ${now3.seconds.toFixed(1)} s. ${now3.novel ? "Nobody performed it like this." : "It occurs like this in the recordings."}` : error ? "" : "Press New routine: chance makes one that keeps to the rules.";
+    need(COMPOSE_STRING).dataset.shown = busy ? "" : KEYS5.map((key) => now3.inputs?.[key] || "").join(" ");
+    need(COMPOSE_STATUS).textContent = busy ? "Making the routine …" : there ? `${plural(now3.actions.length, "action")}, ${now3.seconds.toFixed(1)} s. ${now3.novel ? "Nobody performed it like this." : "It occurs like this in the recordings."}` : error ? "" : "Press New routine: chance makes one that keeps to the rules.";
     for (const name of ["play", "larger", "smaller", "others", "undo", "redo"]) {
       const usable2 = {
         play: there,
@@ -6984,7 +6994,7 @@
     changeView({ pick: String(first), up: String(Math.max(0, depth2(inner) - depth2(path2)) || ""), alt: "" });
   }
   function pick(at3) {
-    const again = String(at3) === now3.asked.pick && !now3.asked.up;
+    const again = String(at3) === now3.inputs.pick && !now3.inputs.up;
     changeView({ pick: again ? "" : String(at3), up: "", alt: "" });
     if (!again && now3.name === played2 && onStage3()) player.seek({ clip: now3.clip, frame: now3.spans[at3][0] });
   }
@@ -6998,8 +7008,8 @@
     undo: () => past.at > 0 && goTo(past.list[past.at - 1]),
     redo: () => past.at < past.list.length - 1 && goTo(past.list[past.at + 1]),
     play: () => ready() && play5(now3),
-    larger: () => changeView({ up: String(Number(now3.asked.up || 0) + 1), alt: "" }),
-    smaller: () => changeView({ up: String(Math.max(0, Number(now3.asked.up || 0) - 1) || ""), alt: "" }),
+    larger: () => changeView({ up: String(Number(now3.inputs.up || 0) + 1), alt: "" }),
+    smaller: () => changeView({ up: String(Math.max(0, Number(now3.inputs.up || 0) - 1) || ""), alt: "" }),
     others: () => changeView({ alt: String(Number(view3.alt || 0) + 1) })
   };
   document.addEventListener("click", (event) => {
@@ -7045,7 +7055,8 @@
   // grammar/others.mjs
   var LETTERS = "ABCDEFGH";
   var playing = "";
-  var matches = (data2, view4) => ["sentence", "pick", "up", "alt"].every((key) => (data2?.asked?.[key] || "") === (view4[key] || ""));
+  var KEYS6 = ["sentence", "pick", "up", "alt"];
+  var matches = (data2, view4) => KEYS6.every((key) => (data2?.inputs?.[key] || "") === (view4[key] || ""));
   function request4(data2) {
     return {
       dataset: data2.others[0].name,
@@ -7113,7 +7124,7 @@
     else if (shown7.error || !shown7.others.length) body2.append(element("p", "muted", shown7.error || "There is no other way for this part; choose a larger one."));
     else body2.append(...shown7.others.map(card2));
     box2.replaceChildren(head3, body2);
-    const stamp = shown7?.others?.length ? JSON.stringify(shown7.asked) : "";
+    const stamp = shown7?.others?.length ? JSON.stringify(shown7.inputs) : "";
     if (!shown7 || !stamp || stamp === playing) return;
     playing = stamp;
     player.show(request4(shown7));
@@ -7845,7 +7856,7 @@
       figure2.append(svgElement("svg", { viewBox: BOX.join(" "), class: "map-picture map-editor-picture" }), element("figcaption", "muted", view4));
       views.append(figure2);
     }
-    const status2 = element("div", "map-editor-said number muted");
+    const status2 = element("div", "map-editor-status number muted");
     status2.setAttribute("role", "status");
     const foot = element("div", "map-editor-foot");
     const nearest2 = element("div", "map-editor-nearest");
@@ -7948,7 +7959,7 @@
     const { node, distance } = map.nearest(posture);
     Object.assign(edited, { node, distance });
     const far = distance > 2.5 * map.usual;
-    within(box2, ".map-editor-said").textContent = `Nearest posture on the map: ${distance.toFixed(2)} m away${far ? ", so nothing there is like this" : ""}`;
+    within(box2, ".map-editor-status").textContent = `Nearest posture on the map: ${distance.toFixed(2)} m away${far ? ", so nothing there is like this" : ""}`;
     within(box2, ".map-editor-nearest").replaceChildren(figurePicture(map, map.posture(node), "icon"));
     state.overlay.squares("cursor", [node]);
   }
@@ -8123,7 +8134,7 @@
   var readNumber = (text, otherwise) => /^\d+(\.\d+)?$/.test(text ?? "") ? Number(text) : otherwise;
   function paceOf(view4) {
     const [low, high] = String(view4.pace || "").split("-").map((word) => readNumber(word, NaN));
-    const way2 = WAYS.includes(view4.way) ? view4.way : "any";
+    const way2 = WAYS.includes(view4.way ?? "") ? view4.way : "any";
     const [slowest, fastest] = Number.isFinite(low) && Number.isFinite(high) && low <= high ? [low, high] : [0, Infinity];
     return way2 === "any" && slowest === 0 && fastest === Infinity ? null : { slowest, fastest, way: way2 };
   }
@@ -8368,9 +8379,13 @@
   };
 
   // motion_map/map.mjs
-  var USUAL = { colour: "height", click: "keys", pace: "any", way: "any" };
+  var USUAL2 = { colour: "height", click: "keys", pace: "any", way: "any" };
+  var DRAWN_KEYS = ["colour", "below", "region"];
+  var keyOf2 = (id) => (
+    /** @type {ViewKey} */
+    id.slice("map-".length)
+  );
   var live = 0;
-  var put2 = (change) => changeView({ ...change, at: Date.now() });
   var page = () => find(MAP_PLOT);
   function drawKeys() {
     const { map, keys, reach } = state;
@@ -8421,7 +8436,7 @@
     const path2 = few.map((point) => point.map((value) => Math.max(value, 0).toFixed(1)).join("-")).join(",");
     state.keys = [];
     drawStrip(state.map, [], setKeys);
-    put2({ drawn: path2, keys: "" });
+    changeView({ drawn: path2, keys: "" });
     return followPath(path2);
   }
   function setKeys(keys, focus2) {
@@ -8433,13 +8448,13 @@
     drawStrip(state.map, state.keys, setKeys);
     if (focus2 !== void 0) childrenOf(need(MAP_KEYS))[focus2]?.focus();
     refresh();
-    put2({ keys: writeKeys(state.keys, state.map), drawn: "" });
+    changeView({ keys: writeKeys(state.keys, state.map), drawn: "" });
   }
   function setReach(reach, done) {
     state.reach = reach;
     showReach();
     refresh(done);
-    if (done) put2({ within: reach ? reach.toFixed(2) : "" });
+    if (done) changeView({ within: reach ? reach.toFixed(2) : "" });
   }
   function showReach() {
     const slider2 = find(MAP_REACH), label = find(MAP_REACH_VALUE);
@@ -8452,7 +8467,7 @@
   function choose3(node) {
     if (state.mode === "regions") {
       const region = state.map.regions[node];
-      put2({ region: String(region), below: "region" });
+      changeView({ region: String(region), below: "region" });
     } else setKeys([...state.keys, node]);
   }
   function mount2() {
@@ -8486,7 +8501,7 @@
     const { map } = state;
     if (!map || !mount2()) return;
     const keys = readKeys(view4.keys, map), reach = Math.min(readNumber(view4.within, 0), map.reach), pace = paceOf(view4);
-    state.mode = ["regions", "draw"].includes(view4.click) ? view4.click : "keys";
+    state.mode = view4.click === "regions" || view4.click === "draw" ? view4.click : "keys";
     need(MAP_PLOT).dataset.mode = state.mode;
     const region = readNumber(view4.region, -1);
     state.overlay.squares("region", region < 0 ? [] : [...map.regions.keys()].filter((node) => map.regions[node] === region));
@@ -8599,20 +8614,19 @@
      * @param {View | null} view
      */
     chosen(value, view4) {
-      const key = clientside.callback_context.inputs_list[0].id.slice("map-".length);
-      const wanted2 = value === USUAL[key] ? "" : value ?? "";
-      if (value && ((view4 || {})[key] || "") !== wanted2) put2({ [key]: wanted2 });
+      const key = keyOf2(clientside.callback_context.inputs_list[0].id);
+      const wanted2 = value === USUAL2[key] ? "" : value ?? "";
+      if (value && (view4?.[key] || "") !== wanted2) changeView({ [key]: wanted2 });
       return clientside.no_update;
     },
     /** @param {View | null} view @param {string} id */
     choice(view4, id) {
-      const key = id.slice("map-".length);
-      return (view4 || {})[key] || USUAL[key];
+      const key = keyOf2(id);
+      return view4?.[key] || USUAL2[key];
     },
     /** Those parts of the view that the server draws by. @param {View | null} view @param {View | null} current */
     look(view4, current2) {
-      const keys = ["colour", "below", "region", "icons"];
-      const next2 = Object.fromEntries(keys.filter((key) => (view4 || {})[key]).map((key) => [key, (view4 || {})[key]]));
+      const next2 = Object.fromEntries(DRAWN_KEYS.filter((key) => view4?.[key]).map((key) => [key, view4?.[key]]));
       return current2 && JSON.stringify(next2) === JSON.stringify(current2) ? clientside.no_update : next2;
     }
   });
@@ -8703,7 +8717,7 @@
   var searchAddress = (hit) => {
     const pairs = new URLSearchParams({ dataset: now5.clips.dataset, v: now5.clips.version.slice(0, 8) });
     for (const [key, value] of Object.entries(now5.view)) {
-      if (["query", "parts"].includes(key) || key.startsWith("search-")) pairs.set(key, value);
+      if (value && (["query", "parts"].includes(key) || key.startsWith("search-"))) pairs.set(key, value);
     }
     if (hit) pairs.set("hit", hit);
     return pairs.toString();
@@ -8768,7 +8782,7 @@
       if (total2() > 0) changeSearch({ parts: writeWeights(raw, now5.body) });
     }, 140);
   }
-  function put3(leaf, value) {
+  function put2(leaf, value) {
     raw[leaf] = Math.min(Math.max(value, 0), MOST3);
     paint();
     need(SEARCH_BODY).classList.toggle("search-none", total2() === 0);
@@ -8938,9 +8952,9 @@
     if (assigning()) return assign(shift ? limbOf(leaf) : [leaf]);
     if (shift) {
       raw = Object.fromEntries(now5.body.leaves.map((one) => [one, one === leaf ? EVEN : 0]));
-      return put3(leaf, EVEN);
+      return put2(leaf, EVEN);
     }
-    return put3(leaf, raw[leaf] > 0 ? 0 : Math.max(...Object.values(raw)) || EVEN);
+    return put2(leaf, raw[leaf] > 0 ? 0 : Math.max(...Object.values(raw)) || EVEN);
   }
   document.addEventListener("click", (event) => {
     const part2 = closest(event, ".search-part");
@@ -8957,16 +8971,16 @@
     const leaf = part2.dataset.part ?? "";
     const step3 = { ArrowUp: 1, ArrowRight: 1, ArrowDown: -1, ArrowLeft: -1, PageUp: 10, PageDown: -10 }[event.key];
     if (event.key === "Enter" || event.key === " ") press3(leaf, event.shiftKey);
-    else if (step3 && !assigning()) put3(leaf, raw[leaf] + step3);
-    else if (event.key === "Home" && !assigning()) put3(leaf, 0);
-    else if (event.key === "End" && !assigning()) put3(leaf, MOST3);
+    else if (step3 && !assigning()) put2(leaf, raw[leaf] + step3);
+    else if (event.key === "Home" && !assigning()) put2(leaf, 0);
+    else if (event.key === "End" && !assigning()) put2(leaf, MOST3);
     else return;
     event.preventDefault();
     event.stopPropagation();
   });
   document.addEventListener("input", (event) => {
     const { dataset: dataset2, value } = targetOf(event);
-    if (dataset2?.weight) put3(dataset2.weight, Number(value));
+    if (dataset2?.weight) put2(dataset2.weight, Number(value));
   });
   document.addEventListener("change", (event) => {
     if (targetOf(event).id !== SEARCH_PRESET || !targetOf(event).value) return;
@@ -9150,7 +9164,7 @@
       box2.replaceChildren();
       return;
     }
-    const mark3 = JSON.stringify([found.asked, now5.scheme]);
+    const mark3 = JSON.stringify([found.inputs, now5.scheme]);
     if (mark3 !== drawn5 || !box2.firstChild) {
       drawn5 = mark3;
       head2(title, found);
@@ -9163,7 +9177,7 @@
     }
     choose4();
   };
-  var nothing2 = (found) => found.asked.label || found.asked.named || found.asked.lasting ? "Nothing passes these filters. Widen them, or look for moments instead of whole clips." : "Nothing else is there to compare with. Add recordings, or choose another query.";
+  var nothing2 = (found) => found.inputs.label || found.inputs.named || found.inputs.lasting ? "Nothing passes these filters. Widen them, or look for moments instead of whole clips." : "Nothing else is there to compare with. Add recordings, or choose another query.";
   function more(found) {
     const made = element("button", "search-button search-more", `Show more (${found.total - found.hits.length} left)`);
     made.type = "button";
@@ -9198,16 +9212,16 @@
     if (wanted2 === playing2 && player.status !== "empty") return;
     const first = playing2 === "";
     playing2 = wanted2;
-    if (!view4.hit) return put4(found.request, first);
+    if (!view4.hit) return put3(found.request, first);
     try {
       const { request: request5 } = reasonNow(view4.hit) || await reasonOf(view4.hit);
-      if (playing2 === wanted2) put4(request5, first);
+      if (playing2 === wanted2) put3(request5, first);
     } catch (error) {
       notify("This hit cannot be shown", error instanceof Error ? error.message : "");
       changeView({ hit: "" });
     }
   };
-  function put4(request5, first) {
+  function put3(request5, first) {
     const stage2 = player;
     const paired = (stage2.layout === "side" || stage2.layout === "overlay") && !first && last > 1;
     const layout = request5.items.length > 1 && paired ? stage2.layout : request5.layout;
@@ -9545,7 +9559,7 @@
     if (!box2.isConnected) status()?.before(box2);
   }
   var quiet = () => allWithin(document, ".search-sending").forEach((one) => one.remove());
-  function put5(token, file, tell3) {
+  function put4(token, file, tell3) {
     return (
       /** @type {Promise<void>} */
       new Promise((resolve, reject) => {
@@ -9585,7 +9599,7 @@
       ({ token } = await answer2.json());
       for (const file of files) {
         still();
-        await put5(token, file, (share2) => mine2 === turn4 && say(`Sending ${file.name}: ${Math.round(100 * share2)} %`));
+        await put4(token, file, (share2) => mine2 === turn4 && say(`Sending ${file.name}: ${Math.round(100 * share2)} %`));
       }
       still();
       sending = null;
@@ -9844,7 +9858,7 @@
       const page2 = within(document, ".search-page");
       page2.dataset.look = now5.view.look || "search";
       page2.classList.toggle("without-dataset", !clips);
-      const fits = found && clips && found.asked && found.asked.dataset === clips.dataset;
+      const fits = found && clips && found.inputs && found.inputs.dataset === clips.dataset;
       if (!fits) now5.found = /** @type {any} */
       null;
       drawSources();

@@ -6,7 +6,7 @@ import { nearest } from "../shared/numbers.mjs";
 import { player } from "../stage/player.mjs";
 import * as ids from "./ids.mjs";
 /** @import { ClipState, Plot, Range, ShownClip } from "./types.d.ts" */
-/** @import { Selection, View } from "../shared/types.d.ts" */
+/** @import { Selection, View, ViewKey } from "../shared/types.d.ts" */
 /** @import { Standing } from "../stage/types.d.ts" */
 
 /**
@@ -133,6 +133,9 @@ function valueAt(plot, line, k, frame) {
   return i < 0 || Math.abs(line.x[i] - frame / fps) > 1 / fps ? whole : line.y[i];
 }
 
+/** Keys of the link that say what the chart shows. @type {ViewKey[]} */
+const CHART_KEYS = ["chart", "angles", "joints", "rig", "channels"];
+
 /**
  * Lines thinned for the chart lack values: those come once as plain numbers.
  * @param {View | null} view
@@ -141,7 +144,7 @@ async function fetchValues(view) {
   if (!at.shown) return;
   const { dataset, clip, version } = at.shown;
   const query = new URLSearchParams({ v: version });
-  for (const key of ["chart", "angles", "joints", "rig", "channels"]) if (view?.[key]) query.set(key, view[key]);
+  for (const key of CHART_KEYS) if (view?.[key]) query.set(key, view[key]);
   const where = clip.split("/").map(encodeURIComponent).join("/");
   const address = `/api/clip-values/${encodeURIComponent(dataset)}/${where}?${query}`;
   if (address === at.from) return;
@@ -274,7 +277,7 @@ register("clip", {
     return clientside.no_update;
   },
   /** @param {object | null} edit */
-  asked(edit) {
+  editAtFrame(edit) {
     return edit ? { ...edit, frame: frameNow() ?? 0 } : clientside.no_update;
   },
 });

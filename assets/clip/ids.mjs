@@ -1,5 +1,5 @@
-// Ids of components, and what stores hold. Written by scripts/generate_ids.py from webapp.features.clip.names:
-// change that module and run `make bundle`.
+// Ids of components, and the shapes of stores and of answers. Written by scripts/generate_ids.py from
+// webapp.features.clip.names: change that module and run `make bundle`.
 /** @import { StoreId } from "../shared/ids.mjs" */
 
 /**
@@ -93,7 +93,7 @@ export const CLIP_GAIT = "clip-gait";
 export const CLIP_GAIT_TABLE = /** @type {StoreId<GaitTable>} */ ("clip-gait-table");
 export const CLIP_GAIT_DRAWN = /** @type {StoreId<any>} */ ("clip-gait-drawn");
 export const CLIP_EDIT = /** @type {StoreId<ClipEdit>} */ ("clip-edit");
-export const CLIP_EDIT_ASKED = /** @type {StoreId<ClipEdit>} */ ("clip-edit-asked");
+export const CLIP_EDIT_AT_FRAME = /** @type {StoreId<ClipEdit>} */ ("clip-edit-at-frame");
 export const CLIP_EDIT_MENU = "clip-edit-menu";
 export const CLIP_EDIT_DIALOG = "clip-edit-dialog";
 export const CLIP_EDIT_SAYS = "clip-edit-says";

@@ -11,9 +11,10 @@ import { actionChip, actionOf, downloadQuery, isFresh, redraw, state } from "./s
 import { lightTree, showTree } from "./tree.mjs";
 /** @import { Past } from "./history.mjs" */
 /** @import { Composition, RoutineKeys, TreeNode } from "./types.d.ts" */
-/** @import { Selection, View } from "../shared/types.d.ts" */
+/** @import { Selection, View, ViewKey } from "../shared/types.d.ts" */
 /** @import { StageRequest } from "../stage/types.d.ts" */
 
+/** Keys of the link that say which routine it is, and its chosen part. @type {ViewKey[]} */
 const KEYS = ["sentence", "pick", "up"];
 const HISTORY = "motionscape-routines";
 
@@ -31,7 +32,7 @@ let past = { key: "", list: [], at: -1 }; // routines one has seen, for undo and
 const keysOf = (shown) => Object.fromEntries(KEYS.filter((key) => shown?.[key]).map((key) => [key, shown?.[key]]));
 /** @param {RoutineKeys | undefined} a @param {RoutineKeys | undefined} b */
 const same = (a, b) => KEYS.every((key) => (a?.[key] || "") === (b?.[key] || ""));
-const ready = () => Boolean(now.name) && same(now.asked, keysOf(view));
+const ready = () => Boolean(now.name) && same(now.inputs, keysOf(view));
 const here = () => on && Boolean(find(ids.COMPOSE_TREE)?.offsetParent); // the page may have gone meanwhile
 const onStage = () => String(player.frameOf(0)?.dataset || "").startsWith("~derive~");
 
@@ -76,14 +77,14 @@ async function play(data, from) {
 /** @param {Composition} data */
 function string(data) {
   const list = need(ids.COMPOSE_STRING);
-  if (!isFresh(list, [data.name, data.actions, state.data.names, now.asked, now.chosen])) return;
+  if (!isFresh(list, [data.name, data.actions, state.data.names, now.inputs, now.chosen])) return;
   const chips = data.actions.map((id, at) => {
     const line = element("li", "compose-step");
     const button = actionChip(id);
     delete button.dataset.store;
     button.dataset.pick = String(at);
     button.title = `${actionOf(id).name}: choose it`;
-    button.setAttribute("aria-pressed", String(String(at) === now.asked.pick));
+    button.setAttribute("aria-pressed", String(String(at) === now.inputs.pick));
     line.classList.toggle("within", Boolean(now.chosen && at >= now.chosen.first && at < now.chosen.end));
     line.append(button);
     return line;
@@ -100,14 +101,14 @@ function chosenWords() {
 }
 
 function show() {
-  const busy = Boolean(view.sentence) && !same(now.asked, keysOf(view));
+  const busy = Boolean(view.sentence) && !same(now.inputs, keysOf(view));
   need(ids.COMPOSE_STRING).classList.toggle("busy", busy);
   const error = !busy && now.error;
   need(ids.COMPOSE_ERROR).classList.toggle("hidden", !error);
   need(ids.COMPOSE_ERROR).textContent = error || "";
   const there = ready();
-  need(ids.COMPOSE_STRING).dataset.shown = busy ? "" : KEYS.map((key) => now.asked?.[key] || "").join(" ");
-  need(ids.COMPOSE_SAID).textContent = busy ? "Making the routine …" : there
+  need(ids.COMPOSE_STRING).dataset.shown = busy ? "" : KEYS.map((key) => now.inputs?.[key] || "").join(" ");
+  need(ids.COMPOSE_STATUS).textContent = busy ? "Making the routine …" : there
     ? `${plural(now.actions.length, "action")}, ${now.seconds.toFixed(1)} s. ${now.novel ? "Nobody performed it like this." : "It occurs like this in the recordings."}`
     : error ? "" : "Press New routine: chance makes one that keeps to the rules.";
   for (const name of ["play", "larger", "smaller", "others", "undo", "redo"]) {
@@ -152,7 +153,7 @@ function choose({ path, first, leaf }) {
 
 /** @param {number} at */
 function pick(at) {
-  const again = String(at) === now.asked.pick && !now.asked.up;
+  const again = String(at) === now.inputs.pick && !now.inputs.up;
   changeView({ pick: again ? "" : String(at), up: "", alt: "" });
   if (!again && now.name === played && onStage()) player.seek({ clip: now.clip, frame: now.spans[at][0] });
 }
@@ -169,8 +170,8 @@ const actions = {
   undo: () => past.at > 0 && goTo(past.list[past.at - 1]),
   redo: () => past.at < past.list.length - 1 && goTo(past.list[past.at + 1]),
   play: () => ready() && play(now),
-  larger: () => changeView({ up: String(Number(now.asked.up || 0) + 1), alt: "" }),
-  smaller: () => changeView({ up: String(Math.max(0, Number(now.asked.up || 0) - 1) || ""), alt: "" }),
+  larger: () => changeView({ up: String(Number(now.inputs.up || 0) + 1), alt: "" }),
+  smaller: () => changeView({ up: String(Math.max(0, Number(now.inputs.up || 0) - 1) || ""), alt: "" }),
   others: () => changeView({ alt: String(Number(view.alt || 0) + 1) }),
 };
 

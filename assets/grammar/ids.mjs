@@ -1,5 +1,5 @@
-// Ids of components, and what stores hold. Written by scripts/generate_ids.py from webapp.features.grammar.names:
-// change that module and run `make bundle`.
+// Ids of components, and the shapes of stores and of answers. Written by scripts/generate_ids.py from
+// webapp.features.grammar.names: change that module and run `make bundle`.
 /** @import { StoreId } from "../shared/ids.mjs" */
 
 /**
@@ -109,7 +109,7 @@
  * The new routine of the link and its motion, or why there is none.
  * @typedef {object} Composed
  * @property {string} [key]
- * @property {Record<string, string>} [asked]
+ * @property {Record<string, string>} [inputs]
  * @property {string} [error]
  * @property {string} [name]
  * @property {string} [clip]
@@ -117,8 +117,8 @@
  * @property {Array<[number, number]>} [spans]
  * @property {number} [frames]
  * @property {number} [seconds]
- * @property {Array<number>} [skate]
- * @property {Array<number>} [speeds]
+ * @property {[number, number, number]} [skate]
+ * @property {[number, number]} [speeds]
  * @property {boolean} [jump]
  * @property {Array<string>} [warnings]
  * @property {Array<import("../shared/ids.mjs").Colour>} [bands]
@@ -148,7 +148,7 @@
 /**
  * Other ways for the chosen part, or why there are none.
  * @typedef {object} Others
- * @property {Record<string, string>} asked
+ * @property {Record<string, string>} inputs
  * @property {string} [error]
  * @property {string} [part]
  * @property {Array<Other>} [others]
@@ -199,7 +199,7 @@ export const ROUTINE_TREE = "routine-tree";
 export const ROUTINE_DATA = /** @type {StoreId<RoutineData>} */ ("routine-data");
 export const ROUTINE_DRAWN = /** @type {StoreId<any>} */ ("routine-drawn");
 export const COMPOSE_ERROR = "compose-error";
-export const COMPOSE_SAID = "compose-said";
+export const COMPOSE_STATUS = "compose-status";
 export const COMPOSE_STRING = "compose-string";
 export const COMPOSE_CHOSEN = "compose-chosen";
 export const COMPOSE_OTHERS = "compose-others";
@@ -212,7 +212,7 @@ export const COMPOSE_JSON = "compose-json";
 export const COMPOSE_SVG = "compose-svg";
 export const COMPOSE_NAME = "compose-name";
 export const COMPOSE_SAVE = "compose-save";
-export const COMPOSE_KEPT = "compose-kept";
+export const COMPOSE_SAVE_STATUS = "compose-save-status";
 export const COMPOSE_DATA = /** @type {StoreId<Composed>} */ ("compose-data");
 export const COMPOSE_DRAWN = /** @type {StoreId<any>} */ ("compose-drawn");
 export const COMPOSE_OTHER_DATA = /** @type {StoreId<Others>} */ ("compose-other-data");
@@ -236,7 +236,7 @@ export const TUNE_TABLE_PLACE = "tune-table-place";
 export const BAKEOFF_PLACE = "bakeoff-place";
 export const BAKEOFF_CHART = "bakeoff-chart";
 export const BAKEOFF_TABLE = "bakeoff-table";
-export const BAKEOFF_ASK = /** @type {StoreId<Record<string, boolean | number>>} */ ("bakeoff-ask");
-export const BAKEOFF_ASKED = /** @type {StoreId<number>} */ ("bakeoff-asked");
+export const BAKEOFF_RUN = /** @type {StoreId<Record<string, boolean | number>>} */ ("bakeoff-run");
+export const BAKEOFF_JOB = /** @type {StoreId<number>} */ ("bakeoff-job");
 export const BAKEOFF_SHOWN = /** @type {StoreId<Array<any>>} */ ("bakeoff-shown");
 export const BAKEOFF_PLAY = /** @type {StoreId<BakeoffPlay>} */ ("bakeoff-play");

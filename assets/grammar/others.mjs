@@ -7,14 +7,17 @@ import { composition, goTo } from "./compose.mjs";
 import * as ids from "./ids.mjs";
 import { actionOf, isFresh, paintAction, state } from "./state.mjs";
 /** @import { OtherWay, OtherWays } from "./types.d.ts" */
-/** @import { View } from "../shared/types.d.ts" */
+/** @import { View, ViewKey } from "../shared/types.d.ts" */
 /** @import { StageRequest } from "../stage/types.d.ts" */
 
 const LETTERS = "ABCDEFGH";
 let playing = "";
 
+/** Keys of the link that say which routine, which part of it, and which others. @type {ViewKey[]} */
+const KEYS = ["sentence", "pick", "up", "alt"];
+
 /** @param {OtherWays | null} data @param {View} view */
-const matches = (data, view) => ["sentence", "pick", "up", "alt"].every((key) => (data?.asked?.[key] || "") === (view[key] || ""));
+const matches = (data, view) => KEYS.every((key) => (data?.inputs?.[key] || "") === (view[key] || ""));
 
 /** @param {OtherWays} data @returns {StageRequest} */
 function request(data) {
@@ -80,7 +83,7 @@ export const drawOthers = (data, view) => {
   else if (shown.error || !shown.others.length) body.append(element("p", "muted", shown.error || "There is no other way for this part; choose a larger one."));
   else body.append(...shown.others.map(card));
   box.replaceChildren(head, body);
-  const stamp = shown?.others?.length ? JSON.stringify(shown.asked) : "";
+  const stamp = shown?.others?.length ? JSON.stringify(shown.inputs) : "";
   if (!shown || !stamp || stamp === playing) return;
   playing = stamp;
   player.show(request(shown));

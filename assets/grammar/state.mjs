@@ -76,7 +76,7 @@ export const isFresh = (box, stamp) => {
  */
 export const downloadQuery = (view, more = {}) => {
   const pairs = new URLSearchParams({ dataset: state.data.dataset || "" });
-  for (const [key, value] of Object.entries(view || {})) if (key.startsWith("grammar-")) pairs.set(key, value);
+  for (const [key, value] of Object.entries(view || {})) if (value && key.startsWith("grammar-")) pairs.set(key, value);
   for (const [key, value] of Object.entries(more)) pairs.set(key, String(value));
   return pairs.toString();
 };

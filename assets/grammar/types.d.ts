@@ -1,7 +1,8 @@
-// What the server tells the Grammar page (webapp/features/grammar).
-import type { Span } from "../stage/types.d.ts";
-import type { Action, GrammarData, Other as OtherWay, Part as ChosenPart, Phrase, Routine, RoutineData as ShownRoutine, Row as StringRow, Way } from "./ids.mjs";
-export type { Action, GrammarData, OtherWay, ChosenPart, Phrase, Routine, ShownRoutine, StringRow, Way };
+// What the Grammar page makes of what the server tells (webapp/features/grammar/names.py), and its own shapes.
+import type { Complete } from "../shared/types.d.ts";
+import type { Composed, Others, Row as StringRow } from "./ids.mjs";
+export type { Action, GrammarData, Other as OtherWay, Phrase, Routine, RoutineData as ShownRoutine, Way } from "./ids.mjs";
+export type { StringRow };
 
 /** Seconds from and to, the action, and its number among the action's occurrences. */
 export type Piece = StringRow["pieces"][number];
@@ -14,39 +15,14 @@ export interface TreeNode {
   leaf: boolean;
 }
 
-/** Which routine was asked for: sentence, pick, up, alt. */
+/** The keys of the link that say which routine it is: sentence, pick, up, alt. */
 export type RoutineKeys = Record<string, string | undefined>;
 
-/** A new routine, or why there is none. */
-export interface Composition {
-  key: string;
-  asked: RoutineKeys;
-  error?: string;
-  name?: string;
-  clip: string;
-  code: string;
-  svg: string;
-  actions: number[];
-  spans: [number, number][];
-  parents: string[];
-  chosen?: ChosenPart;
-  frames: number;
-  seconds: number;
-  novel: boolean;
-  bands: Span[];
-  skate?: [number, number, number];
-  speeds: [string, string];
-  jump: boolean;
-  warnings?: string[];
-  recipes?: Record<string, string>;
-}
+/** A new routine; what follows from its motion is missing where there is none. */
+export type Composition = Complete<Composed, "error" | "name" | "chosen" | "skate" | "warnings" | "recipes">;
 
-export interface OtherWays {
-  asked: RoutineKeys;
-  error?: string;
-  part: string;
-  others: OtherWay[];
-}
+/** Other ways for the chosen part of a new routine. */
+export type OtherWays = Complete<Others, "error">;
 
 /** A box that remembers what it was drawn from. */
 export interface DrawnBox extends HTMLElement {

@@ -1,5 +1,5 @@
-// Ids of components, and what stores hold. Written by scripts/generate_ids.py from webapp.jobs.names:
-// change that module and run `make bundle`.
+// Ids of components, and the shapes of stores and of answers. Written by scripts/generate_ids.py from
+// webapp.jobs.names: change that module and run `make bundle`.
 /** @import { StoreId } from "../shared/ids.mjs" */
 
 /**
@@ -32,7 +32,7 @@
 
 /**
  * A change of a data set that was started here.
- * @typedef {object} ChangeAsked
+ * @typedef {object} ChangeStarted
  * @property {number} job
  */
 
@@ -53,6 +53,6 @@ export const JOB_ACTION = /** @type {StoreId<JobAction>} */ ("job-action");
 export const JOBS_SEEN = /** @type {StoreId<JobMarks>} */ ("jobs-seen");
 export const JOBS_DISMISSED = /** @type {StoreId<Array<number>>} */ ("jobs-dismissed");
 export const JOBS_FINISHED = /** @type {StoreId<string>} */ ("jobs-finished");
-export const CHANGE_ASKED = /** @type {StoreId<ChangeAsked>} */ ("change-asked");
+export const CHANGE_STARTED = /** @type {StoreId<ChangeStarted>} */ ("change-started");
 export const CHANGES = /** @type {StoreId<Array<number>>} */ ("changes");
 export const UNDO = /** @type {StoreId<Undo>} */ ("undo");

@@ -3,7 +3,7 @@ import { changeView, clientside, openPage, register, setStore } from "../shared/
 import { allWithin, closest } from "../shared/dom.mjs";
 import { cellRenderers, reactElement } from "../shared/grid.mjs";
 import { SELECTION } from "../shared/ids.mjs";
-/** @import { View } from "../shared/types.d.ts" */
+/** @import { View, ViewKey } from "../shared/types.d.ts" */
 
 /** @type {Record<string, string>} */
 const WORDS = { ok: "read without remarks", warning: "warnings", error: "not read" };
@@ -42,19 +42,19 @@ document.addEventListener("keydown", (event) => {
   open(link.dataset.clip);
 }, true);
 
-// Which tab and which files of the report one looks at stand in the store "view", and so in the link.
-/** @type {View} */
-const noted = { tab: "clips", files: "all" }; // these are where one starts, and need no words in the link
-/** @type {View} */
-let set = {}; // what was last shown because the store says so: nobody has chosen that here
+// Which tab is open, and which files of the report are listed, stands in the store "view", and so in the link.
+/** The first choices; they need no words in the link. @type {View} */
+const USUAL = { tab: "clips", files: "all" };
+/** What the store had the controls show last: that is no choice of a person. @type {View} */
+let set = {};
 register("library", {
   /** @param {string} tab @param {string} files @param {View | null} view */
   look(tab, files, view) {
     /** @type {View} */
     const change = {};
-    for (const [key, value] of Object.entries({ tab, files })) {
-      const wanted = value === noted[key] ? "" : value || "";
-      if (value && value !== set[key] && ((view || {})[key] || "") !== wanted) change[key] = wanted;
+    for (const [key, value] of /** @type {[ViewKey, string][]} */ ([["tab", tab], ["files", files]])) {
+      const wanted = value === USUAL[key] ? "" : value || "";
+      if (value && value !== set[key] && (view?.[key] || "") !== wanted) change[key] = wanted;
     }
     set = {};
     if (Object.keys(change).length) changeView(change);
@@ -62,7 +62,7 @@ register("library", {
   },
   /** @param {View | null} view @param {{ value: string }[] | null} choices */
   show(view, choices) {
-    const wanted = { ...noted, ...view };
+    const wanted = { ...USUAL, ...view };
     const known = (choices || []).some((choice) => choice.value === wanted.files);
     set = { tab: wanted.tab === "report" ? "report" : "clips", files: known ? wanted.files : "all" };
     return [set.tab, set.files];

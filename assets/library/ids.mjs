@@ -1,5 +1,5 @@
-// Ids of components, and what stores hold. Written by scripts/generate_ids.py from webapp.features.library.names:
-// change that module and run `make bundle`.
+// Ids of components, and the shapes of stores and of answers. Written by scripts/generate_ids.py from
+// webapp.features.library.names: change that module and run `make bundle`.
 /** @import { StoreId } from "../shared/ids.mjs" */
 
 /**
@@ -59,7 +59,7 @@
 
 /**
  * Features of a data set that someone waits for.
- * @typedef {object} FeaturesAsked
+ * @typedef {object} FeaturesChoice
  * @property {string} dataset
  * @property {".npz" | ".parquet"} suffix
  * @property {number} [job]
@@ -112,5 +112,5 @@ export const UPLOAD = /** @type {StoreId<Upload>} */ ("upload");
 export const UPLOAD_INTO = /** @type {StoreId<UploadInto>} */ ("upload-into");
 export const UPLOAD_SUGGESTED = /** @type {StoreId<string>} */ ("upload-suggested");
 export const UPLOADED = /** @type {StoreId<string>} */ ("uploaded");
-export const FEATURES_ASKED = /** @type {StoreId<FeaturesAsked>} */ ("features-asked");
+export const FEATURES_CHOICE = /** @type {StoreId<FeaturesChoice>} */ ("features-choice");
 export const FEATURES_READY = /** @type {StoreId<Download>} */ ("features-ready");

@@ -1,5 +1,5 @@
-// Ids of components, and what stores hold. Written by scripts/generate_ids.py from webapp.features.motifs.names:
-// change that module and run `make bundle`.
+// Ids of components, and the shapes of stores and of answers. Written by scripts/generate_ids.py from
+// webapp.features.motifs.names: change that module and run `make bundle`.
 /** @import { StoreId } from "../shared/ids.mjs" */
 
 /**
@@ -123,7 +123,7 @@
  * The ways of the graph, and the walk of the link or why there is none.
  * @typedef {object} WalkData
  * @property {string} key
- * @property {Record<string, string>} asked
+ * @property {Record<string, string>} inputs
  * @property {string} [dataset]
  * @property {Array<WalkMotif>} [motifs]
  * @property {string} [error]
@@ -139,8 +139,8 @@
  * @property {number} [frames]
  * @property {number} [seconds]
  * @property {number} [blends]
- * @property {Array<number>} [skate]
- * @property {Array<number>} [speeds]
+ * @property {[number, number, number]} [skate]
+ * @property {[number, number]} [speeds]
  * @property {boolean} [jump]
  * @property {Array<string>} [warnings]
  * @property {Array<import("../shared/ids.mjs").Colour>} [bands]
@@ -188,10 +188,20 @@
  */
 
 /**
- * How often motifs were found again: by motif and kind of repeat.
+ * How often a motif was found again: its mean share over the kinds of repeat, in how many, and each kind.
+ * @typedef {object} MotifStability
+ * @property {number} overall
+ * @property {number} kept
+ * @property {number} [noise]
+ * @property {number} [seed]
+ * @property {number} [parameters]
+ */
+
+/**
+ * How often the motifs were found again, by motif.
  * @typedef {object} StabilityData
  * @property {number} repeats
- * @property {Record<string, Record<string, number>>} motifs
+ * @property {Record<string, MotifStability>} motifs
  */
 
 export const MOTIF_MENUS = "motif-menus";
@@ -221,7 +231,7 @@ export const TIMELINE_DRAWN = /** @type {StoreId<any>} */ ("timeline-drawn");
 export const TIMELINE_MARKED = /** @type {StoreId<any>} */ ("timeline-marked");
 export const REPORT_BODY = "report-body";
 export const REPORT_FIND = /** @type {StoreId<Record<string, boolean | number>>} */ ("report-find");
-export const REPORT_ASKED = /** @type {StoreId<number>} */ ("report-asked");
+export const REPORT_JOB = /** @type {StoreId<number>} */ ("report-job");
 export const REPORT_SHOWN = /** @type {StoreId<Array<any>>} */ ("report-shown");
 export const REPORT_CHART = "report-chart";
 export const COMPARE_OTHER = "compare-other";
@@ -236,14 +246,14 @@ export const COMPARE_STATUS_OF = /** @type {StoreId<Array<any>>} */ ("compare-st
 export const COMPARE_KEYS = /** @type {StoreId<[string, string]>} */ ("compare-keys");
 export const COMPARE_FLOW_DATA = /** @type {StoreId<Flow>} */ ("compare-flow-data");
 export const COMPARE_REQUEST = /** @type {StoreId<import("../shared/ids.mjs").StageRequest>} */ ("compare-request");
-export const COMPARE_ASK = /** @type {StoreId<OtherResult>} */ ("compare-ask");
-export const COMPARE_ASKED = /** @type {StoreId<any>} */ ("compare-asked");
+export const COMPARE_FIND = /** @type {StoreId<OtherResult>} */ ("compare-find");
+export const COMPARE_STARTED = /** @type {StoreId<any>} */ ("compare-started");
 export const COMPARE_DRAWN = /** @type {StoreId<any>} */ ("compare-drawn");
 export const COMPARE_MARKED = /** @type {StoreId<any>} */ ("compare-marked");
 export const COMPARE_ROW_MARKED = /** @type {StoreId<any>} */ ("compare-row-marked");
 export const COMPRESSION_WHOLE = "compression-whole";
 export const COMPRESSION_FIND = /** @type {StoreId<Record<string, boolean | number>>} */ ("compression-find");
-export const COMPRESSION_ASKED = /** @type {StoreId<number>} */ ("compression-asked");
+export const COMPRESSION_JOB = /** @type {StoreId<number>} */ ("compression-job");
 export const COMPRESSION_SHOWN = /** @type {StoreId<Array<any>>} */ ("compression-shown");
 export const COMPRESSION_TITLE = "compression-title";
 export const COMPRESSION_MEASURE = "compression-measure";

@@ -1,36 +1,19 @@
-// What the server tells the Motifs page (webapp/features/motifs).
-import type { Selection } from "../shared/types.d.ts";
-import type { Span, StageRequest } from "../stage/types.d.ts";
+// What the Motifs page makes of what the server tells (webapp/features/motifs/names.py), and its own shapes.
+import type { Complete } from "../shared/types.d.ts";
+import type { BlendData as SentBlend, WalkData } from "./ids.mjs";
+export type {
+  BlendBody, BlendMotion, Flow, FlowBar as Bar, FlowRibbon as Ribbon, MotifStability, MotionRow, StabilityData as Stability,
+  Timeline as TimelineData, TimelineMotif, TimelineRow,
+} from "./ids.mjs";
 
-/** A motion that can be mixed: where it stands in its clip, and when it passes the common moments. */
-export interface BlendMotion {
-  motion: number;
-  clip: string;
-  brief: string;
-  when: string;
-  start: number;
-  end: number;
-  fps: number;
-  seconds: number[];
-}
+/** What can be mixed of a motif. */
+export type BlendData = Complete<SentBlend, "together">;
 
-export interface BlendBody {
-  motions: BlendMotion[];
-  chosen: number[];
-}
+/** A walk and the ways of the graph; what follows from a walk is missing where there is none. */
+export type Walk = Complete<WalkData, "error" | "gap" | "detour" | "name" | "skate" | "warnings" | "recipes">;
 
-export interface BlendData {
-  key: string;
-  motif: number | null;
-  dataset: string;
-  version: string;
-  title: string;
-  total: number;
-  most: number;
-  bodies: BlendBody[];
-  middles: StageRequest;
-  together?: StageRequest;
-}
+/** The keys of the link that say which walk it is: walk, extra, gaps, ends, feet. */
+export type WalkKeys = Record<string, string | undefined>;
 
 /** The mixture that is shown: motions and weights of one body. */
 export interface Mixture {
@@ -48,111 +31,6 @@ export interface MixtureActions {
   body(number: number): void;
   add(motion: number): void;
   remove(motion: number): void;
-}
-
-export interface Bar {
-  side: "a" | "b";
-  motif: number | null;
-  y: number;
-  h: number;
-  label: string;
-  title: string;
-  change: string | null;
-}
-
-export interface Ribbon {
-  a: number | null;
-  b: number | null;
-  ya: number;
-  yb: number;
-  h: number;
-  kind: "kept" | "linked" | "rest";
-  title: string;
-}
-
-/** Two results side by side. */
-export interface Flow {
-  height: number;
-  bars: Bar[];
-  ribbons: Ribbon[];
-}
-
-/** A row of the list of motions. */
-export interface MotionRow {
-  clip: string;
-  brief: string;
-  when: string;
-  strip: string;
-  selection: Selection;
-  chosen: boolean;
-}
-
-/** How a motif fared in the repeats: shares. */
-export interface MotifStability {
-  overall: number;
-  kept: number;
-  noise?: number;
-  seed?: number;
-  parameters?: number;
-}
-
-export interface Stability {
-  repeats: number;
-  motifs: Record<string, MotifStability>;
-}
-
-/** A clip of the timeline, times in seconds. */
-export interface TimelineRow {
-  clip: string;
-  brief: string;
-  seconds: number;
-  fps: number;
-  share: number;
-  labels: [start: number, end: number, action: number][];
-  motions: [start: number, end: number, motif: number, motion: number][];
-}
-
-export interface TimelineMotif {
-  name: string;
-  colour: string;
-  motions: number;
-}
-
-export interface TimelineData {
-  drawing: string;
-  actions: string[];
-  colours: string[];
-  motifs: Record<string, TimelineMotif>;
-  rows: TimelineRow[];
-}
-
-/** Which walk was asked for: walk, extra, gaps, ends, feet. */
-export type WalkKeys = Record<string, string | undefined>;
-
-/** A walk, or why there is none, and the ways of the graph. */
-export interface Walk {
-  key: string;
-  asked: WalkKeys;
-  error?: string;
-  gap?: [number, number];
-  detour?: number[];
-  name?: string;
-  path: number[];
-  kinds: string[];
-  visits: [number, number][];
-  frames: number;
-  seconds: number;
-  bands: Span[];
-  skate: [number, number, number];
-  speeds: [string, string];
-  jump: boolean;
-  blends: number;
-  warnings?: string[];
-  recipes?: Record<string, string>;
-  motifs: { id: number; name?: string }[];
-  parts: number[];
-  dead: number[];
-  further: [number, number][];
 }
 
 /** What clicks in the graph do while one walks. */

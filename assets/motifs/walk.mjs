@@ -12,9 +12,10 @@ import { drawPath, lightVisit } from "./walk_path.mjs";
 import { walking } from "./walk_state.mjs";
 import { filled, waysText, withoutGap } from "./walk_words.mjs";
 /** @import { Walk, WalkKeys } from "./types.d.ts" */
-/** @import { Selection, View } from "../shared/types.d.ts" */
+/** @import { Selection, View, ViewKey } from "../shared/types.d.ts" */
 /** @import { StageRequest } from "../stage/types.d.ts" */
 
+/** Keys of the link that say which walk it is. @type {ViewKey[]} */
 const KEYS = ["walk", "extra", "gaps", "ends", "feet"];
 const OURS = "~walk~";
 const LONGEST = 300; // letters of a path that a link can hold
@@ -101,14 +102,14 @@ function problem({ error, gap, detour }) {
 }
 
 function show() {
-  const busy = !same(now.asked, keysOf(view));
+  const busy = !same(now.inputs, keysOf(view));
   need(ids.WALK_PATH).classList.toggle("busy", busy);
   if (busy) {
     need(ids.WALK_HINT).textContent = view.walk ? "Making the walk …" : "";
     return;
   }
   const walks = Boolean(now.name);
-  need(ids.WALK_PATH).dataset.shown = now.asked.walk || "";
+  need(ids.WALK_PATH).dataset.shown = now.inputs.walk || "";
   need(ids.WALK_LENGTH).textContent = walks ? `${now.path.length} motif${now.path.length > 1 ? "s" : ""}, ${now.seconds.toFixed(1)} s` : "";
   need(ids.WALK_HINT).textContent = walks || now.error ? "" : "Click motifs in the graph one after the other, or let chance choose.";
   need(ids.WALK_NOTES).replaceChildren(...(now.warnings || []).map((text) => Object.assign(document.createElement("p"), { textContent: text })));
@@ -229,7 +230,8 @@ const steps = {
 // boxes and arrows are then steps of the walk, not selections to be played
 ahead.unless((selection) => walking.on && (selection.edge !== undefined || (selection.motif !== undefined && selection.motion === undefined)));
 
-const OPTIONS = { extra: ids.WALK_EXTRA, gaps: ids.WALK_BRIDGE, ends: ids.WALK_STOP, feet: ids.WALK_FEET };
+/** The switches: key of the link, and the control. @type {[ViewKey, string][]} */
+const OPTIONS = [["extra", ids.WALK_EXTRA], ["gaps", ids.WALK_BRIDGE], ["ends", ids.WALK_STOP], ["feet", ids.WALK_FEET]];
 /** Whether a switch is on for a value of the link. @type {Record<string, (value: string | undefined) => boolean>} */
 const checkedFor = { /** @param {string | undefined} v */
 extra: (v) => v === "1", /** @param {string | undefined} v */
@@ -251,7 +253,7 @@ register("walk", {
     if (!find(ids.WALK_PATH)) return clientside.no_update;
     const entered = !walking.on;
     walking.on = true;
-    for (const [key, id] of Object.entries(OPTIONS)) clientside.set_props(id, { checked: checkedFor[key](view[key]) });
+    for (const [key, id] of OPTIONS) clientside.set_props(id, { checked: checkedFor[key](view[key]) });
     const [, seconds, seed] = /^random:([\d.]+):(\d+)/.exec(view.walk || "") || [];
     if (seed) {
       clientside.set_props(ids.WALK_SECONDS, { value: Number(seconds) });
@@ -261,7 +263,7 @@ register("walk", {
     const before = now;
     now = data;
     show();
-    if (!now.name || !same(now.asked, keysOf(view))) return clientside.no_update;
+    if (!now.name || !same(now.inputs, keysOf(view))) return clientside.no_update;
     const chosen = selection && Object.keys(selection).length > 0;
     if (entered && chosen && !before.key) return clientside.no_update; // the link is of the selection
     if (entered && chosen) setStore(SELECTION, {});
@@ -283,8 +285,9 @@ register("walk", {
    */
   option(extra, bridge, stop, feet, shown) {
     if (!walking.on) return clientside.no_update;
+    /** @type {View} */
     const wanted = { extra: extra ? "1" : "", gaps: bridge ? "bridge" : "", ends: stop ? "stop" : "", feet: feet ? "" : "0" };
-    if (Object.entries(wanted).some(([key, value]) => ((shown || {})[key] || "") !== value)) changeView(wanted);
+    if (OPTIONS.some(([key]) => (shown?.[key] || "") !== wanted[key])) changeView(wanted);
     return clientside.no_update;
   },
 });

@@ -14,7 +14,7 @@ export function waysText(data) {
   if (data.parts.length > 1) words.push(`From ${data.parts[0]} of ${total} motifs one can come back to each other; ${data.parts.length - 1} more such part${data.parts.length > 2 ? "s" : ""}.`);
   const dead = data.dead.length > MOST_NAMED ? `${data.dead.length} motifs` : data.dead.join(", ");
   if (data.dead.length) words.push(`Dead ends, where nothing leads on: ${dead} (marked in the graph).`);
-  if (data.asked.extra) words.push(data.further.length ? `${data.further.length} further transitions (dashed).` : "No further transition points are good enough.");
+  if (data.inputs.extra) words.push(data.further.length ? `${data.further.length} further transitions (dashed).` : "No further transition points are good enough.");
   return words.join(" ");
 }
 

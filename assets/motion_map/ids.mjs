@@ -1,5 +1,5 @@
-// Ids of components, and what stores hold. Written by scripts/generate_ids.py from webapp.features.motion_map.names:
-// change that module and run `make bundle`.
+// Ids of components, and the shapes of stores and of answers. Written by scripts/generate_ids.py from
+// webapp.features.motion_map.names: change that module and run `make bundle`.
 /** @import { StoreId } from "../shared/ids.mjs" */
 
 /**
@@ -33,12 +33,37 @@
  */
 
 /**
+ * A clip that a map was made of.
+ * @typedef {object} MapClip
+ * @property {string} name
+ * @property {number} frames
+ * @property {number} fps
+ * @property {number} fit
+ */
+
+/**
+ * The part of a map's file that is JSON (see routes.py); nodes are numbered along the second axis of the grid.
+ * @typedef {object} MapHeader
+ * @property {[number, number]} grid
+ * @property {Array<string>} joints
+ * @property {Array<string>} roles
+ * @property {Array<string>} sides
+ * @property {Array<number>} parents
+ * @property {Array<number>} lengths
+ * @property {Array<MapClip>} clips
+ * @property {number} fps
+ * @property {Array<number>} regions
+ * @property {Array<[number, number]>} icons
+ * @property {number} usual
+ * @property {number} runs
+ */
+
+/**
  * Those parts of the view that the server draws by.
  * @typedef {object} Look
  * @property {string} [colour]
  * @property {string} [below]
  * @property {string} [region]
- * @property {string} [icons]
  */
 
 /**
@@ -69,7 +94,7 @@ export const MAP_RESULT = "map-result";
 export const MAP_PLOT = "map-plot";
 export const MAP_GRAPH = "map-graph";
 export const MAP_LEGEND = "map-legend";
-export const MAP_SAID = "map-said";
+export const MAP_EXPLANATION = "map-explanation";
 export const MAP_COLOUR = "map-colour";
 export const MAP_CLICK = "map-click";
 export const MAP_PACE = "map-pace";

@@ -25,7 +25,7 @@ export const readNumber = (text, otherwise) => (/^\d+(\.\d+)?$/.test(text ?? "")
 /** How fast and where to hits may travel; null where any way will do. @param {View} view @returns {Pace | null} */
 export function paceOf(view) {
   const [low, high] = String(view.pace || "").split("-").map((word) => readNumber(word, NaN));
-  const way = WAYS.includes(view.way) ? view.way : "any";
+  const way = WAYS.includes(view.way ?? "") ? view.way : "any";
   const [slowest, fastest] = Number.isFinite(low) && Number.isFinite(high) && low <= high ? [low, high] : [0, Infinity];
   return way === "any" && slowest === 0 && fastest === Infinity ? null : { slowest, fastest, way };
 }

@@ -12,15 +12,17 @@ import { Follower } from "./paths.mjs";
 import { editPosture } from "./posture_editor.mjs";
 import { state } from "./state.mjs";
 /** @import { KnownMap, Point } from "./types.d.ts" */
-/** @import { Selection, View } from "../shared/types.d.ts" */
+/** @import { Selection, View, ViewKey } from "../shared/types.d.ts" */
 /** @import { StageRequest, Standing } from "../stage/types.d.ts" */
 
-/** @type {View} */
+/** The choices of the menus that need no words in the link. @type {View} */
 const USUAL = { colour: "height", click: "keys", pace: "any", way: "any" };
+/** Those keys of the view that the server draws by. @type {ViewKey[]} */
+const DRAWN_KEYS = ["colour", "below", "region"];
+/** The key of the link that a menu sets: what follows "map-" in its id. @param {string} id */
+const keyOf = (id) => /** @type {ViewKey} */ (id.slice("map-".length));
 let live = 0;
 
-/** @param {Record<string, string>} change */
-const put = (change) => changeView({ ...change, at: Date.now() });
 const page = () => find(ids.MAP_PLOT);
 
 // ---- drawing ----
@@ -84,7 +86,7 @@ function drawn(points) {
   const path = few.map((point) => point.map((value) => Math.max(value, 0).toFixed(1)).join("-")).join(",");
   state.keys = [];
   drawStrip(state.map, [], setKeys);
-  put({ drawn: path, keys: "" });
+  changeView({ drawn: path, keys: "" });
   return followPath(path);
 }
 
@@ -98,14 +100,14 @@ export function setKeys(keys, focus) {
   drawStrip(state.map, state.keys, setKeys);
   if (focus !== undefined) childrenOf(need(ids.MAP_KEYS))[focus]?.focus();
   refresh();
-  put({ keys: writeKeys(state.keys, state.map), drawn: "" });
+  changeView({ keys: writeKeys(state.keys, state.map), drawn: "" });
 }
 /** @param {number} reach @param {boolean} done */
 function setReach(reach, done) {
   state.reach = reach;
   showReach();
   refresh(done);
-  if (done) put({ within: reach ? reach.toFixed(2) : "" });
+  if (done) changeView({ within: reach ? reach.toFixed(2) : "" });
 }
 function showReach() {
   const slider = find(ids.MAP_REACH), label = find(ids.MAP_REACH_VALUE);
@@ -119,7 +121,7 @@ function showReach() {
 function choose(node) {
   if (state.mode === "regions") {
     const region = state.map.regions[node];
-    put({ region: String(region), below: "region" });
+    changeView({ region: String(region), below: "region" });
   } else setKeys([...state.keys, node]);
 }
 
@@ -155,7 +157,7 @@ function show(view) {
   const { map } = state;
   if (!map || !mount()) return;
   const keys = readKeys(view.keys, map), reach = Math.min(readNumber(view.within, 0), map.reach), pace = paceOf(view);
-  state.mode = ["regions", "draw"].includes(view.click) ? view.click : "keys";
+  state.mode = view.click === "regions" || view.click === "draw" ? view.click : "keys";
   need(ids.MAP_PLOT).dataset.mode = state.mode;
   const region = readNumber(view.region, -1);
   state.overlay.squares("region", region < 0 ? [] : [...map.regions.keys()].filter((node) => map.regions[node] === region));
@@ -276,20 +278,19 @@ register("map", {
    * @param {View | null} view
    */
   chosen(value, view) {
-    const key = clientside.callback_context.inputs_list[0].id.slice("map-".length);
+    const key = keyOf(clientside.callback_context.inputs_list[0].id);
     const wanted = value === USUAL[key] ? "" : value ?? "";
-    if (value && ((view || {})[key] || "") !== wanted) put({ [key]: wanted });
+    if (value && (view?.[key] || "") !== wanted) changeView({ [key]: wanted });
     return clientside.no_update;
   },
   /** @param {View | null} view @param {string} id */
   choice(view, id) {
-    const key = id.slice("map-".length);
-    return (view || {})[key] || USUAL[key];
+    const key = keyOf(id);
+    return view?.[key] || USUAL[key];
   },
   /** Those parts of the view that the server draws by. @param {View | null} view @param {View | null} current */
   look(view, current) {
-    const keys = ["colour", "below", "region", "icons"];
-    const next = Object.fromEntries(keys.filter((key) => (view || {})[key]).map((key) => [key, (view || {})[key]]));
+    const next = Object.fromEntries(DRAWN_KEYS.filter((key) => view?.[key]).map((key) => [key, view?.[key]]));
     return current && JSON.stringify(next) === JSON.stringify(current) ? clientside.no_update : next;
   },
 });

@@ -40,7 +40,7 @@ function dialog() {
     figure.append(svgElement("svg", { viewBox: BOX.join(" "), class: "map-picture map-editor-picture" }), element("figcaption", "muted", view));
     views.append(figure);
   }
-  const status = element("div", "map-editor-said number muted");
+  const status = element("div", "map-editor-status number muted");
   status.setAttribute("role", "status");
   const foot = element("div", "map-editor-foot");
   const nearest = element("div", "map-editor-nearest");
@@ -134,7 +134,7 @@ function draw() {
   const { node, distance } = map.nearest(posture);
   Object.assign(edited, { node, distance });
   const far = distance > 2.5 * map.usual;
-  within(box, ".map-editor-said").textContent = `Nearest posture on the map: ${distance.toFixed(2)} m away${far ? ", so nothing there is like this" : ""}`;
+  within(box, ".map-editor-status").textContent = `Nearest posture on the map: ${distance.toFixed(2)} m away${far ? ", so nothing there is like this" : ""}`;
   within(box, ".map-editor-nearest").replaceChildren(figurePicture(map, map.posture(node), "icon"));
   state.overlay.squares("cursor", [node]);
 }

@@ -1,27 +1,10 @@
 // A motion map: what its file holds, and what is searched on it.
-import type { Facts, KnownMap } from "./ids.mjs";
-export type { Facts, KnownMap };
+export type { Facts, KnownMap, MapHeader } from "./ids.mjs";
 
 export type Point = number[];
 
 /** Joint positions (3 n_joints) in metres, the pelvis at the origin. */
 export type Posture = ArrayLike<number>;
-
-/** The part of a map's file that is JSON. */
-export interface MapHeader {
-  grid: [number, number];
-  fps: number;
-  runs: number;
-  joints: string[];
-  roles: string[];
-  sides: ("left" | "right" | "centre")[];
-  parents: number[];
-  lengths: number[];
-  clips: { name: string; frames: number; fps: number }[];
-  regions: number[];
-  icons: [number, number][];
-  usual: number;
-}
 
 /** A stretch of a clip that passes through all keys; clip a number, analysis frames. */
 export interface Hit {

@@ -149,7 +149,7 @@ export const drawHits = () => {
     box.replaceChildren();
     return;
   }
-  const mark = JSON.stringify([found.asked, now.scheme]);
+  const mark = JSON.stringify([found.inputs, now.scheme]);
   if (mark !== drawn || !box.firstChild) {
     drawn = mark;
     head(title, found);
@@ -164,7 +164,7 @@ export const drawHits = () => {
 };
 
 /** @param {Found} found */
-const nothing = (found) => (found.asked.label || found.asked.named || found.asked.lasting
+const nothing = (found) => (found.inputs.label || found.inputs.named || found.inputs.lasting
   ? "Nothing passes these filters. Widen them, or look for moments instead of whole clips."
   : "Nothing else is there to compare with. Add recordings, or choose another query.");
 

@@ -1,5 +1,5 @@
-// Ids of components, and what stores hold. Written by scripts/generate_ids.py from webapp.features.search.names:
-// change that module and run `make bundle`.
+// Ids of components, and the shapes of stores and of answers. Written by scripts/generate_ids.py from
+// webapp.features.search.names: change that module and run `make bundle`.
 /** @import { StoreId } from "../shared/ids.mjs" */
 
 /**
@@ -85,9 +85,23 @@
  */
 
 /**
+ * How alike the parts of the body are over the query's time: a row for each leaf.
+ * @typedef {object} Strip
+ * @property {Array<Array<number>>} rows
+ * @property {Array<number | null>} means
+ */
+
+/**
+ * Why a hit is one, and the request that plays it beside the query.
+ * @typedef {object} Reason
+ * @property {Strip} strip
+ * @property {import("../shared/ids.mjs").StageRequest} request
+ */
+
+/**
  * The query and its hits, or why there are none.
  * @typedef {object} Found
- * @property {Record<string, string | null>} asked
+ * @property {Record<string, string | null>} inputs
  * @property {Array<PieceRow>} [pieces]
  * @property {string} [level]
  * @property {import("../shared/ids.mjs").StageRequest} [request]
@@ -148,9 +162,9 @@
  */
 
 /**
- * Answers that the server has kept, by their ids.
- * @typedef {object} Kept
- * @property {Array<string | null>} [kept]
+ * Ids of answers that the server has received.
+ * @typedef {object} ReceivedAnswers
+ * @property {Array<string | null>} [received]
  * @property {number | null} [at]
  */
 
@@ -192,9 +206,18 @@
  */
 
 /**
+ * What a study was gathered from.
+ * @typedef {object} StudyInputs
+ * @property {string} dataset
+ * @property {Record<string, string>} link
+ * @property {string} person
+ * @property {string} finished
+ */
+
+/**
  * What the browser shows of the study, or why there is nothing to show.
  * @typedef {object} Study
- * @property {Array<any>} asked
+ * @property {StudyInputs} inputs
  * @property {string} [error]
  * @property {Array<Engine>} [engines]
  * @property {Array<StudyQuery>} [queries]
@@ -255,7 +278,7 @@ export const STUDY_CHART = "study-chart";
 export const STUDY_DATA = /** @type {StoreId<Study>} */ ("study-data");
 export const STUDY_DRAWN = /** @type {StoreId<any>} */ ("study-drawn");
 export const STUDY_ANSWER = /** @type {StoreId<Answers>} */ ("study-answer");
-export const STUDY_KEPT = /** @type {StoreId<Kept>} */ ("study-kept");
+export const STUDY_RECEIVED = /** @type {StoreId<ReceivedAnswers>} */ ("study-received");
 export const STUDY_WISH = /** @type {StoreId<Wish>} */ ("study-wish");
 export const STUDY_PERSON = /** @type {StoreId<Person>} */ ("study-person");
 export const RANKING_RUN = "ranking-run";

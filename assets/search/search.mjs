@@ -30,7 +30,7 @@ register("search", {
     const page = within(document, ".search-page");
     page.dataset.look = now.view.look || "search";
     page.classList.toggle("without-dataset", !clips);
-    const fits = found && clips && found.asked && found.asked.dataset === clips.dataset;
+    const fits = found && clips && found.inputs && found.inputs.dataset === clips.dataset;
     if (!fits) now.found = /** @type {any} */ (null);
     drawSources();
     drawBody();

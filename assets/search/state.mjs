@@ -93,7 +93,7 @@ export const canGoBack = () => before.some((one) => one.query !== now.view.query
 export const searchAddress = (hit) => {
   const pairs = new URLSearchParams({ dataset: now.clips.dataset, v: now.clips.version.slice(0, 8) });
   for (const [key, value] of Object.entries(now.view)) {
-    if (["query", "parts"].includes(key) || key.startsWith("search-")) pairs.set(key, value);
+    if (value && (["query", "parts"].includes(key) || key.startsWith("search-"))) pairs.set(key, value);
   }
   if (hit) pairs.set("hit", hit);
   return pairs.toString();

@@ -4,7 +4,7 @@ import { childrenOf, closest, element, find, icon, need, targetOf } from "../sha
 import { SELECTION, STAGE_REQUEST } from "../shared/ids.mjs";
 import { player } from "../stage/player.mjs";
 import * as ids from "./ids.mjs";
-/** @import { Person, Question, Study } from "./types.d.ts" */
+/** @import { Person, Question, ReceivedAnswers, Study } from "./types.d.ts" */
 /** @import { Child } from "../shared/dom.mjs" */
 /** @import { View } from "../shared/types.d.ts" */
 
@@ -18,12 +18,12 @@ let data = /** @type {any} */ (null); // until it has come
 /** @type {View} */
 let view = {};
 /** @type {Record<string, number>} */
-const at = { rate: 0, vote: 0 }; // which pair is asked about
+const at = { rate: 0, vote: 0 }; // number of the pair that is shown
 let shown = ""; // what is on the Stage
 
 const mode = () => (view.study === "vote" ? "vote" : view.study === "results" ? "results" : "rate");
-// The order of the pairs is each person's own: until that of takePerson answers is here, nothing is asked.
-const awaited = () => data.asked[2] !== (person.name || person.id);
+// Every person has an order of pairs of their own: no pair is shown until it has come.
+const awaited = () => data.inputs.person !== (person.name || person.id);
 const rows = () => (awaited() ? [] : (mode() === "vote" ? data.duels : data.pairs) || []);
 const visible = () => Boolean(find(ids.STUDY_SETUP)?.offsetParent) && data && !data.error;
 /** @param {Child | Child[]} words @param {string} name @param {string} [className] */
@@ -34,7 +34,7 @@ const button = (words, name, className = "search-button") => {
   return made;
 };
 
-// ---- the setup: queries, engines, takePerson answers ----
+// ---- the setup: queries, engines, the person's name ----
 function setup() {
   const queries = data.queries.map(({ name, clip, when, strip }) => {
     const picture = element("img", "study-strip");
@@ -72,7 +72,7 @@ function whole() {
   return text && !text.includes(",") && text.split(":").length === 2 ? text : "";
 }
 
-// ---- what is asked ----
+// ---- the pairs ----
 /** @param {string} words */
 function nothing(words) {
   return element("p", "muted study-nothing", words);
@@ -213,10 +213,10 @@ function takePerson(stored) {
 }
 
 register("study", {
-  /** @param {{ kept?: string[] } | null} confirmed */
-  kept(confirmed) {
-    if (!confirmed || !confirmed.kept) return clientside.no_update;
-    for (const id of confirmed.kept) {
+  /** @param {ReceivedAnswers | null} answers */
+  received(answers) {
+    if (!answers?.received) return clientside.no_update;
+    for (const id of answers.received) {
       const number = pending.findIndex((one) => one.id === id);
       if (number >= 0) pending.splice(number, 1);
     }
@@ -234,7 +234,7 @@ register("study", {
     if (!stored || !stored.id) takePerson(stored);
     else person = stored;
     const fresh = found !== data;
-    const before = data && data.asked[2] === found.asked[2] ? data : null;
+    const before = data && data.inputs.person === found.inputs.person ? data : null;
     data = found;
     if (data.error) {
       need(ids.STUDY_SETUP).replaceChildren(nothing(data.error));
@@ -249,7 +249,7 @@ register("study", {
   },
 });
 
-// ---- what one does ----
+// ---- clicks and keys ----
 /** @type {Record<string, (button: HTMLElement) => void>} */
 const ACTS = {
   add: () => asks([...data.queries.map((query) => query.name), whole()]),

@@ -1,9 +1,13 @@
-// What the server tells the Search page (webapp/features/search).
-import type { StageRequest } from "../stage/types.d.ts";
-import type { Body, Clips as ClipList, Engine, HitRow as Hit, MotifChoice as MotifQuery, Person, PieceRow as ShownPiece, Question, Study as SentStudy } from "./ids.mjs";
-export type { Body, ClipList, Engine, Hit, MotifQuery, Person, ShownPiece, Question };
+// What the Search page makes of what the server tells (webapp/features/search/names.py), and its own shapes.
+import type { Complete } from "../shared/types.d.ts";
+import type { Found as SentFound, PieceRow as ShownPiece, Strip, Study as SentStudy } from "./ids.mjs";
+export type { Body, Clips as ClipList, Engine, HitRow as Hit, MotifChoice as MotifQuery, Person, Question, Reason, ReceivedAnswers } from "./ids.mjs";
+export type { ShownPiece, Strip };
 
-export type Study = Required<Omit<SentStudy, "error">> & Pick<SentStudy, "error">;
+export type Study = Complete<SentStudy, "error">;
+
+/** The query and its hits; none of it is there where there is no query. */
+export type Found = Complete<SentFound, "error" | "doubt">;
 
 /** Weights of parts of the body, by part. */
 export type Weights = Record<string, number>;
@@ -15,42 +19,6 @@ export interface QueryPiece {
   start: number;
   end: number;
   leaves: string[];
-}
-
-/** What was searched for. */
-export interface SearchRequest {
-  dataset: string;
-  query: string;
-  parts: string;
-  route?: string;
-  label?: string;
-  named?: string;
-  lasting?: string;
-}
-
-/** The query and its hits, or why there are none. */
-export interface Found {
-  error?: string;
-  doubt?: string;
-  asked: SearchRequest;
-  pieces: ShownPiece[];
-  hits: Hit[];
-  total: number;
-  level: string;
-  milliseconds: number;
-  request: StageRequest;
-}
-
-/** Likeness of the parts of the body over the query's time: -1 or percent. */
-export interface Strip {
-  rows: number[][];
-  means: (number | null)[];
-}
-
-/** Why a hit is one. */
-export interface Reason {
-  strip: Strip;
-  request: StageRequest;
 }
 
 /** A range that is being dragged on the pictures of a piece. */

@@ -1,6 +1,7 @@
 // What Dash gives to the browser: functions it may call, the stores it keeps, and its notices.
 import { NOTICES, VIEW } from "./ids.mjs";
 /** @import { StoreId } from "./ids.mjs" */
+/** @import { ViewChange } from "./types.d.ts" */
 
 /** Dash's own object: `set_props`, `no_update`, `callback_context`, and the functions of our callbacks by namespace. */
 export const clientside = (globalThis.dash_clientside ||= /** @type {any} */ ({}));
@@ -25,7 +26,7 @@ export const setStore = (store, data) => clientside.set_props(store, { data });
 /**
  * Change keys of the store "view", and so of the link; an empty value takes the key away. The store has changed when
  * this returns: neither a second change nor the answer to an earlier one can come in between.
- * @param {Record<string, string | number | boolean | null | undefined>} values
+ * @param {ViewChange} values
  */
 export function changeView(values) {
   const view = globalThis.dash_component_api.getLayout(VIEW).props.data || {};

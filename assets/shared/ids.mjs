@@ -1,5 +1,5 @@
-// Ids of components, and what stores hold. Written by scripts/generate_ids.py from webapp.shell.names:
-// change that module and run `make bundle`.
+// Ids of components, and the shapes of stores and of answers. Written by scripts/generate_ids.py from
+// webapp.shell.names: change that module and run `make bundle`.
 
 /** The id of a store that holds a T. @template T @typedef {string & { content?: T }} StoreId */
 
@@ -61,6 +61,63 @@
  * @property {"warp" | "start"} [sync]
  * @property {boolean} [replace]
  * @property {any} [at]
+ */
+
+/**
+ * What the pages show beside the selection, by key of the link.
+ * @typedef {object} PageView
+ * @property {string} [tab] of the page library
+ * @property {string} [files] of the page library
+ * @property {string} [chart] of the page clip
+ * @property {string} [angles] of the page clip
+ * @property {string} [joints] of the page clip
+ * @property {string} [rig] of the page clip
+ * @property {string} [channels] of the page clip
+ * @property {string} [span] of the page clip
+ * @property {string} [view] of the page motifs
+ * @property {string} [side] of the page motifs
+ * @property {string} [walk] of the page motifs
+ * @property {string} [weights] of the page motifs
+ * @property {string} [other] of the page motifs
+ * @property {string} [gained] of the page motifs
+ * @property {string} [extra] of the page motifs
+ * @property {string} [gaps] of the page motifs
+ * @property {string} [ends] of the page motifs
+ * @property {string} [feet] of the page motifs
+ * @property {string} [stability] of the page motifs
+ * @property {string} [step] of the page motifs
+ * @property {string} [x] of the page sweeps
+ * @property {string} [y] of the page sweeps
+ * @property {string} [seeds] of the page sweeps
+ * @property {string} [keys] of the page motion map
+ * @property {string} [drawn] of the page motion map
+ * @property {string} [within] of the page motion map
+ * @property {string} [pace] of the page motion map
+ * @property {string} [way] of the page motion map
+ * @property {string} [colour] of the page motion map
+ * @property {string} [click] of the page motion map
+ * @property {string} [below] of the page motion map
+ * @property {string} [region] of the page motion map
+ * @property {string} [query] of the page search
+ * @property {string} [parts] of the page search
+ * @property {string} [level] of the page search
+ * @property {string} [route] of the page search
+ * @property {string} [label] of the page search
+ * @property {string} [named] of the page search
+ * @property {string} [lasting] of the page search
+ * @property {string} [top] of the page search
+ * @property {string} [hit] of the page search
+ * @property {string} [look] of the page search
+ * @property {string} [study] of the page search
+ * @property {string} [asks] of the page search
+ * @property {string} [measure] of the page search
+ * @property {string} [show] of the page grammar
+ * @property {string} [routine] of the page grammar
+ * @property {string} [sentence] of the page grammar
+ * @property {string} [pick] of the page grammar
+ * @property {string} [up] of the page grammar
+ * @property {string} [alt] of the page grammar
+ * @property {string} [counts] of the page grammar
  */
 
 export const LOADING = "loading";

@@ -4,7 +4,7 @@ import { element } from "./dom.mjs";
 /**
  * skate: metres a second that standing feet slide, in the recordings, after blending alone, and in what was made; speeds: of
  * the fastest joint in the blends and in the recordings, in metres a second; jump: whether a blend is too fast.
- * @typedef {{ skate?: [number, number, number], speeds: [string, string], jump: boolean }} Quality
+ * @typedef {{ skate?: [number, number, number], speeds: [number, number], jump: boolean }} Quality
  */
 
 /**

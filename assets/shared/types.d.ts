@@ -1,6 +1,19 @@
-// What the stores that name what one sees hold.
+// Shapes that all parts of the front end use.
 
+import type { PageView } from "./ids.mjs";
 export type { Selection } from "./ids.mjs";
 
-/** The store "view": what a page shows, key by key, as the link has it. */
-export type View = Record<string, string>;
+/** A key of the links of a page. */
+export type ViewKey = keyof PageView;
+
+/** Settings of methods, as the link has them: "map-grid" is the grid of the map. */
+export type Settings = { [key: `${string}-${string}`]: string | undefined };
+
+/** The store "view": what the pages show and the settings, text by key of the link. */
+export type View = PageView & Settings;
+
+/** Keys of the view that change; an empty value takes a key out. */
+export type ViewChange = { [K in keyof View]?: string | number | boolean | null };
+
+/** T where everything has come: only the keys K may be missing. */
+export type Complete<T, K extends keyof T = never> = Required<Omit<T, K>> & Pick<T, K>;

@@ -7,7 +7,7 @@
  * @typedef {{
  *   dataset: string | null,
  *   selection: Selection | null,
- *   view: View | null,
+ *   view: Record<string, string | undefined> | null,
  *   keys: Record<string, string[]>,
  *   chosen: string,
  *   stage: Record<string, any>,

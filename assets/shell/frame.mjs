@@ -5,7 +5,7 @@ import { DATASET, DATASET_CHOICE, NAV, SELECTION, SHELL, STAGE_REQUEST, THEME } 
 import { STAGE_CANVAS } from "../stage/ids.mjs";
 import { player } from "../stage/player.mjs";
 import { addressOf, pageOf, stageOfLink, stateOfLink } from "./address.mjs";
-/** @import { Selection, View } from "../shared/types.d.ts" */
+/** @import { Selection, View, ViewChange } from "../shared/types.d.ts" */
 /** @import { Shown } from "./address.mjs" */
 
 const WIDTH_KEY = "motionscape-stage-width";
@@ -50,9 +50,11 @@ register("shell", {
     return writeAddress();
   },
   // What the server changes of the view.
-  /** @param {Record<string, string | number | boolean | null> | null} change */
+  /** @param {ViewChange & { at?: number } | null} change */
   change(change) {
-    changeView({ ...change, at: null }); // "at" only tells equal changes apart
+    const keys = { ...change };
+    delete keys.at; // it only tells equal changes apart
+    changeView(keys);
     return clientside.no_update;
   },
   // What a link says of the Stage; it is taken up when the motion has arrived.

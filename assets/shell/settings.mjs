@@ -22,11 +22,11 @@ register("settings", {
     return current && JSON.stringify(next) === JSON.stringify(current) ? clientside.no_update : next;
   },
   // Chips for a setting that is a list: here and not on the server, whose answer to one click would undo the next.
-  /** @param {View | null} view @param {ListSetting} of */
+  /** @param {Record<string, string> | null} view @param {ListSetting} of */
   list(view, of) {
     return inOrder((view || {})[of.key] || of.usual, of);
   },
-  /** @param {string[] | null} chosen @param {View | null} view @param {ListSetting} of */
+  /** @param {string[] | null} chosen @param {Record<string, string> | null} view @param {ListSetting} of */
   listed(chosen, view, of) {
     const wanted = inOrder((chosen || []).join(","), of).join(",");
     const there = (view || {})[of.key] || of.usual;

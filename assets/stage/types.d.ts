@@ -1,34 +1,13 @@
-// What the Stage is asked to show, what it fetches, and what it tells.
+// What the Stage shows, what it fetches, and the events it sends.
 import type { Colour as Span, Figure as Item, StageRequest } from "../shared/ids.mjs";
-export type { Item, Span, StageRequest };
+import type { MotionHeader as Header } from "./ids.mjs";
+export type { Header, Item, Span, StageRequest };
 
 /** Red, green and blue, 0 to 255. */
 export type Rgb = number[];
 
 export interface PaintedSpan extends Span {
   rgb: Rgb;
-}
-
-/** The part of a motion's file that is JSON. */
-export interface Header {
-  clip: string;
-  start: number;
-  end: number;
-  frames: number;
-  fps: number;
-  step: number;
-  joints: string[];
-  parents: number[];
-  roles: string[];
-  sides: string[];
-  root: number;
-  head: number;
-  nose: number;
-  head_radius: number;
-  height: number;
-  floor: number;
-  hands: number[];
-  feet: number[];
 }
 
 /** positions: (frames, joints, 3) in metres. */

@@ -1,5 +1,5 @@
-// Ids of components, and what stores hold. Written by scripts/generate_ids.py from webapp.features.sweeps.names:
-// change that module and run `make bundle`.
+// Ids of components, and the shapes of stores and of answers. Written by scripts/generate_ids.py from
+// webapp.features.sweeps.names: change that module and run `make bundle`.
 /** @import { StoreId } from "../shared/ids.mjs" */
 
 /**

@@ -130,6 +130,62 @@ def test_no_id_is_written_out_in_the_browsers_modules(path):
     assert written == []
 
 
+def view_keys(part: str) -> set[str]:
+    """The keys of links that code in a folder of ``webapp`` or ``assets`` may name: of its own page, else of any."""
+    views = {name: module.View.__annotations__ for name, module in names_modules().items() if name.startswith("feat")}
+    own = views.get(f"features.{part}")
+    return set(own or {key for view in views.values() for key in view})
+
+
+def is_view(node: ast.AST) -> bool:
+    """Whether an expression is what a page shows: ``view``, ``shown.view``, ``(view or {})``."""
+    if isinstance(node, ast.BoolOp):
+        return is_view(node.values[0])
+    return getattr(node, "attr", getattr(node, "id", "")) in {"view", "search_view"}
+
+
+def python_link_keys(tree: ast.AST) -> list[ast.Constant]:
+    """The literal keys by which Python reads a view, and those that it puts into the store ``view-change``."""
+    keys: list[ast.AST | None] = []
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Subscript) and is_view(node.value):
+            keys.append(node.slice)
+        elif isinstance(node, ast.Compare) and isinstance(node.ops[0], ast.In) and is_view(node.comparators[0]):
+            keys.append(node.left)
+        elif isinstance(node, ast.Call) and getattr(node.func, "attr", "") == "get" and is_view(node.func.value):
+            keys.append(node.args[0])
+        elif isinstance(node, ast.Call) and any(getattr(one, "id", "") == "VIEW_CHANGE" for one in node.args[:1]):
+            data = [part for part in node.args[1:] if isinstance(part, ast.Dict)]
+            data += [value for part in data for value in part.values if isinstance(value, ast.Dict)]
+            keys += [key for part in data for key in part.keys if getattr(key, "value", "") != "data"]
+    return [key for key in keys if isinstance(key, ast.Constant)]
+
+
+@pytest.mark.parametrize("path", PYTHON, ids=lambda path: str(path.relative_to(REPOSITORY)))
+def test_python_names_declared_keys_of_links_only(path):
+    known = view_keys(path.parts[path.parts.index("features") + 1] if "features" in path.parts else "")
+    used = [(key.lineno, key.value) for key in python_link_keys(ast.parse(path.read_text(encoding="utf-8")))]
+    assert [(line, key) for line, key in used if key not in known] == []
+
+
+@pytest.mark.parametrize("path", MODULES, ids=lambda path: str(path.relative_to(REPOSITORY)))
+def test_the_browsers_modules_name_declared_keys_of_links_only(path):
+    known = view_keys(path.parent.name)
+    code = re.sub(r"^\s*/?\*.*|/\*.*?\*/|(?:^|\s)//.*", "", path.read_text(encoding="utf-8"), flags=re.MULTILINE)
+    used = re.findall(r"(?<![\w.])(?:now\.)?view\??\.([a-zA-Z]\w*)", code)
+    for written in re.findall(r"\bchangeView\(\{(.*?)\}\)", code, flags=re.DOTALL):
+        used += re.findall(r"(?:^|,)\s*([a-zA-Z]\w*)\s*:", written)
+    assert [key for key in used if key not in known] == []
+
+
+def test_undeclared_keys_of_links_are_noticed():
+    """The tests above can fail."""
+    text = "view.get('walk'); (view or {})['wlak']; sends(VIEW_CHANGE, {'sied': 1})\n"
+    text += "set_props(VIEW_CHANGE, {'data': {'a': 1}})"
+    assert [key.value for key in python_link_keys(ast.parse(text))] == ["walk", "wlak", "sied", "a"]
+    assert "walk" in view_keys("motifs") and "walk" not in view_keys("search") and "walk" in view_keys("shell")
+
+
 def test_every_id_that_is_declared_is_used():
     texts = {path: path.read_text(encoding="utf-8") for path in (*PYTHON, *MODULES)}
     words = set(re.findall(r"\w+", "\n".join(texts.values())))

@@ -29,7 +29,7 @@ UNDO_SHOWN = 15000  # milliseconds
 def stores() -> list[Component]:
     """The stores of changes, for the frame of the app."""
     return [
-        dcc.Store(id=names.CHANGE_ASKED),  # {"job": id} of a change that was started here
+        dcc.Store(id=names.CHANGE_STARTED),  # {"job": id} of a change that was started here
         dcc.Store(id=names.CHANGES, data=[], storage_type="session"),  # ids of jobs whose end has not been announced
         dcc.Store(id=names.UNDO),  # {"revert": version}, {"restore": token of what is in the trash} or {"trash": name}
     ]
@@ -39,7 +39,7 @@ def start(workspace: Workspace, request: analyses.Request) -> Job:
     """Starts the job of a change, in a callback; a notice announces its end. Raises WorkspaceError, ParameterError."""
     job = jobs.start(workspace, request)
     set_props(JOB_STARTED, {"data": job.id})
-    set_props(names.CHANGE_ASKED, {"data": {"job": job.id}})
+    set_props(names.CHANGE_STARTED, {"data": {"job": job.id}})
     set_props(names.JOB_POKE, {"data": time.time()})
     return job
 
@@ -49,7 +49,7 @@ def register(app: Dash, workspace: Workspace) -> None:
 
     @app.callback(
         Output(names.CHANGES, "data"),
-        Input(names.CHANGE_ASKED, "data"),
+        Input(names.CHANGE_STARTED, "data"),
         Input(names.JOBS_FINISHED, "data"),
         State(names.CHANGES, "data"),
     )
@@ -58,7 +58,7 @@ def register(app: Dash, workspace: Workspace) -> None:
         before = [*waiting]
         if started and started.get("job") not in waiting:
             waiting = [*waiting, started["job"]]
-            set_props(names.CHANGE_ASKED, {"data": None})
+            set_props(names.CHANGE_STARTED, {"data": None})
         jobs_by_id = {number: workspace.jobs.get(number) for number in waiting if isinstance(number, int)}
         done = [job for job in jobs_by_id.values() if job is not None and job.state == "done"]
         if done:

@@ -34,7 +34,7 @@ class JobMarks(TypedDict, total=False):
     finished: str
 
 
-class ChangeAsked(TypedDict):
+class ChangeStarted(TypedDict):
     """A change of a data set that was started here."""
 
     job: int
@@ -58,6 +58,6 @@ JOBS_SEEN = Store("jobs-seen", JobMarks)
 JOBS_DISMISSED = Store("jobs-dismissed", Annotated[list[int], Most(100)])
 JOBS_FINISHED = Store("jobs-finished", str)  # changes when a job ends: results may have appeared
 
-CHANGE_ASKED = Store("change-asked", ChangeAsked)
+CHANGE_STARTED = Store("change-started", ChangeStarted)
 CHANGES = Store("changes", Annotated[list[int], Most(1000)])  # jobs of changes whose end has not been told
 UNDO = Store("undo", Undo)

@@ -8,7 +8,8 @@ from __future__ import annotations
 import json
 import logging
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from typing import Any
 
 import numpy as np
 from flask import Blueprint, Response, request
@@ -29,6 +30,7 @@ from webapp.shell.routes import (
     positive_number,
     response_with_etag,
 )
+from webapp.stage.names import MotionHeader
 
 log = logging.getLogger(__name__)
 
@@ -124,15 +126,15 @@ def encode_motion(interval: Interval, step: int) -> bytes:
     return b"".join((*framed(header), positions.astype("<f4", copy=False).tobytes()))
 
 
-def framed(header: dict) -> tuple[bytes, bytes]:
+def framed(header: Mapping[str, Any]) -> tuple[bytes, bytes]:
     """A header's length as uint32, and the header as JSON padded to whole words."""
     text = json.dumps(header, separators=(",", ":")).encode()
     text += b" " * (-len(text) % 4)
     return np.uint32(len(text)).astype("<u4").tobytes(), text
 
 
-def motion_header(interval: Interval, step: int, frames: int, body: DrawnBody, measured: HeadAndFloor) -> dict:
-    """What the Stage needs to know besides positions. Lengths in metres; joints by their place among the drawn ones."""
+def motion_header(interval: Interval, step: int, frames: int, body: DrawnBody, measured: HeadAndFloor) -> MotionHeader:
+    """The header of a motion; frames: how many are sent."""
     return {
         "clip": interval.clip.name,
         "start": interval.start,
@@ -140,15 +142,15 @@ def motion_header(interval: Interval, step: int, frames: int, body: DrawnBody, m
         "fps": interval.clip.fps / step,
         "step": step,
         "frames": frames,
-        "joints": body.names,
-        "parents": body.parents,
-        "sides": body.sides,
-        "roles": body.roles,
+        "joints": list(body.names),
+        "parents": list(body.parents),
+        "sides": list(body.sides),
+        "roles": list(body.roles),
         "root": 0,
         "head": body.find("head_centre"),
         "nose": body.find("nose"),
-        "hands": body.hands,
-        "feet": body.feet,
+        "hands": list(body.hands),
+        "feet": list(body.feet),
         "height": round(body.height, 4),
         "head_radius": round(measured.radius, 4),
         "floor": round(measured.floor, 4),

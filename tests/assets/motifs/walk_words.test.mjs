@@ -13,9 +13,9 @@ test("without the motif after a gap there is none", () => {
 });
 
 test("what the graph lets one walk, in words", () => {
-  const walk = { asked: {}, motifs: Array(9).fill({}), parts: [6, 3], dead: [4, 5], further: [] };
+  const walk = { inputs: {}, motifs: Array(9).fill({}), parts: [6, 3], dead: [4, 5], further: [] };
   assert.equal(waysText(walk), "From 6 of 9 motifs one can come back to each other; 1 more such part. Dead ends, where nothing leads on: 4, 5 (marked in the graph).");
   assert.match(waysText({ ...walk, dead: Array.from({ length: 13 }, (_, k) => k) }), /Dead ends, where nothing leads on: 13 motifs/);
-  assert.equal(waysText({ ...walk, parts: [9], dead: [], asked: { extra: "1" } }), "No further transition points are good enough.");
+  assert.equal(waysText({ ...walk, parts: [9], dead: [], inputs: { extra: "1" } }), "No further transition points are good enough.");
   assert.equal(waysText({}), "");
 });

@@ -128,16 +128,16 @@ def _it_is_saved(page: Page, workspace, actions: list[int]) -> None:
     told = page.request.get(base(page) + page.locator("#compose-json").get_attribute("href"))
     assert told.ok
     page.locator("#compose-save").click()
-    expect(page.locator("#compose-kept")).to_have_text("Give it a name first.")
+    expect(page.locator("#compose-save-status")).to_have_text("Give it a name first.")
     page.locator("#compose-name").fill("first try")
     page.locator("#compose-save").click()
-    expect(page.locator("#compose-kept")).to_contain_text("Kept as “first try”", timeout=PATIENCE)
+    expect(page.locator("#compose-save-status")).to_contain_text("Kept as “first try”", timeout=PATIENCE)
     kept = workspace.open("demo routines")
     frames = motion.text().split("Frames:")[1].split()[0]
     assert kept.names == ("first try",) and kept.clips[0].n_frames == int(frames)
     assert len(kept.labels) == len(actions)
     page.locator("#compose-save").click()
-    expect(page.locator("#compose-kept")).to_contain_text("already")
+    expect(page.locator("#compose-save-status")).to_contain_text("already")
 
 
 def test_a_link_to_a_routine_of_other_rules_says_so(show):

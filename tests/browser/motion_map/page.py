@@ -31,7 +31,7 @@ def wait_for_map(page: Page) -> None:
         """() => {
             const drawn = motionscape.map.state.map && motionscape.map.state.overlay?.scale > 0
                 && document.querySelector('#map-graph .js-plotly-plot .hm image')
-                && document.querySelector('#map-said').textContent
+                && document.querySelector('#map-explanation').textContent
                 && !document.querySelector('#map-status').textContent;
             if (!drawn) return false;
             const { x, y, width } = motionscape.map.state.overlay.svg.getBoundingClientRect();

@@ -45,7 +45,7 @@ def stretch(workspace: Workspace) -> str:
 def wait_for_hits(page: Page, query: str) -> None:
     """Until the hits shown are those of this query."""
     page.wait_for_function(
-        "query => motionscape.search.now.found?.hits && motionscape.search.now.found.asked.query === query",
+        "query => motionscape.search.now.found?.hits && motionscape.search.now.found.inputs.query === query",
         arg=query,
         timeout=PATIENCE,
     )
@@ -133,7 +133,7 @@ def test_parts_are_weighed_by_clicks_keys_and_presets(show, indexed) -> None:
     page.wait_for_url(re.compile("parts=head:10,left_arm:10"))
     page.keyboard.press("ArrowDown")
     page.wait_for_url(re.compile("parts=head:9,left_arm:10"))
-    page.wait_for_function("motionscape.search.now.found?.asked.parts === 'head:9,left_arm:10'", timeout=PATIENCE)
+    page.wait_for_function("motionscape.search.now.found?.inputs.parts === 'head:9,left_arm:10'", timeout=PATIENCE)
     page.locator("#search-preset").select_option("arms and legs (35 / 45 / 20)")
     page.wait_for_url(re.compile("left_arm:17.5,"))
     shares = {
@@ -217,7 +217,7 @@ def test_filters_options_and_exports(show, indexed) -> None:
     page = open_search(show, query)
     action = page.evaluate("motionscape.search.now.found.hits.find((hit) => hit.label).label")
     page.locator("#search-label").select_option(action)
-    shown = "action => motionscape.search.now.found?.asked.label === action"
+    shown = "action => motionscape.search.now.found?.inputs.label === action"
     page.wait_for_function(shown, arg=action, timeout=PATIENCE)
     facts = page.locator(".search-facts").all_text_contents()
     assert facts and all(action in text for text in facts)
@@ -229,7 +229,7 @@ def test_filters_options_and_exports(show, indexed) -> None:
     page.wait_for_function("motionscape.search.now.found?.level === 'clip' && !motionscape.search.now.view.named")
     page.locator("#search-route").fill("40")
     page.wait_for_url(re.compile("route=40"))
-    page.wait_for_function("motionscape.search.now.found?.asked.route === '40'", timeout=PATIENCE)
+    page.wait_for_function("motionscape.search.now.found?.inputs.route === '40'", timeout=PATIENCE)
     page.get_by_role("button", name="Download").click()
     item = page.get_by_role("menuitem", name="Hits (CSV)")
     expect(item).to_have_attribute("href", re.compile("route=40"))

@@ -85,7 +85,7 @@ def dialogs() -> list[Component]:
             dmc.Group(dmc.Button("Make the clip", id=names.CLIP_EDIT_DO), justify="flex-end", mt="md"),
         ],
     )
-    return [dialog, dcc.Store(id=names.CLIP_EDIT), dcc.Store(id=names.CLIP_EDIT_ASKED)]
+    return [dialog, dcc.Store(id=names.CLIP_EDIT), dcc.Store(id=names.CLIP_EDIT_AT_FRAME)]
 
 
 def problem(dataset: Dataset, clip: str, action: str, options: Mapping[str, Any]) -> str:
@@ -128,7 +128,9 @@ def register(app: Dash, workspace: Workspace) -> None:
 
 def _open(app: Dash, workspace: Workspace) -> None:
     app.clientside_callback(  # the frame at the cursor is part of the request
-        ClientsideFunction("clip", "asked"), Output(names.CLIP_EDIT_ASKED, "data"), Input(names.CLIP_EDIT, "data")
+        ClientsideFunction("clip", "editAtFrame"),
+        Output(names.CLIP_EDIT_AT_FRAME, "data"),
+        Input(names.CLIP_EDIT, "data"),
     )
 
     @app.callback(
@@ -141,7 +143,7 @@ def _open(app: Dash, workspace: Workspace) -> None:
         Output(names.CLIP_EDIT_FRAME, "value"),
         Output(names.CLIP_EDIT_NAME, "value"),
         Output(names.CLIP_EDIT_PROBLEM, "children"),
-        Input(names.CLIP_EDIT_ASKED, "data"),
+        Input(names.CLIP_EDIT_AT_FRAME, "data"),
         State(names.CLIP_SHOWN, "data"),
         State(SELECTION, "data"),
         prevent_initial_call=True,
@@ -189,7 +191,7 @@ def _do(app: Dash, workspace: Workspace) -> None:
         Output(names.CLIP_EDIT_PROBLEM, "children", allow_duplicate=True),
         Output(names.CLIP_EDIT_DIALOG, "opened", allow_duplicate=True),
         Input(names.CLIP_EDIT_DO, "n_clicks"),
-        State(names.CLIP_EDIT_ASKED, "data"),
+        State(names.CLIP_EDIT_AT_FRAME, "data"),
         State(names.CLIP_SHOWN, "data"),
         State(SELECTION, "data"),
         State(names.CLIP_EDIT_FPS, "value"),

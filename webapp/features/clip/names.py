@@ -102,7 +102,7 @@ CLIP_GAIT_TABLE = Store("clip-gait-table", GaitTable)
 CLIP_GAIT_DRAWN = Store("clip-gait-drawn", Any)
 
 CLIP_EDIT = Store("clip-edit", ClipEdit)
-CLIP_EDIT_ASKED = Store("clip-edit-asked", ClipEdit)
+CLIP_EDIT_AT_FRAME = Store("clip-edit-at-frame", ClipEdit)
 CLIP_EDIT_MENU = Id("clip-edit-menu")
 CLIP_EDIT_DIALOG = Id("clip-edit-dialog")
 CLIP_EDIT_SAYS = Id("clip-edit-says")

@@ -39,7 +39,7 @@ def layout() -> Component:
             html.Div(id=names.BAKEOFF_PLACE),
             *(
                 dcc.Store(id=store)
-                for store in (names.BAKEOFF_ASK, names.BAKEOFF_ASKED, names.BAKEOFF_SHOWN, names.BAKEOFF_PLAY)
+                for store in (names.BAKEOFF_RUN, names.BAKEOFF_JOB, names.BAKEOFF_SHOWN, names.BAKEOFF_PLAY)
             ),
         ],
         className="bakeoff-view",
@@ -50,8 +50,8 @@ def register(app: Dash, workspace: Workspace) -> None:
     """Registers the callbacks that start the job, follow it, show the result and play its motions."""
 
     @app.callback(
-        Output(names.BAKEOFF_ASKED, "data"),
-        Input(names.BAKEOFF_ASK, "data"),
+        Output(names.BAKEOFF_JOB, "data"),
+        Input(names.BAKEOFF_RUN, "data"),
         State(DATASET, "data"),
         State(VIEW, "data"),
         prevent_initial_call=True,
@@ -69,7 +69,7 @@ def register(app: Dash, workspace: Workspace) -> None:
         Output(names.BAKEOFF_PLACE, "children"),
         Output(names.BAKEOFF_SHOWN, "data"),
         Input(VIEW, "data"),
-        Input(names.BAKEOFF_ASKED, "data"),
+        Input(names.BAKEOFF_JOB, "data"),
         Input(JOBS_FINISHED, "data"),
         Input(THEME, "data"),
         Input(names.BAKEOFF_PLACE, "id"),
@@ -111,7 +111,7 @@ def _waiting(job: Job | None) -> Component:
         title, words = "Comparing failed", job.error
     elif job is not None and job.state == "cancelled":
         title, words = "Comparing was cancelled", "Nothing was kept of it."
-    asks = sends(names.BAKEOFF_ASK, {"ask": True}, every_time=True)
+    asks = sends(names.BAKEOFF_RUN, {"ask": True}, every_time=True)
     return empty_state("branches", title, words, dmc.Button("Compare four ways", variant="light", **asks))
 
 

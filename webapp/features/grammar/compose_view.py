@@ -22,7 +22,7 @@ def layout() -> Component:
         children=[
             html.Div(_buttons(), className="compose-bar", role="group", **attributes(aria_label="The new routine")),
             html.Div(id=names.COMPOSE_ERROR, className="walk-error hidden", role="alert"),
-            html.P(id=names.COMPOSE_SAID, className="muted view-hint", role="status"),
+            html.P(id=names.COMPOSE_STATUS, className="muted view-hint", role="status"),
             html.Ol(
                 id=names.COMPOSE_STRING,
                 className="compose-string",
@@ -109,7 +109,7 @@ def _save() -> list[Component]:
             attributes={"input": {"maxLength": 60, "autoComplete": "off"}},
         ),
         html.Button([icon("check", 14), "Keep"], id=names.COMPOSE_SAVE, type="button", className="walk-button"),
-        html.Div(id=names.COMPOSE_KEPT, className="muted", role="status"),
+        html.Div(id=names.COMPOSE_SAVE_STATUS, className="muted", role="status"),
     ]
 
 
@@ -134,7 +134,7 @@ def register(app: Dash, workspace: Workspace) -> None:
         try:
             data = compositions.composed(workspace, name, view)
         except WorkspaceError as error:
-            data = {"asked": compositions.link_keys_of(view), "error": str(error)}
+            data = {"inputs": compositions.link_keys_of(view), "error": str(error)}
         return no_update if data is None or data == before else data
 
     @app.callback(
@@ -150,11 +150,11 @@ def register(app: Dash, workspace: Workspace) -> None:
         try:
             data = compositions.alternatives(workspace, name, view)
         except WorkspaceError as error:
-            data = {"asked": compositions.link_keys_of(view), "error": str(error)}
+            data = {"inputs": compositions.link_keys_of(view), "error": str(error)}
         return no_update if data is None or data == before else data
 
     @app.callback(
-        Output(names.COMPOSE_KEPT, "children"),
+        Output(names.COMPOSE_SAVE_STATUS, "children"),
         Input(names.COMPOSE_SAVE, "n_clicks"),
         State(names.COMPOSE_NAME, "value"),
         State(DATASET, "data"),

@@ -34,7 +34,7 @@ USUAL_LENGTH, MOST_LENGTH = 40, 200
 N_OTHERS = 4
 CONTEXT = 0.7  # seconds played before and after a part that is shown in another way
 LONGEST = 300  # letters that a link can hold
-ASKED = ("sentence", "pick", "up")
+KEYS = ("sentence", "pick", "up")  # of the link that say which routine it is, and its chosen part
 View = Mapping[str, str] | None
 
 
@@ -45,7 +45,7 @@ def is_composing(view: View) -> bool:
 
 def link_keys_of(view: View, *more: str) -> dict[str, str]:
     """The keys of a link that name a routine and its chosen part."""
-    return {key: text for key in (*ASKED, *more) if (text := (view or {}).get(key))}
+    return {key: text for key in (*KEYS, *more) if (text := (view or {}).get(key))}
 
 
 def find_derivation(workspace: Workspace, key: str) -> Derivation | None:
@@ -81,7 +81,7 @@ def composed(workspace: Workspace, name: str, view: View) -> dict[str, Any] | No
     learned, key = grammars.learned(workspace, name, view), settings.key_of(workspace, grammars.PAGE, name, view)
     if learned is None or key is None:
         return None
-    data = {"key": key, "asked": link_keys_of(view)}
+    data = {"key": key, "inputs": link_keys_of(view)}
     try:
         tree = tree_of(learned, (view or {})["sentence"])
         request = derive_request(learned, name, view, tree)
@@ -178,7 +178,7 @@ def alternatives(workspace: Workspace, name: str, view: View) -> dict[str, Any] 
     learned = grammars.learned(workspace, name, view)
     if learned is None:
         return None
-    data = {"asked": link_keys_of(view, "alt")}
+    data = {"inputs": link_keys_of(view, "alt")}
     notes = grammars.notes_of(workspace, name, view) or {}
     try:
         tree = tree_of(learned, (view or {})["sentence"])

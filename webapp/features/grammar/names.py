@@ -117,7 +117,7 @@ class Composed(TypedDict, total=False):
     """The new routine of the link and its motion, or why there is none."""
 
     key: str
-    asked: dict[str, str]
+    inputs: dict[str, str]  # the keys of the link that say which routine it is, and its chosen part
     error: str
     name: str  # of the made-up data set
     clip: str
@@ -125,8 +125,9 @@ class Composed(TypedDict, total=False):
     spans: list[tuple[int, int]]  # frames of each action
     frames: int
     seconds: float
-    skate: list[float]
-    speeds: list[float]
+    # metres a second: sliding of standing feet in the recordings, after blending alone, and in the routine
+    skate: tuple[float, float, float]
+    speeds: tuple[float, float]  # of the fastest joint, in the blends and in the recordings
     jump: bool  # a blend is faster than anything in the recordings
     warnings: list[str]
     bands: list[Colour]
@@ -156,7 +157,7 @@ class Other(TypedDict):
 class Others(TypedDict):
     """Other ways for the chosen part, or why there are none."""
 
-    asked: dict[str, str]
+    inputs: dict[str, str]
     error: NotRequired[str]
     part: NotRequired[str]
     others: NotRequired[list[Other]]
@@ -203,7 +204,7 @@ ROUTINE_DATA = Store("routine-data", RoutineData)
 ROUTINE_DRAWN = Store("routine-drawn", Any)
 
 COMPOSE_ERROR = Id("compose-error")
-COMPOSE_SAID = Id("compose-said")
+COMPOSE_STATUS = Id("compose-status")
 COMPOSE_STRING = Id("compose-string")
 COMPOSE_CHOSEN = Id("compose-chosen")
 COMPOSE_OTHERS = Id("compose-others")
@@ -216,7 +217,7 @@ COMPOSE_JSON = Id("compose-json")
 COMPOSE_SVG = Id("compose-svg")
 COMPOSE_NAME = Id("compose-name")
 COMPOSE_SAVE = Id("compose-save")
-COMPOSE_KEPT = Id("compose-kept")
+COMPOSE_SAVE_STATUS = Id("compose-save-status")
 COMPOSE_DATA = Store("compose-data", Composed)
 COMPOSE_DRAWN = Store("compose-drawn", Any)
 COMPOSE_OTHER_DATA = Store("compose-other-data", Others)
@@ -241,7 +242,7 @@ TUNE_TABLE_PLACE = Id("tune-table-place")
 BAKEOFF_PLACE = Id("bakeoff-place")
 BAKEOFF_CHART = Id("bakeoff-chart")
 BAKEOFF_TABLE = Id("bakeoff-table")
-BAKEOFF_ASK = Store("bakeoff-ask", dict[str, bool | float])
-BAKEOFF_ASKED = Store("bakeoff-asked", int)
+BAKEOFF_RUN = Store("bakeoff-run", dict[str, bool | float])
+BAKEOFF_JOB = Store("bakeoff-job", int)
 BAKEOFF_SHOWN = Store("bakeoff-shown", list[Any])  # what the place was last drawn for
 BAKEOFF_PLAY = Store("bakeoff-play", BakeoffPlay)

@@ -21,7 +21,7 @@ from webapp.shell.names import JOB_STARTED, NOTICES
 def stores() -> list[Component]:
     """Stores for the frame of the app: features may become ready while another page is open."""
     return [
-        dcc.Store(id=names.FEATURES_ASKED),  # {"dataset": name, "suffix": ".npz"} that someone waits for
+        dcc.Store(id=names.FEATURES_CHOICE),  # {"dataset": name, "suffix": ".npz"} that someone waits for
         dcc.Store(id=names.FEATURES_READY),  # address of the download
     ]
 
@@ -31,9 +31,9 @@ def register(app: Dash, workspace: Workspace) -> None:
 
     @app.callback(
         Output(names.FEATURES_READY, "data"),
-        Input(names.FEATURES_ASKED, "data"),
+        Input(names.FEATURES_CHOICE, "data"),
         Input(JOBS_FINISHED, "data"),
-        State(names.FEATURES_ASKED, "data"),
+        State(names.FEATURES_CHOICE, "data"),
         prevent_initial_call=True,
     )
     def deliver(_request, _finished, wanted):
@@ -42,20 +42,20 @@ def register(app: Dash, workspace: Workspace) -> None:
         request = analyses.Request(str(wanted.get("dataset")), "features")
         try:
             if analyses.stored(workspace, request) is not None:
-                set_props(names.FEATURES_ASKED, {"data": None})
+                set_props(names.FEATURES_CHOICE, {"data": None})
                 address = f"/api/features/{quote(request.dataset, safe='')}{wanted.get('suffix')}"
                 return {"address": address, "at": wanted.get("at")}
             job = workspace.jobs.latest(analyses.key(workspace, request))
             if wanted.get("job") is None:
                 job = jobs.start(workspace, request)
                 set_props(JOB_STARTED, {"data": job.id})
-                set_props(names.FEATURES_ASKED, {"data": wanted | {"job": job.id}})
+                set_props(names.FEATURES_CHOICE, {"data": wanted | {"job": job.id}})
             elif job is None or not job.alive:
-                set_props(names.FEATURES_ASKED, {"data": None})
+                set_props(names.FEATURES_CHOICE, {"data": None})
                 if job is not None and job.state == "failed":
                     raise WorkspaceError(job.error)
         except (ParameterError, WorkspaceError) as error:
-            set_props(names.FEATURES_ASKED, {"data": None})
+            set_props(names.FEATURES_CHOICE, {"data": None})
             set_props(NOTICES, {"sendNotifications": [notice("Cannot give the features", str(error), "red")]})
         return no_update
 

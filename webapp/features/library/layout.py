@@ -134,12 +134,12 @@ def _card_menu(name: str) -> Component:
                     dmc.MenuItem(
                         "Features (npz)",
                         leftSection=icon("download", 16),
-                        **sends(names.FEATURES_ASKED, {"dataset": name, "suffix": ".npz"}, every_time=True),
+                        **sends(names.FEATURES_CHOICE, {"dataset": name, "suffix": ".npz"}, every_time=True),
                     ),
                     dmc.MenuItem(
                         "Features (Parquet)",
                         leftSection=icon("download", 16),
-                        **sends(names.FEATURES_ASKED, {"dataset": name, "suffix": ".parquet"}, every_time=True),
+                        **sends(names.FEATURES_CHOICE, {"dataset": name, "suffix": ".parquet"}, every_time=True),
                     ),
                     dmc.MenuItem(
                         "Delete",

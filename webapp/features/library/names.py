@@ -61,7 +61,7 @@ class ReportRow(TypedDict):
     selection: NotRequired[dict[str, str]]
 
 
-class FeaturesAsked(TypedDict):
+class FeaturesChoice(TypedDict):
     """Features of a data set that someone waits for."""
 
     dataset: Name
@@ -123,5 +123,5 @@ UPLOAD_INTO = Store("upload-into", UploadInto)
 UPLOAD_SUGGESTED = Store("upload-suggested", Name)  # a name for the upload; "" where there is none
 UPLOADED = Store("uploaded", Name)  # the token whose import was started
 
-FEATURES_ASKED = Store("features-asked", FeaturesAsked)
+FEATURES_CHOICE = Store("features-choice", FeaturesChoice)
 FEATURES_READY = Store("features-ready", Download)

@@ -63,8 +63,8 @@ def layout() -> Component:
             dcc.Store(id=names.COMPARE_KEYS),  # of both results, where both are there
             dcc.Store(id=names.COMPARE_FLOW_DATA),
             dcc.Store(id=names.COMPARE_REQUEST),  # what the Stage is to play
-            dcc.Store(id=names.COMPARE_ASK),  # the button that has the other result computed
-            dcc.Store(id=names.COMPARE_ASKED),
+            dcc.Store(id=names.COMPARE_FIND),  # the button that has the other result computed
+            dcc.Store(id=names.COMPARE_STARTED),
             dcc.Store(id=names.COMPARE_DRAWN),
             dcc.Store(id=names.COMPARE_MARKED),
             dcc.Store(id=names.COMPARE_ROW_MARKED),
@@ -139,8 +139,8 @@ def _choose(app: Dash, workspace: Workspace) -> None:
         return {"other": value, "gained": ""}
 
     @app.callback(
-        Output(names.COMPARE_ASKED, "data"),
-        Input(names.COMPARE_ASK, "data"),
+        Output(names.COMPARE_STARTED, "data"),
+        Input(names.COMPARE_FIND, "data"),
         State(DATASET, "data"),
         prevent_initial_call=True,
     )
@@ -351,7 +351,7 @@ def status(other: str | None, job: Job | None, ready: bool) -> Component | None:
     if job is not None and job.alive:
         return html.Div(running(job, "Finding the other motifs", "graph"), className="card")
     again = dmc.Button(
-        "Find its motifs", variant="light", **sends(names.COMPARE_ASK, {"other": other}, every_time=True)
+        "Find its motifs", variant="light", **sends(names.COMPARE_FIND, {"other": other}, every_time=True)
     )
     title, hint = "The other result is not there yet", f"Its settings: {summary(read_other(other))}."
     if job is not None and job.state == "failed":

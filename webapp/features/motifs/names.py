@@ -130,7 +130,7 @@ class WalkData(TypedDict):
     """The ways of the graph, and the walk of the link or why there is none."""
 
     key: Name
-    asked: dict[str, str]
+    inputs: dict[str, str]  # the keys of the link that say which walk it is
     dataset: NotRequired[str]
     motifs: NotRequired[list[WalkMotif]]
     error: NotRequired[str]
@@ -146,8 +146,9 @@ class WalkData(TypedDict):
     frames: NotRequired[int]
     seconds: NotRequired[float]
     blends: NotRequired[int]
-    skate: NotRequired[list[float]]
-    speeds: NotRequired[list[float]]
+    # metres a second: sliding of standing feet in the recordings, after blending alone, and in the walk
+    skate: NotRequired[tuple[float, float, float]]
+    speeds: NotRequired[tuple[float, float]]  # of the fastest joint, in the blends and in the recordings
     jump: NotRequired[bool]  # a blend is faster than anything in the recordings
     warnings: NotRequired[list[str]]
     bands: NotRequired[list[Colour]]
@@ -194,11 +195,21 @@ class OtherResult(TypedDict):
     at: NotRequired[float]
 
 
+class MotifStability(TypedDict):
+    """How often a motif was found again: its mean share over the kinds of repeat, in how many, and each kind."""
+
+    overall: float
+    kept: int
+    noise: NotRequired[float]
+    seed: NotRequired[float]
+    parameters: NotRequired[float]
+
+
 class StabilityData(TypedDict):
-    """How often motifs were found again: by motif and kind of repeat."""
+    """How often the motifs were found again, by motif."""
 
     repeats: int
-    motifs: dict[str, dict[str, float]]
+    motifs: dict[str, MotifStability]
 
 
 class OnDemandNames(Group):
@@ -207,7 +218,7 @@ class OnDemandNames(Group):
     def __init__(self, name: str, place: str):
         self.place = Id(place)  # what it fills
         self.find = Store(f"{name}-find", dict[str, bool | float])
-        self.asked = Store(f"{name}-asked", int)  # the job
+        self.job = Store(f"{name}-job", int)  # the job that computes it
         self.shown = Store(f"{name}-shown", list[Any])  # what the place was last drawn for
 
 
@@ -253,8 +264,8 @@ COMPARE_STATUS_OF = Store("compare-status-of", list[Any])  # what the status was
 COMPARE_KEYS = Store("compare-keys", tuple[Name, Name])  # of both results, where both are there
 COMPARE_FLOW_DATA = Store("compare-flow-data", Flow)
 COMPARE_REQUEST = Store("compare-request", StageRequest)
-COMPARE_ASK = Store("compare-ask", OtherResult)
-COMPARE_ASKED = Store("compare-asked", Any)
+COMPARE_FIND = Store("compare-find", OtherResult)
+COMPARE_STARTED = Store("compare-started", Any)
 COMPARE_DRAWN = Store("compare-drawn", Any)
 COMPARE_MARKED = Store("compare-marked", Any)
 COMPARE_ROW_MARKED = Store("compare-row-marked", Any)

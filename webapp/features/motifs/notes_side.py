@@ -123,7 +123,7 @@ def register(app: Dash, workspace: Workspace) -> None:
         State(VIEW, "data"),
     )
     def collect(_status, _form, before, name, view):
-        now = said(results.motif_notes(workspace, name, view)) if name else {}
+        now = names_data(results.motif_notes(workspace, name, view)) if name else {}
         return no_update if now == before else now
 
     @app.callback(
@@ -153,6 +153,6 @@ def register(app: Dash, workspace: Workspace) -> None:
     )
 
 
-def said(notes: Mapping[int, MotifNote]) -> dict[str, Any]:
+def names_data(notes: Mapping[int, MotifNote]) -> dict[str, Any]:
     """Motif id -> [name, tags, note], for the boxes of the graph and the table."""
     return {str(motif): [note.name, list(note.tags), note.note] for motif, note in notes.items()}

@@ -42,7 +42,7 @@ class OnDemand(NamedTuple):
 
     def stores(self) -> list[Component]:
         """For the view's skeleton."""
-        return [dcc.Store(id=store) for store in (self.ids.find, self.ids.asked, self.ids.shown)]
+        return [dcc.Store(id=store) for store in (self.ids.find, self.ids.job, self.ids.shown)]
 
     def waiting(self, job: Job | None) -> Component:
         """The content while there is no result: progress, or an invitation to compute it."""
@@ -64,7 +64,7 @@ def register(app: Dash, workspace: Workspace, part: OnDemand, body: Body) -> Non
     """Registers the callbacks that start the job of ``part``, follow it, and show the ``body`` of its result."""
 
     @app.callback(
-        Output(part.ids.asked, "data"),
+        Output(part.ids.job, "data"),
         Input(part.ids.find, "data"),
         State(DATASET, "data"),
         State(VIEW, "data"),
@@ -84,14 +84,14 @@ def register(app: Dash, workspace: Workspace, part: OnDemand, body: Body) -> Non
         Output(part.ids.shown, "data"),
         Input(VIEW, "data"),
         Input(part.ids.place, "id"),
-        Input(part.ids.asked, "data"),
+        Input(part.ids.job, "data"),
         Input(JOBS_FINISHED, "data"),
         Input(THEME, "data"),
         State(part.ids.shown, "data"),
         State(MOTIF_METHOD.result_key, "data"),
         State(DATASET, "data"),
     )
-    def show(view, _place, _asked, _finished, scheme, shown, graph_key, name):
+    def show(view, _place, _job, _finished, scheme, shown, graph_key, name):
         if (view or {}).get("view") != part.name or results.shown_graph(workspace, graph_key, name, view) is None:
             return no_update, no_update
         request = part.request(name, view)

@@ -35,20 +35,20 @@ def export_blueprint(workspace: Workspace) -> Blueprint:
 
     @routes.get("/motifs.json")
     def motifs_json() -> Response:
-        dataset, graph, _ = _asked(workspace)
+        dataset, graph, _ = _requested(workspace)
         notes = results.motif_notes(workspace, dataset.name, request.args)
         text = json.dumps(graph.to_json(dataset, notes), ensure_ascii=False, allow_nan=False)
         return attachment(text, "application/json", f"{dataset.name}-motifs.json")
 
     @routes.get("/motifs.csv")
     def motifs_csv() -> Response:
-        dataset, graph, _ = _asked(workspace)
+        dataset, graph, _ = _requested(workspace)
         notes = results.motif_notes(workspace, dataset.name, request.args)
         return attachment(motions_csv(dataset, graph, notes), "text/csv", f"{dataset.name}-motifs.csv")
 
     @routes.get("/stability.json")
     def stability_json() -> Response:
-        dataset, _, _ = _asked(workspace)
+        dataset, _, _ = _requested(workspace)
         stability = stability_request.stored(workspace, dataset.name, request.args, request.args.get("stability"))
         if stability is None:
             raise Refusal("The stability of these motifs has not been measured yet.", 404)
@@ -63,7 +63,7 @@ def export_blueprint(workspace: Workspace) -> Blueprint:
 
     @routes.get("/motifs.svg")
     def motifs_svg() -> Response:
-        dataset, graph, key = _asked(workspace)
+        dataset, graph, key = _requested(workspace)
         elements = graph_elements(dataset, key, graph)
         return attachment(
             graph_svg(elements, title=f"Motifs of {dataset.name}"), "image/svg+xml", f"{dataset.name}-motifs.svg"
@@ -71,7 +71,7 @@ def export_blueprint(workspace: Workspace) -> Blueprint:
 
     @routes.get("/timeline.svg")
     def timeline_drawing() -> Response:
-        dataset, graph, _ = _asked(workspace)
+        dataset, graph, _ = _requested(workspace)
         given, chosen = request.args, request.args.get("motif", "")
         data = timeline(dataset, graph, results.motif_notes(workspace, dataset.name, request.args))
         text = timeline_svg(
@@ -86,7 +86,7 @@ def export_blueprint(workspace: Workspace) -> Blueprint:
     return routes
 
 
-def _asked(workspace: Workspace) -> tuple[Dataset, MotifGraph, str]:
+def _requested(workspace: Workspace) -> tuple[Dataset, MotifGraph, str]:
     """Data set, graph and key of the current request; raises Refusal."""
     name = request.args.get("dataset", "")
     problems = settings.refused(results.MOTIFS, request.args)

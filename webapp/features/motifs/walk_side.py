@@ -132,7 +132,7 @@ def register(app: Dash, workspace: Workspace) -> None:
             motif_names = {m: note.name for m, note in results.motif_notes(workspace, name, view).items() if note.name}
             data = walks.walk_data(workspace, dataset, graph, key, view, motif_names)
         except WorkspaceError as error:
-            data = {"key": key, "asked": walks.link_keys_of(view), "error": str(error)}
+            data = {"key": key, "inputs": walks.link_keys_of(view), "error": str(error)}
         return no_update if data == before else data
 
     app.clientside_callback(

@@ -69,7 +69,7 @@ def walk_data(
     names: what people called motifs.
     """
     link_values = link_keys_of(view)
-    data = {"key": graph_key, "asked": link_values, "dataset": dataset.name, "motifs": _motifs(graph, names)}
+    data = {"key": graph_key, "inputs": link_values, "dataset": dataset.name, "motifs": _motifs(graph, names)}
     if not graph.motifs:
         return data | {"error": "This graph has no motifs to walk through."}
     data |= ways_data(_ways(dataset, graph, graph_key, link_values.get("extra") == "1"))

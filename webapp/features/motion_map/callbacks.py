@@ -106,7 +106,7 @@ def _draw(app: Dash, workspace: Workspace) -> None:
     @app.callback(
         Output(names.MAP_GRAPH, "figure"),
         Output(names.MAP_LEGEND, "children"),
-        Output(names.MAP_SAID, "children"),
+        Output(names.MAP_EXPLANATION, "children"),
         Input(names.MAP_KNOWN, "data"),
         Input(names.MAP_LOOK, "data"),
         Input(THEME, "data"),

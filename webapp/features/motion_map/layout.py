@@ -93,7 +93,7 @@ def _map_card() -> Component:
             bar,
             plot,
             html.Div(id=names.MAP_LEGEND, className="map-legend"),
-            html.Div(id=names.MAP_SAID, className="muted map-said"),
+            html.Div(id=names.MAP_EXPLANATION, className="muted map-explanation"),
         ],
         className="card map-card",
     )

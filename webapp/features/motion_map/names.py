@@ -37,13 +37,38 @@ class KnownMap(TypedDict):
     facts: Facts
 
 
+class MapClip(TypedDict):
+    """A clip that a map was made of."""
+
+    name: str
+    frames: int
+    fps: float
+    fit: float  # mean distance of its postures to the map, as a multiple of what is usual
+
+
+class MapHeader(TypedDict):
+    """The part of a map's file that is JSON (see routes.py); nodes are numbered along the second axis of the grid."""
+
+    grid: tuple[int, int]
+    joints: list[str]
+    roles: list[str]
+    sides: list[str]  # "left", "right" or "centre"
+    parents: list[int]
+    lengths: list[float]  # of the bones, in metres
+    clips: list[MapClip]
+    fps: float  # frames a second at which the clips were laid on the map
+    regions: list[int]  # of the nodes
+    icons: list[tuple[int, int]]  # the node of each region whose posture is drawn
+    usual: float  # mean distance of a posture to its node
+    runs: int  # stretches of frames at one node
+
+
 class Look(TypedDict, total=False):
     """Those parts of the view that the server draws by."""
 
     colour: str
     below: str
     region: str
-    icons: str
 
 
 class Lit(TypedDict):
@@ -67,7 +92,7 @@ MAP_RESULT = Id("map-result")
 MAP_PLOT = Id("map-plot")
 MAP_GRAPH = Id("map-graph")
 MAP_LEGEND = Id("map-legend")
-MAP_SAID = Id("map-said")
+MAP_EXPLANATION = Id("map-explanation")
 MAP_CONTROLS = Family("map-{}", ("colour", "click", "pace", "way"))
 MAP_BELOW = Id("map-below")
 

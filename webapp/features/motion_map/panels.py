@@ -85,7 +85,7 @@ def clip_columns() -> list[dict[str, Any]]:
         column("nodes", "Nodes", 78, **NUMBER),
         column("regions", "Regions", 88, **NUMBER),
         column("fit", "Off the map", 114, tip, **decimals(2)),
-        {"field": "said", "headerName": "", "width": 100},
+        {"field": "remark", "headerName": "", "width": 100},
     ]
 
 
@@ -103,7 +103,7 @@ def clip_rows(motion_map: MotionMap, dataset: Dataset) -> list[dict[str, Any]]:
                 "nodes": int(visited.sum()),
                 "regions": len(np.unique(motion_map.regions[visited])),
                 "fit": round(fit, 2),
-                "said": "fits badly" if fit >= BAD_FIT else "",
+                "remark": "fits badly" if fit >= BAD_FIT else "",
                 "selection": {"clip": clip},
                 "key": clip,
             }

@@ -26,6 +26,7 @@ from core.motion_map.layers import frame_nodes
 from core.motion_map.motion_map import MotionMap
 from core.motion_map.path_queries import search_path
 from core.workspace import Workspace, WorkspaceError
+from webapp.features.motion_map.names import MapHeader
 from webapp.features.motion_map.paths import path_of
 from webapp.shell.routes import BadRequest, OpenDataset, answer_errors, parse_interval, read_whole, response_with_etag
 from webapp.shell.virtual import opener
@@ -108,12 +109,12 @@ def map_blueprint(workspace: Workspace, open_dataset: OpenDataset) -> Blueprint:
 def packed(motion_map: MotionMap) -> bytes:
     """The whole map as ``/api/map/<key>.bin`` sends it."""
     runs = motion_map.runs
-    head = {
+    head: MapHeader = {
         "grid": motion_map.grid,
-        "joints": motion_map.joints,
-        "roles": motion_map.roles,
-        "sides": motion_map.sides,
-        "parents": motion_map.parents,
+        "joints": list(motion_map.joints),
+        "roles": list(motion_map.roles),
+        "sides": list(motion_map.sides),
+        "parents": list(motion_map.parents),
         "lengths": np.round(motion_map.lengths, 5).tolist(),
         "clips": [
             {"name": name, "frames": frames, "fps": fps, "fit": round(float(fit), 3)}

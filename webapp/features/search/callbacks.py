@@ -1,4 +1,4 @@
-"""The Search page's callbacks: what there is to choose from, the hits of what is asked for, uploaded queries."""
+"""The Search page's callbacks: what there is to choose from, the hits of the search, uploaded queries."""
 
 from __future__ import annotations
 
@@ -110,13 +110,15 @@ def _search(app: Dash, workspace: Workspace) -> None:
         State(names.SEARCH_FOUND, "data"),
     )
     def search(view, key, name, revision, before):
-        asked = searching.search_keys_of(view) | {"index": key, "dataset": name, "revision": revision}
-        if before and before["asked"] == asked:
+        inputs = searching.search_keys_of(view) | {"index": key, "dataset": name, "revision": revision}
+        if before and before["inputs"] == inputs:
             return no_update
+        if not name:
+            return {"inputs": inputs}
         try:
-            return {"asked": asked, **found_data(workspace, workspace.open(name), view)} if name else {"asked": asked}
+            return {"inputs": inputs, **found_data(workspace, workspace.open(name), view)}
         except MotionscapeError as error:
-            return {"asked": asked, "error": sentence(error)}
+            return {"inputs": inputs, "error": sentence(error)}
 
     app.clientside_callback(
         ClientsideFunction("search", "draw"),
@@ -136,18 +138,18 @@ def _search(app: Dash, workspace: Workspace) -> None:
 
 def found_data(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None) -> dict[str, Any]:
     """The query and its hits as assets/search/search.mjs draws them. Raises MotionscapeError for a bad query."""
-    asked = searching.read(view)
-    if asked is None:
+    search = searching.read(view)
+    if search is None:
         searching.warm(workspace, dataset, view)
         return {}
-    query = searching.query_of(workspace, dataset, asked.pieces)
-    sources = [searching.source_of(workspace, dataset, piece) for piece in asked.pieces]
+    query = searching.query_of(workspace, dataset, search.pieces)
+    sources = [searching.source_of(workspace, dataset, piece) for piece in search.pieces]
     data: dict[str, Any] = {
         "pieces": [
             figures.piece_row(source, part, number, dataset)
             for number, (source, part) in enumerate(zip(sources, query.parts, strict=True))
         ],
-        "level": searching.level_of(asked, query),
+        "level": searching.level_of(search, query),
         "request": figures.query_request(dataset, sources, query),
     }
     try:

@@ -92,10 +92,24 @@ class HitRow(TypedDict):
     strip: str
 
 
+class Strip(TypedDict):
+    """How alike the parts of the body are over the query's time: a row for each leaf."""
+
+    rows: list[list[int]]  # percent, -1 where it is not known
+    means: list[float | None]  # of the rows, 0 to 1
+
+
+class Reason(TypedDict):
+    """Why a hit is one, and the request that plays it beside the query."""
+
+    strip: Strip
+    request: StageRequest
+
+
 class Found(TypedDict):
     """The query and its hits, or why there are none."""
 
-    asked: dict[str, str | None]
+    inputs: dict[str, str | None]  # the keys of the link that say what is searched for, and where
     pieces: NotRequired[list[PieceRow]]
     level: NotRequired[str]
     request: NotRequired[StageRequest]
@@ -155,10 +169,10 @@ class Answers(TypedDict):
     at: NotRequired[float]
 
 
-class Kept(TypedDict, total=False):
-    """Answers that the server has kept, by their ids."""
+class ReceivedAnswers(TypedDict, total=False):
+    """Ids of answers that the server has received."""
 
-    kept: list[str | None]
+    received: list[str | None]
     at: float | None
 
 
@@ -199,10 +213,19 @@ class Question(TypedDict):
     right: NotRequired[str]
 
 
+class StudyInputs(TypedDict):
+    """What a study was gathered from."""
+
+    dataset: Name
+    link: dict[str, str]  # keys of the link that matter, with their values
+    person: Name
+    finished: str  # which jobs had ended
+
+
 class Study(TypedDict):
     """What the browser shows of the study, or why there is nothing to show."""
 
-    asked: list[Any]
+    inputs: StudyInputs
     error: NotRequired[str]
     engines: NotRequired[list[Engine]]
     queries: NotRequired[list[StudyQuery]]
@@ -260,7 +283,7 @@ STUDY_CHART = Id("study-chart")
 STUDY_DATA = Store("study-data", Study)
 STUDY_DRAWN = Store("study-drawn", Any)
 STUDY_ANSWER = Store("study-answer", Answers)
-STUDY_KEPT = Store("study-kept", Kept)
+STUDY_RECEIVED = Store("study-received", ReceivedAnswers)
 STUDY_WISH = Store("study-wish", Wish)
 STUDY_PERSON = Store("study-person", Person)
 

@@ -54,7 +54,7 @@ def layout() -> Component:
         _panel("vote", html.Div(id=names.STUDY_VOTE, className="card study-card")),
         _panel("results", html.Div(id=names.STUDY_RESULTS)),
     ]
-    stores = (names.STUDY_DATA, names.STUDY_DRAWN, names.STUDY_ANSWER, names.STUDY_KEPT, names.STUDY_WISH)
+    stores = (names.STUDY_DATA, names.STUDY_DRAWN, names.STUDY_ANSWER, names.STUDY_RECEIVED, names.STUDY_WISH)
     return html.Div(
         [
             html.P(HINT, className="muted study-hint"),
@@ -108,26 +108,26 @@ def _show(app: Dash, workspace: Workspace) -> None:
         view = view or {}
         if view.get("look") != "agree":
             return no_update
-        if not name:
-            return {"asked": [None], "error": "Add recordings, or make the demo, in the Library first."}
         who = person_of(person)
         relevant = {key: text for key, text in view.items() if key == "asks" or key.startswith("search-")}
-        asked = [name, relevant, who, finished]
-        if before and before["asked"] == asked:
+        inputs = {"dataset": name or "", "link": relevant, "person": who, "finished": finished or ""}
+        if not name:
+            return {"inputs": inputs, "error": "Add recordings, or make the demo, in the Library first."}
+        if before and before["inputs"] == inputs:
             return no_update
         try:
-            return {"asked": asked, **study_data(workspace, workspace.open(name), view, who)}
+            return {"inputs": inputs, **study_data(workspace, workspace.open(name), view, who)}
         except MotionscapeError as error:
-            return {"asked": asked, "error": sentence(error)}
+            return {"inputs": inputs, "error": sentence(error)}
 
     @app.callback(
         Output(names.STUDY_RESULTS, "children"),
         Input(VIEW, "data"),
         Input(DATASET, "data"),
-        Input(names.STUDY_KEPT, "data"),
+        Input(names.STUDY_RECEIVED, "data"),
         Input(THEME, "data"),
     )
-    def show_results(view, name, _kept, scheme):
+    def show_results(view, name, _received, scheme):
         if (view or {}).get("look") != "agree" or (view or {}).get("study") != "results" or not name:
             return no_update
         try:
@@ -162,7 +162,7 @@ def study_data(workspace: Workspace, dataset: Dataset, view: Mapping[str, str], 
 
 def _take(app: Dash, workspace: Workspace) -> None:
     @app.callback(
-        Output(names.STUDY_KEPT, "data"),
+        Output(names.STUDY_RECEIVED, "data"),
         Input(names.STUDY_ANSWER, "data"),
         State(DATASET, "data"),
         State(VIEW, "data"),
@@ -181,12 +181,12 @@ def _take(app: Dash, workspace: Workspace) -> None:
             except MotionscapeError as error:
                 message = notice("An answer was not kept", sentence(error), "red")
                 set_props(NOTICES, {"sendNotifications": [message]})
-        return {"kept": [answer.get("id") for answer in answers]}
+        return {"received": [answer.get("id") for answer in answers]}
 
-    app.clientside_callback(ClientsideFunction("study", "kept"), Input(names.STUDY_KEPT, "data"))
+    app.clientside_callback(ClientsideFunction("study", "received"), Input(names.STUDY_RECEIVED, "data"))
 
     @app.callback(
-        Output(names.STUDY_KEPT, "data", allow_duplicate=True),
+        Output(names.STUDY_RECEIVED, "data", allow_duplicate=True),
         Input(names.STUDY_WISH, "data"),
         State(DATASET, "data"),
         State(VIEW, "data"),
@@ -198,8 +198,8 @@ def _take(app: Dash, workspace: Workspace) -> None:
             return no_update
         try:
             if wish.get("build") in ENGINES:
-                asked = settings.request_of(searching.PAGE, name, study_rounds.with_engine(view, wish["build"]))
-                set_props(JOB_STARTED, {"data": jobs.start(workspace, analyses.normalise(asked)).id})
+                request = settings.request_of(searching.PAGE, name, study_rounds.with_engine(view, wish["build"]))
+                set_props(JOB_STARTED, {"data": jobs.start(workspace, analyses.normalise(request)).id})
             elif wish.get("draw"):
                 drawn = study_rounds.draw_queries(workspace.open(name), int(wish["draw"]))
                 both = dict.fromkeys([*study_rounds.queries_of(view), *drawn])

@@ -42,7 +42,7 @@ def data_of(workspace: Workspace, **view: str) -> dict:
 def test_a_walk_is_shown_played_and_saved(place: Path) -> None:
     workspace = Workspace(place)
     data = data_of(workspace, walk="random:6:2")
-    assert data["path"] and len(data["visits"]) == len(data["path"]) and data["asked"] == {"walk": "random:6:2"}
+    assert data["path"] and len(data["visits"]) == len(data["path"]) and data["inputs"] == {"walk": "random:6:2"}
     spans = [tuple(span) for span in data["visits"]]
     assert all(a <= b for a, b in spans) and spans == sorted(spans) and spans[-1][1] <= data["frames"]
     assert data["skate"][2] < data["skate"][1] and not data["jump"]

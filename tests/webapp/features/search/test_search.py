@@ -103,7 +103,7 @@ def test_what_cannot_be_searched_for_is_said_in_words(workspace, dataset):
 
 def test_without_an_index_there_are_no_hits_but_a_query(workspace, dataset):
     data = found_data(workspace, dataset, view(**{"search-analysis_fps": "15"}))
-    assert misfit({"asked": {}} | data, names.SEARCH_FOUND) is None
+    assert misfit({"inputs": {}} | data, names.SEARCH_FOUND) is None
     assert "hits" not in data and data["pieces"][0]["clip"] == "walk" and data["request"]["items"]
 
 
@@ -118,7 +118,7 @@ def test_an_index_is_opened_before_anybody_waits_for_it(workspace, dataset):
 def test_a_query_in_pieces_names_its_parts(workspace, dataset):
     pieces = [Piece("walk", 0, 90, leaves_of("upper_body")), Piece("dash", 10, 130, leaves_of("lower_body"))]
     data = found_data(workspace, dataset, {"query": write_query(pieces)})
-    assert misfit({"asked": {}} | data, names.SEARCH_FOUND) is None
+    assert misfit({"inputs": {}} | data, names.SEARCH_FOUND) is None
     assert [piece["gives"] for piece in data["pieces"]] == ["Upper body", "Lower body"]
     assert isinstance(data["doubt"], str)
     assert data["hits"] and data["level"] == "interval"

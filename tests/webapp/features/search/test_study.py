@@ -51,7 +51,10 @@ def test_each_query_stands_beside_the_first_hits_of_the_engines_that_are_there(w
 
 def test_nobody_is_told_which_engine_found_what(workspace, dataset):
     data = study_data(workspace, dataset, VIEW, "someone")
-    assert misfit({"asked": []} | data, names.STUDY_DATA) is None
+    assert (
+        misfit({"inputs": {"dataset": "demo", "link": {}, "person": "", "finished": ""}} | data, names.STUDY_DATA)
+        is None
+    )
     shown = json.dumps([data["pairs"], data["duels"]])
     assert data["pairs"] and data["duels"]
     assert not any(engine in shown for engine in ENGINES) and "rank" not in shown
@@ -98,6 +101,9 @@ def test_results_are_the_papers_tables(workspace, dataset):
     for value, row in zip((9, 8, 6, 5, 3, 2), study_data(workspace, dataset, VIEW, "bob")["pairs"], strict=True):
         answer = {"query": row["query"], "hit": row["hit"], "value": value, "person": "bob"}
         study_rounds.keep_rating(workspace, dataset, VIEW, answer)
+    duel = study_rounds.duels(workspace, dataset, VIEW, "bob")[0]
+    vote = {key: write_hit(getattr(duel, key)) for key in ("query", "left", "right")}
+    study_rounds.keep_vote(workspace, dataset, VIEW, vote | {"choice": "left", "person": "bob"})
     text = str(results(workspace, "walkers", "light"))
     assert "Mean rating ± standard deviation" in text and "The engine's rank against people's" in text
     found = agreement(workspace.ratings.list_ratings(store))

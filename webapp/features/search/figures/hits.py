@@ -15,6 +15,7 @@ from core.mocap.dataset import Dataset
 from core.poses.body_parts import CHILDREN, LEAVES
 from core.retrieval.hits import Explanation, Hit
 from core.retrieval.queries import Query, QueryPart
+from webapp.features.search.names import Strip
 from webapp.features.search.queries import nodes_of, write_hit
 from webapp.ui.tables import clock, strip_address
 
@@ -87,16 +88,14 @@ def hit_row(dataset: Dataset, hit: Hit, rank: int, label: str) -> dict[str, Any]
     }
 
 
-def strip_of(explanation: Explanation) -> dict[str, Any]:
-    """How well each part matches over time: for each leaf at most COLUMNS shares in percent, evenly over the query
-
-    (-1: unknown), and the mean of each row (None where nothing is known).
-    """
+def strip_of(explanation: Explanation) -> Strip:
+    """How well each part of the body matches over the query's time, in at most COLUMNS columns."""
     similarity = np.asarray(explanation.similarity, float)
     n = similarity.shape[1]
     columns = min(n, COLUMNS)
     edges = np.linspace(0, n, columns + 1).astype(int)
-    rows, means = [], []
+    rows: list[list[int]] = []
+    means: list[float | None] = []
     for row in similarity:
         cells = [row[a:b][np.isfinite(row[a:b])] for a, b in pairwise(edges)]
         rows.append([round(100 * float(np.clip(cell.mean(), 0, 1))) if cell.size else -1 for cell in cells])
