@@ -3602,15 +3602,20 @@
   });
   function watchTheme() {
     const root = document.documentElement;
-    let last2 = null;
+    let last2 = "light";
+    const ready2 = () => Boolean(clientside.set_props && find(SHELL));
     const tell3 = () => {
       const scheme = root.dataset.mantineColorScheme;
-      if (scheme !== "dark" && scheme !== "light" || scheme === last2 || !clientside.set_props || !find(SHELL)) return;
+      if (scheme !== "dark" && scheme !== "light" || scheme === last2 || !ready2()) return;
       last2 = scheme;
       setStore(THEME, scheme);
     };
     new MutationObserver(tell3).observe(root, { attributes: true, attributeFilter: ["data-mantine-color-scheme"] });
-    tell3();
+    const again = setInterval(() => {
+      if (!ready2()) return;
+      clearInterval(again);
+      tell3();
+    }, 100);
   }
   function setStageWidth(pixels2) {
     const width = Math.round(Math.min(Math.max(pixels2, 320), innerWidth - 84 - 367));
@@ -3660,11 +3665,6 @@
   function start() {
     watchTheme();
     watchSplitter();
-    const again = setInterval(() => {
-      if (!clientside.set_props || !find(SHELL)) return;
-      clearInterval(again);
-      setStore(THEME, document.documentElement.dataset.mantineColorScheme || "light");
-    }, 100);
   }
   whenParsed(start);
 

@@ -75,6 +75,7 @@
 
 export const DATASET_CARDS = "dataset-cards";
 export const DATASET_DETAIL = "dataset-detail";
+export const DETAIL_SHOWN = /** @type {StoreId<string>} */ ("detail-shown");
 export const DATASET_TABS = "dataset-tabs";
 export const DATASET_ACTION = /** @type {StoreId<DatasetAction>} */ ("dataset-action");
 export const CLIPS_TABLE = "clips-table";

@@ -206,6 +206,7 @@
 
 export const MOTIF_MENUS = "motif-menus";
 export const MOTIF_RESULT = "motif-result";
+export const MOTIFS_DRAWN = /** @type {StoreId<string>} */ ("motifs-drawn");
 export const MOTIF_GRAPH = "motif-graph";
 export const EDGE_FILTER_LABEL = "edge-filter-label";
 export const EDGE_THRESHOLD = "edge-threshold";

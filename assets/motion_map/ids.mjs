@@ -93,6 +93,7 @@ export const MAP_MORE = "map-more";
 export const MAP_RESULT = "map-result";
 export const MAP_PLOT = "map-plot";
 export const MAP_GRAPH = "map-graph";
+export const MAP_PAINTED = /** @type {StoreId<Array<string | null>>} */ ("map-painted");
 export const MAP_LEGEND = "map-legend";
 export const MAP_EXPLANATION = "map-explanation";
 export const MAP_COLOUR = "map-colour";

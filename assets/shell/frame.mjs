@@ -133,16 +133,20 @@ document.addEventListener("click", async (event) => {
 
 function watchTheme() {
   const root = document.documentElement;
-  /** @type {string | null} */
-  let last = null;
+  let last = "light"; // what the store begins with: webapp/shell/frame.py
+  const ready = () => Boolean(clientside.set_props && find(SHELL));
   const tell = () => {
     const scheme = root.dataset.mantineColorScheme;
-    if ((scheme !== "dark" && scheme !== "light") || scheme === last || !clientside.set_props || !find(SHELL)) return;
+    if ((scheme !== "dark" && scheme !== "light") || scheme === last || !ready()) return;
     last = scheme;
     setStore(THEME, scheme);
   };
   new MutationObserver(tell).observe(root, { attributes: true, attributeFilter: ["data-mantine-color-scheme"] });
-  tell();
+  const again = setInterval(() => { // the theme may be settled before Dash can take it
+    if (!ready()) return;
+    clearInterval(again);
+    tell();
+  }, 100);
 }
 
 /** @param {number} pixels */
@@ -193,11 +197,5 @@ function watchSplitter() {
 function start() {
   watchTheme();
   watchSplitter();
-  // the theme may be settled before Dash can take it
-  const again = setInterval(() => {
-    if (!clientside.set_props || !find(SHELL)) return;
-    clearInterval(again);
-    setStore(THEME, document.documentElement.dataset.mantineColorScheme || "light");
-  }, 100);
 }
 whenParsed(start);

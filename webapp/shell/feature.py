@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from core.mocap.dataset import Dataset
     from core.workspace import Workspace
     from webapp.shell.playback import Shown, StageRequest
+    from webapp.shell.state import Values
 
 NOTHING: Mapping[str, Any] = MappingProxyType({})
 
@@ -107,6 +108,8 @@ class Feature:
     path: of the page in the address. label, symbol: its entry in the navigation.
     page: makes the page before it knows what there is to show. register: adds its callbacks to the app.
     shows: what it begins with, of "table", "chart" and "graph": their libraries are fetched with the page (loading.py).
+    first_values: what the page shows of a dataset and a view (data of the stores), for the HTML that the browser gets
+    first: id of a component -> its properties. Callbacks that fill the same places must then leave them as they are.
     keys: of its links. methods: name of the settings in the link -> the method they belong to; ``<name>-<parameter>``.
     on_every_page: those of these names whose settings stand in the links of all pages, as ``<parameter>`` alone.
     routes: the blueprints it serves. stores: components that stay when one goes to another page.
@@ -123,6 +126,7 @@ class Feature:
     page: Callable[[], Component]
     register: Callable[[Dash, Workspace], None]
     shows: tuple[str, ...] = ()
+    first_values: Callable[[Workspace, str, Mapping[str, str]], Values] = lambda workspace, dataset, view: {}
     keys: LinkKeys = LinkKeys()
     methods: Mapping[str, str] = field(default_factory=lambda: NOTHING)
     on_every_page: tuple[str, ...] = ()

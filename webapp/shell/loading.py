@@ -110,16 +110,16 @@ def filled(layout: str, values: Values) -> str:
             for child in node:
                 fill(child)
         elif isinstance(node, dict) and "props" in node:
-            fill(node["props"].get("children"))
             name = node["props"].get("id")
-            if isinstance(name, str):
-                node["props"] |= missing.pop(name, {})
+            if isinstance(name, str) and name in missing:
+                node["props"] |= json.loads(json.dumps(missing.pop(name), cls=PlotlyJSONEncoder))
+            fill(node["props"].get("children"))
 
     tree = json.loads(layout)
     fill(tree)
     if missing:
         raise KeyError(f"no component of the layout is called {', '.join(missing)}")
-    return json.dumps(tree, cls=PlotlyJSONEncoder)
+    return json.dumps(tree)
 
 
 def _suites(sources: Mapping[str, str]) -> dict[str, dict[str, object]]:

@@ -13,6 +13,7 @@ from dash.development.base_component import Component
 
 from core.workspace import Workspace
 from webapp.shell import links, names, settings
+from webapp.shell.feature import features
 from webapp.shell.messages import notice, unknown_page
 
 Values = dict[str, dict[str, Any]]
@@ -61,6 +62,8 @@ def first_values(workspace: Workspace, pages: Mapping[str, Component], pathname:
     page = links.page_of(pathname)
     if page is None or (opened := open_link(workspace, pathname, search)).problems:
         return {}
+    feature = next(feature for feature in features() if feature.path == page)
+    of_page = feature.first_values(workspace, opened.dataset, opened.view) if opened.dataset else {}
     return {
         names.URL: {"pathname": pathname, "search": search},
         names.PAGE: {"children": pages[page]},
@@ -68,6 +71,7 @@ def first_values(workspace: Workspace, pages: Mapping[str, Component], pathname:
         names.SELECTION: {"data": opened.selection},
         names.VIEW: {"data": opened.view},
         names.STAGE_RESTORE: {"data": opened.stage},
+        **of_page,
     }
 
 

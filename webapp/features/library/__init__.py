@@ -13,6 +13,7 @@ FEATURE = Feature(
     page=later("webapp.features.library.layout:page"),
     register=later("webapp.features.library.callbacks:register"),
     shows=("table",),
+    first_values=later("webapp.features.library.callbacks:first_values"),
     keys=link_keys(names.View),
     routes=later("webapp.features.library.routes:blueprints"),
     stores=later("webapp.features.library.feature_files:stores"),

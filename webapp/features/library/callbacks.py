@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 from dash import ALL, Dash, Input, Output, State, ctx, dcc, no_update, set_props
 from dash.dependencies import ClientsideFunction
+from dash.development.base_component import Component
 
 from core import analyses, requests
 from core.workspace import Workspace, WorkspaceError
@@ -17,6 +18,7 @@ from webapp.jobs import changes
 from webapp.jobs.names import JOB_POKE
 from webapp.shell.messages import empty_state, notice
 from webapp.shell.names import DATASET, JOB_STARTED, NOTICES, REVISION, SELECTION, VIEW
+from webapp.shell.state import Values
 from webapp.ui.tables import grid
 
 
@@ -36,26 +38,16 @@ def _show(app: Dash, workspace: Workspace) -> None:
 
     @app.callback(
         Output(names.DATASET_DETAIL, "children"),
+        Output(names.DETAIL_SHOWN, "data"),
         Input(DATASET, "data"),
         Input(REVISION, "data"),
         State(VIEW, "data"),
+        State(names.DETAIL_SHOWN, "data"),
     )
-    def show_detail(name, _revision, view):
-        if not name:
-            return []
-        try:
-            dataset = workspace.open(name)
-        except WorkspaceError as error:
-            return empty_state("warning", "This dataset cannot be shown", str(error))
-        tab, files = _shown_parts(view)
-        shown = {
-            "clips": grid(
-                names.CLIPS_TABLE, tables.clip_columns(dataset), tables.clip_rows(dataset), "Clips", **tables.CHOICE
-            ),
-            "report": grid(names.REPORT_TABLE, tables.REPORT_COLUMNS, [], "Import report"),
-            "rows": dcc.Store(id=names.REPORT_ROWS, data=tables.report_rows(dataset.report.files)),
-        }
-        return layout.detail(name, shown, dataset.report, tab, files)
+    def show_detail(name, _revision, view, shown):
+        if name == shown and ctx.triggered_id is None:  # it came with the page
+            return no_update, no_update
+        return detail(workspace, name, view), name
 
     app.clientside_callback(
         ClientsideFunction("library", "filter"),
@@ -84,6 +76,34 @@ def _show(app: Dash, workspace: Workspace) -> None:
         Input(names.CLIPS_TABLE, "rowData"),
         State(names.CLIPS_TABLE, "id"),
     )
+
+
+def first_values(workspace: Workspace, dataset: str, view: Mapping[str, str]) -> Values:
+    """The page with its table of clips, for the layout that the browser gets first."""
+    return {
+        names.DATASET_CARDS: {"children": layout.dataset_cards(workspace.datasets(), dataset)},
+        names.DATASET_DETAIL: {"children": detail(workspace, dataset, view)},
+        names.DETAIL_SHOWN: {"data": dataset},
+    }
+
+
+def detail(workspace: Workspace, name: str | None, view: Mapping[str, str] | None) -> list[Component] | Component:
+    """The tables of a data set, or why they cannot be shown."""
+    if not name:
+        return []
+    try:
+        dataset = workspace.open(name)
+    except WorkspaceError as error:
+        return empty_state("warning", "This dataset cannot be shown", str(error))
+    tab, files = _shown_parts(view)
+    shown = {
+        "clips": grid(
+            names.CLIPS_TABLE, tables.clip_columns(dataset), tables.clip_rows(dataset), "Clips", **tables.CHOICE
+        ),
+        "report": grid(names.REPORT_TABLE, tables.REPORT_COLUMNS, [], "Import report"),
+        "rows": dcc.Store(id=names.REPORT_ROWS, data=tables.report_rows(dataset.report.files)),
+    }
+    return layout.detail(name, shown, dataset.report, tab, files)
 
 
 def _shown_parts(view: Mapping[str, str] | None) -> tuple[str, str]:

@@ -40,6 +40,7 @@ def page() -> Component:
             ),
             html.Div(id=names.DATASET_CARDS),
             html.Div(id=names.DATASET_DETAIL),
+            dcc.Store(id=names.DETAIL_SHOWN),
             adding.dialog(limits),
             _rename_dialog(),
             dmc.Modal(id=names.TRASH_DIALOG, title="Trash", size="lg", children=html.Div(id=names.TRASH_LIST)),

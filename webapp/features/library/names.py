@@ -79,6 +79,7 @@ class Download(TypedDict):
 
 DATASET_CARDS = Id("dataset-cards")
 DATASET_DETAIL = Id("dataset-detail")
+DETAIL_SHOWN = Store("detail-shown", Name)  # the data set of the detail
 DATASET_TABS = Id("dataset-tabs")
 DATASET_ACTION = Store("dataset-action", DatasetAction)
 DEMO = Pattern("demo", "at")

@@ -14,6 +14,7 @@ FEATURE = Feature(
     page=later("webapp.features.motifs.layout:page"),
     register=later("webapp.features.motifs.callbacks:register"),
     shows=("graph", "table"),
+    first_values=later("webapp.features.motifs.callbacks:first_values"),
     keys=link_keys(names.View),
     methods={"motifs": "motifs"},
     on_every_page=("motifs",),

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from urllib.parse import urlencode
 
-from dash import Dash, Input, Output, State, dcc
+from dash import Dash, Input, Output, State, dcc, no_update
 from dash.dependencies import ClientsideFunction
+from dash.development.base_component import Component
 
 from core.workspace import Workspace, WorkspaceError
 from webapp.features.motifs import layout, names, stability_marks, views
@@ -13,6 +15,7 @@ from webapp.features.motifs.figures import graph as graph_figure
 from webapp.features.motifs.graph_drawing import graph_elements
 from webapp.shell import results, settings
 from webapp.shell.names import DATASET, MOTIF_METHOD, SELECTION, THEME, VIEW
+from webapp.shell.state import Values
 from webapp.ui import method_page, tables
 
 
@@ -29,21 +32,45 @@ def _show(app: Dash, workspace: Workspace) -> None:
     @app.callback(
         Output(names.MOTIF_RESULT, "children"),
         Output(names.MOTIF_MENUS, "children"),
+        Output(names.MOTIFS_DRAWN, "data"),
         Input(MOTIF_METHOD.result_key, "data"),
         State(DATASET, "data"),
         State(VIEW, "data"),
         State(THEME, "data"),
+        State(names.MOTIFS_DRAWN, "data"),
     )
-    def show_result(key, name, view, scheme):
-        graph = results.motif_graph(workspace, name, view) if key and name else None
-        menus = method_page.earlier_menu(workspace, layout.METHOD, name, graph is not None)
-        if graph is None:
-            return [], menus
-        query = urlencode({"dataset": name, **settings.texts(results.MOTIFS, view)})
-        menus += layout.download_menu(graph, query, method_page.copy_items(workspace, layout.METHOD, name, view))
-        dataset = workspace.open(name)
-        elements = graph_elements(dataset, key, graph)
-        return layout.result(graph, dataset, elements, scheme or "light"), menus
+    def show_result(key, name, view, scheme, drawn):
+        if key and key == drawn:  # it came with the page
+            return (no_update,) * 3
+        return *result(workspace, key, name, view, scheme), key
+
+
+def first_values(workspace: Workspace, dataset: str, view: Mapping[str, str]) -> Values:
+    """The page with its graph, for the layout that the browser gets first; nothing where there is no result."""
+    key = settings.key_of(workspace, results.MOTIFS, dataset, view)
+    if key is None:
+        return {}
+    children, menus = result(workspace, key, dataset, view, None)
+    return {
+        MOTIF_METHOD.result_key: {"data": key},
+        names.MOTIF_RESULT: {"children": children},
+        names.MOTIF_MENUS: {"children": menus},
+        names.MOTIFS_DRAWN: {"data": key},
+    }
+
+
+def result(
+    workspace: Workspace, key: str | None, name: str | None, view: Mapping[str, str] | None, scheme: str | None
+) -> tuple[Component | list[Component], list[Component]]:
+    """What the page shows of the result with this key, and its menus. Raises WorkspaceError."""
+    graph = results.motif_graph(workspace, name, view) if key and name else None
+    menus = method_page.earlier_menu(workspace, layout.METHOD, name, graph is not None)
+    if not (key and name and graph):
+        return [], menus
+    query = urlencode({"dataset": name, **settings.texts(results.MOTIFS, view)})
+    menus += layout.download_menu(graph, query, method_page.copy_items(workspace, layout.METHOD, name, view))
+    dataset = workspace.open(name)
+    return layout.result(graph, dataset, graph_elements(dataset, key, graph), scheme or "light"), menus
 
 
 def _browse(app: Dash, workspace: Workspace) -> None:

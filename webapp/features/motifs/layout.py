@@ -63,6 +63,7 @@ def page() -> Component:
             method_page.settings_fold(METHOD),
             method_page.status_place(METHOD),
             html.Div(id=names.MOTIF_RESULT),
+            dcc.Store(id=names.MOTIFS_DRAWN),
         ],
     )
 

@@ -224,6 +224,7 @@ class OnDemandNames(Group):
 
 MOTIF_MENUS = Id("motif-menus")
 MOTIF_RESULT = Id("motif-result")
+MOTIFS_DRAWN = Store("motifs-drawn", Name)  # key of the result that is drawn
 MOTIF_GRAPH = Id("motif-graph")
 EDGE_FILTER_LABEL = Id("edge-filter-label")
 EDGE_THRESHOLD = Id("edge-threshold")

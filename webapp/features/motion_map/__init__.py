@@ -10,6 +10,7 @@ FEATURE = Feature(
     page=later("webapp.features.motion_map.layout:page"),
     register=later("webapp.features.motion_map.callbacks:register"),
     shows=("chart",),
+    first_values=later("webapp.features.motion_map.callbacks:first_values"),
     keys=link_keys(names.View),
     methods={"map": "map"},
     routes=later("webapp.features.motion_map.routes:blueprints"),

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
+import plotly.graph_objects as go
 from dash import Dash, Input, Output, State, no_update, set_props
 from dash.dependencies import ClientsideFunction
+from dash.development.base_component import Component
 
 from core.errors import ParameterError
 from core.mocap.clip import Segment
@@ -23,6 +25,7 @@ from webapp.shell import results, settings
 from webapp.shell.messages import notice
 from webapp.shell.names import DATASET, MOTIF_METHOD, NOTICES, REVISION, SELECTION, THEME, VIEW
 from webapp.shell.results import find_motifs
+from webapp.shell.state import Values
 from webapp.ui import method_page, tables
 
 METHOD = layout.METHOD
@@ -70,6 +73,74 @@ def facts_of(motion_map: MotionMap, dataset: Dataset) -> dict[str, Any]:
     return {"names": list(groups), "labels": labels}
 
 
+def first_values(workspace: Workspace, dataset: str, view: Mapping[str, str]) -> Values:
+    """The page with its map, for the layout that the browser gets first; nothing where there is no result."""
+    key = settings.key_of(workspace, "map", dataset, view)
+    shown = opened(workspace, dataset, view) if key else None
+    if key is None or shown is None:
+        return {}
+    known, class_name, menus, more = known_map(workspace, key, dataset, view)
+    painted = painted_for(known, view, None, settings.key_of(workspace, results.MOTIFS, dataset, view))
+    figure, legend, explanation = drawn(workspace, shown, painted, view)
+    return {
+        names.METHOD.result_key: {"data": key},
+        names.MAP_KNOWN: {"data": known},
+        names.MAP_RESULT: {"className": class_name},
+        names.MAP_MENUS: {"children": menus},
+        names.MAP_MORE: {"children": more},
+        names.MAP_GRAPH: {"figure": figure},
+        names.MAP_LEGEND: {"children": legend},
+        names.MAP_EXPLANATION: {"children": explanation},
+        names.MAP_PAINTED: {"data": painted},
+    }
+
+
+def known_map(
+    workspace: Workspace, key: str | None, name: str | None, view: Mapping[str, Any] | None
+) -> tuple[dict[str, Any] | None, str, list[Component], Any]:
+    """What the browser knows of the map with this key, the class of its place, its menus, and the note above it."""
+    shown = opened(workspace, name, view) if key else None
+    others = other_maps(workspace, name)
+    earlier = [*layout.others_menu(others), *method_page.earlier_menu(workspace, METHOD, name, shown is not None)]
+    if shown is None:
+        return None, "hidden", layout.menus(None, earlier, []), layout.extend_note(others, name)
+    motion_map, dataset = shown
+    known: dict[str, Any] = {"key": key, "dataset": dataset.name, "version": dataset.fingerprint}
+    known["facts"] = facts_of(motion_map, dataset)
+    copies = method_page.copy_items(workspace, METHOD, dataset.name, view)
+    note = layout.laid_note(float(motion_map.fits.max())) if motion_map.parameters.get("model") else []
+    return known, "", layout.menus(key, earlier, copies), note
+
+
+def painted_for(
+    known: Mapping[str, Any] | None, look: Mapping[str, Any] | None, scheme: str | None, motifs: str | None
+) -> list[str | None]:
+    """What the drawing depends on: map, version of its dataset, colouring, theme, motifs where they colour it."""
+    colouring = str((look or {}).get("colour") or "")
+    of_map = [str((known or {}).get(part)) for part in ("key", "version")]
+    return [*of_map, colouring, scheme or "light", motifs if colouring == "motif" else None]
+
+
+def drawn(
+    workspace: Workspace,
+    shown: tuple[MotionMap, Dataset],
+    painted: Sequence[str | None],
+    view: Mapping[str, Any] | None,
+) -> tuple[go.Figure, list[Component], str]:
+    """The map's figure, its legend and what the colours mean. painted: see painted_for."""
+    colouring, scheme = painted[2] or "", painted[3]
+    graph = results.motif_graph(workspace, shown[1].name, view) if colouring == "motif" else None
+    layer = figures.layer_of(*shown, graph, colouring)
+    unavailable = colouring in ("label", "motif") and not layer.names
+    missing = {"label": "These recordings have no labels.", "motif": "No motifs have been found yet (Motifs page)."}
+    explanation = figures.COLOURINGS.get(colouring, figures.COLOURINGS["height"])[1]
+    return (
+        figures.map_figure(shown[0], layer, scheme),
+        layout.legend(figures.legend(layer), figures.scale_of(layer, scheme)),
+        missing[colouring] if unavailable else explanation,
+    )
+
+
 def _show(app: Dash, workspace: Workspace) -> None:
     @app.callback(
         Output(names.MAP_KNOWN, "data"),
@@ -82,17 +153,7 @@ def _show(app: Dash, workspace: Workspace) -> None:
         State(VIEW, "data"),
     )
     def show(key, _revision, name, view):
-        shown = opened(workspace, name, view) if key else None
-        others = other_maps(workspace, name)
-        earlier = [*layout.others_menu(others), *method_page.earlier_menu(workspace, METHOD, name, shown is not None)]
-        if shown is None:
-            return None, "hidden", layout.menus(None, earlier, []), layout.extend_note(others, name)
-        motion_map, dataset = shown
-        known = {"key": key, "dataset": dataset.name, "version": dataset.fingerprint}
-        known["facts"] = facts_of(motion_map, dataset)
-        copies = method_page.copy_items(workspace, METHOD, name, view)
-        note = layout.laid_note(float(motion_map.fits.max())) if motion_map.parameters.get("model") else []
-        return known, "", layout.menus(key, earlier, copies), note
+        return known_map(workspace, key, name, view)
 
     @app.callback(Input(names.MAP_EXTEND, "data"), State(DATASET, "data"), prevent_initial_call=True)
     def extend(request, name):
@@ -107,30 +168,23 @@ def _draw(app: Dash, workspace: Workspace) -> None:
         Output(names.MAP_GRAPH, "figure"),
         Output(names.MAP_LEGEND, "children"),
         Output(names.MAP_EXPLANATION, "children"),
+        Output(names.MAP_PAINTED, "data"),
         Input(names.MAP_KNOWN, "data"),
         Input(names.MAP_LOOK, "data"),
         Input(THEME, "data"),
         Input(MOTIF_METHOD.result_key, "data"),
         State(DATASET, "data"),
         State(VIEW, "data"),
+        State(names.MAP_PAINTED, "data"),
     )
-    def draw(known, look, scheme, _graph, name, view):
+    def draw(known, look, scheme, motifs, name, view, painted):
         shown = opened(workspace, name, view) if known else None
         if shown is None:
-            return no_update, [], ""
-        colouring = str((look or {}).get("colour") or "")
-        graph = results.motif_graph(workspace, name, view) if colouring == "motif" else None
-        layer = figures.layer_of(*shown, graph, colouring)
-        unavailable = colouring in ("label", "motif") and not layer.names
-        missing = {"label": "These recordings have no labels.", "motif": "No motifs have been found yet (Motifs page)."}
-        explanation = (
-            missing[colouring] if unavailable else figures.COLOURINGS.get(colouring, figures.COLOURINGS["height"])[1]
-        )
-        return (
-            figures.map_figure(shown[0], layer, scheme),
-            layout.legend(figures.legend(layer), figures.scale_of(layer, scheme)),
-            missing[colouring] if unavailable else explanation,
-        )
+            return no_update, [], "", None
+        now = painted_for(known, look, scheme, motifs)
+        if now == painted:
+            return (no_update,) * 4
+        return *drawn(workspace, shown, now, view), now
 
     @app.callback(
         Output(names.MAP_LIT, "data"),

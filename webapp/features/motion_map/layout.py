@@ -67,6 +67,7 @@ def page() -> Component:
             dcc.Store(id=names.MAP_LOADED),
             dcc.Store(id=names.MAP_SHOWN),
             dcc.Store(id=names.MAP_DRAWN),
+            dcc.Store(id=names.MAP_PAINTED),
             dcc.Store(id=names.MAP_MARKED),
         ],
     )

@@ -91,6 +91,7 @@ MAP_MORE = Id("map-more")
 MAP_RESULT = Id("map-result")
 MAP_PLOT = Id("map-plot")
 MAP_GRAPH = Id("map-graph")
+MAP_PAINTED = Store("map-painted", list[str | None])  # what the map was last drawn for
 MAP_LEGEND = Id("map-legend")
 MAP_EXPLANATION = Id("map-explanation")
 MAP_CONTROLS = Family("map-{}", ("colour", "click", "pace", "way"))
