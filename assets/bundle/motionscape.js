@@ -3603,7 +3603,7 @@
   function watchTheme() {
     const root = document.documentElement;
     let last2 = "light";
-    const ready2 = () => Boolean(clientside.set_props && find(SHELL));
+    const ready2 = () => "set_props" in clientside && Boolean(find(SHELL));
     const tell3 = () => {
       const scheme = root.dataset.mantineColorScheme;
       if (scheme !== "dark" && scheme !== "light" || scheme === last2 || !ready2()) return;

@@ -134,7 +134,7 @@ document.addEventListener("click", async (event) => {
 function watchTheme() {
   const root = document.documentElement;
   let last = "light"; // what the store begins with: webapp/shell/frame.py
-  const ready = () => Boolean(clientside.set_props && find(SHELL));
+  const ready = () => "set_props" in clientside && Boolean(find(SHELL));
   const tell = () => {
     const scheme = root.dataset.mantineColorScheme;
     if ((scheme !== "dark" && scheme !== "light") || scheme === last || !ready()) return;

@@ -10,6 +10,7 @@ import pytest
 from plotly.offline import get_plotlyjs_version
 
 import webapp
+from core import analyses
 from core.demo import make_demo
 from core.workspace import Workspace
 from webapp.app import create_app
@@ -179,3 +180,53 @@ def test_one_page_does_not_change_the_next(demo):
 def test_values_for_components_that_do_not_exist_are_refused():
     with pytest.raises(KeyError, match="nowhere"):
         loading.filled('{"props": {"id": "page"}}', {"nowhere": {"data": 1}})
+
+
+@pytest.fixture(scope="module")
+def results(tmp_path_factory):
+    """The client of an app whose dataset has a motif graph and a map."""
+    workspace = Workspace(tmp_path_factory.mktemp("results") / "workspace")
+    workspace.add_dataset("demo", make_demo(minutes=0.5))
+    for method in ("motifs", "map"):
+        analyses.run(workspace, analyses.Request("demo", method))
+    return create_app(workspace.path).server.test_client()
+
+
+SHOWN_AT_FIRST = {  # page -> a place that is filled, and stores whose callback comes at the start (none: no trigger)
+    "library": ("dataset-detail.children", []),
+    "motifs": ("motif-result.children", ["motifs-result-key.data"]),
+    "map": ("map-graph.figure", ["map-known.data"]),
+}
+
+
+def answer(client, page, output, changed):
+    """What the server answers to the callback with this output, asked by a browser that shows ``page``."""
+    values = first_values(page)
+    callback = next(one for one in data(page, "first-dependencies") if output in one["output"])
+    names = callback["output"].strip(".").split("...")
+    parts = {
+        kind: [one | {"value": values[one["id"]].get(one["property"])} for one in callback[kind]]
+        for kind in ("inputs", "state")
+    }
+    outputs = [dict(zip(("id", "property"), name.split("."), strict=True)) for name in names]
+    body = {"output": callback["output"], "outputs": outputs, "changedPropIds": changed, **parts}
+    return client.post("/_dash-update-component", json=body)
+
+
+@pytest.mark.parametrize("path", SHOWN_AT_FIRST)
+def test_what_came_with_the_page_is_not_sent_again(results, path):
+    output, changed = SHOWN_AT_FIRST[path]
+    name, prop = output.split(".")
+    page = results.get(f"/{path}?dataset=demo").get_data(as_text=True)
+    assert first_values(page)[name][prop]
+    response = answer(results, page, output, changed)
+    assert response.status_code == 204 or name not in response.get_json()["response"]
+    again = answer(
+        results, re.sub(r'("id": "(?:motifs-drawn|map-painted|detail-shown)")[^}]*', r"\1", page), output, changed
+    )
+    assert name in again.get_json()["response"], "without what the page brought it is sent"
+
+
+def test_a_page_without_a_result_brings_none(results):
+    page = results.get("/motifs?dataset=demo&kappa=77").get_data(as_text=True)
+    assert not first_values(page)["motif-result"].get("children")
