@@ -81,10 +81,14 @@ def answer(client, callback: dict[str, Any], values: dict[str, Any]):
         return {"id": one["id"], "property": one["property"], "value": value}
 
     first = callback["inputs"][0]
-    without = callback["no_output"] or callback["output"].startswith("{")  # a pattern that nothing fits
+    outputs = [] if callback["no_output"] else split_callback_id(callback["output"])
+    if isinstance(outputs, list):  # a pattern stands for the components that fit it: here, none
+        outputs = [[] if one["id"].startswith("{") else one for one in outputs]
+    elif outputs["id"].startswith("{"):
+        outputs = []
     body = {
         "output": callback["output"],
-        "outputs": [] if without else split_callback_id(callback["output"]),
+        "outputs": outputs,
         "inputs": [given_to(one) for one in callback["inputs"]],
         "state": [given_to(one) for one in callback["state"]],
         "changedPropIds": [f"{first['id']}.{first['property']}"],

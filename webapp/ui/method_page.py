@@ -128,6 +128,7 @@ def _run(app: Dash, workspace: Workspace, method: MethodPage) -> None:
     control = method.names.control(ALL)
 
     @app.callback(
+        Output(method.names.fold, "value"),
         Output(control, "error"),
         Input(method.names.run, "n_clicks"),
         Input(method.names.again, "data"),
@@ -138,18 +139,20 @@ def _run(app: Dash, workspace: Workspace, method: MethodPage) -> None:
         prevent_initial_call=True,
     )
     def run(_clicks, _again, values, ids, dataset, view):
-        form_values, problems = read_form(method.shown, ids, values)
+        link_values = settings.request_of(method.page, dataset or "", view).parameters
+        if ids:
+            form_values, problems = read_form(method.shown, ids, values)
+            form_values |= {name: value for name, value in link_values.items() if name in method.without}
+        else:  # the form has not come yet; it will show the settings of the link
+            form_values, problems = dict(link_values), {}
         if problems:
-            set_props(method.names.fold, {"value": "form"})
-            return [problems.get(component["name"]) for component in ids]
-        kept = settings.request_of(method.page, dataset or "", view).parameters
-        form_values |= {name: value for name, value in kept.items() if name in method.without}
+            return "form", [problems.get(component["name"]) for component in ids]
         try:
             ask(workspace, method.page, dataset, form_values)
         except (ParameterError, WorkspaceError) as error:
             title = method.refused or f"Cannot do that: {method.title}"
             set_props(NOTICES, {"sendNotifications": [notice(title, str(error), "red")]})
-        return [None] * len(ids)
+        return no_update, [None] * len(ids)
 
 
 def ask(workspace: Workspace, page: str, dataset: str | None, values: Mapping[str, object]) -> None:

@@ -135,7 +135,6 @@ def test_cancel_keeps_points_and_a_link_shows_them(show, workspace):
     expect(page.locator(".sweep-note")).to_contain_text("The sweep was cancelled.")
     page.goto(page.url.replace(urlsplit(page.url).query, f"dataset=demo&{SWEEP}"))
     expect(page.locator(".sweep-note")).to_contain_text("of 12 points are there")
-    expect(page.locator("#sweep-plan")).to_contain_text("= 12 points")  # the form has taken the settings of the link
     page.click("#sweep-run")
     wait_for_points(page, "sweep-lines-x", 12)
     idle(page)

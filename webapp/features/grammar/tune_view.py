@@ -175,7 +175,9 @@ def _ask(app: Dash, workspace: Workspace) -> None:
         prevent_initial_call=True,
     )
     def run(_clicks, text, name, view):
-        comparison_view = {**(view or {}), "counts": text or ""}
+        if text is None:  # the form has not come yet; it will show the numbers of the link
+            text = action_counts.counts_text(view)
+        comparison_view = {**(view or {}), "counts": text}
         try:
             if not name:
                 raise WorkspaceError("Choose a dataset first; the library has none yet.")
@@ -191,16 +193,15 @@ def _ask(app: Dash, workspace: Workspace) -> None:
         Input(names.TUNE_LEARN, "n_clicks"),
         State(names.TUNE_ACTIONS, "value"),
         State(names.TUNE_WEIGHT, "value"),
+        State(names.TUNE_COUNTS, "value"),
         State(DATASET, "data"),
         State(VIEW, "data"),
         prevent_initial_call=True,
     )
-    def learn(_clicks, count, weight, name, view):
-        values = {
-            **settings.request_of(grammars.PAGE, name or "", view).parameters,
-            "n_terminals": count,
-            "weight": weight,
-        }
+    def learn(_clicks, count, weight, text, name, view):
+        values = dict(settings.request_of(grammars.PAGE, name or "", view).parameters)
+        if text is not None:  # else the form has not come yet; it will show the settings of the link
+            values |= {"n_terminals": count, "weight": weight}
         try:
             method_page.ask(workspace, grammars.PAGE, name, values)
         except (ParameterError, WorkspaceError) as error:

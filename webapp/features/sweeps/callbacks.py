@@ -1,10 +1,10 @@
-"""The Sweeps page's callbacks: they read the form, start the job and show the results."""
+"""The Sweeps page's callbacks: they follow the job and show the results."""
 
 from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from dash import ALL, Dash, Input, Output, State, ctx, no_update, set_props
+from dash import Dash, Input, Output, State, no_update
 from dash.dependencies import ClientsideFunction
 
 from core import analyses
@@ -15,22 +15,14 @@ from core.motifs.suggestion import suggest
 from core.motifs.sweep_table import SweepTable
 from core.parameters import write_value
 from core.workspace import Workspace, WorkspaceError
-from webapp import jobs
-from webapp.features.sweeps import layout, names, reading
+from webapp.features.sweeps import form, layout, names, reading
 from webapp.features.sweeps.figures import charts
 from webapp.features.sweeps.figures import rows as sweep_rows
 from webapp.features.sweeps.figures.drawing import fixed
 from webapp.features.sweeps.figures.measures import MEASURES, PAIRS, pairs_of
-from webapp.features.sweeps.reading import Form
 from webapp.jobs.names import JOBS_FINISHED, JOBS_SEEN
-from webapp.shell import settings
-from webapp.shell.messages import notice
-from webapp.shell.names import DATASET, JOB_STARTED, MOTIF_METHOD, NOTICES, THEME, VIEW, VIEW_CHANGE
-from webapp.shell.results import MOTIFS
+from webapp.shell.names import DATASET, THEME, VIEW
 from webapp.ui import tables
-from webapp.ui.parameter_form import parameter_form, read_form, summary
-
-_BASE = names.BASE_SETTING(ALL)
 
 
 class Shown(NamedTuple):
@@ -52,8 +44,7 @@ class Shown(NamedTuple):
 
 def register(app: Dash, workspace: Workspace) -> None:
     """All of the page's callbacks."""
-    _fill(app, workspace)
-    _ask(app, workspace)
+    form.register(app, workspace)
     _look(app, workspace)
     _draw(app, workspace)
     for graph in (names.SWEEP_LINES["x"], names.SWEEP_LINES["y"], names.SWEEP_HEAT):
@@ -67,116 +58,6 @@ def shown_sweep(workspace: Workspace, name: str | None, view: Any) -> Shown | No
     dataset = workspace.open(name)
     sweep = reading.sweep_of(reading.form_of(dataset, view), view)
     return Shown(dataset, sweep, reading.table_of(workspace, dataset, sweep))
-
-
-def _fill(app: Dash, workspace: Workspace) -> None:
-    @app.callback(
-        *(Output(control, "value") for control in names.FORM),
-        Output(names.SWEEP_BOX["y"], "className"),
-        Input(VIEW, "data"),
-        Input(DATASET, "data"),
-        Input(names.SWEEP_NAME["x"], "value"),
-        Input(names.SWEEP_NAME["y"], "value"),
-    )
-    def fill(view, name, x_name, y_name):
-        dataset = _dataset(workspace, name)
-        form = reading.form_of(dataset, view)
-        values: dict[str, Any] = {}
-        if ctx.triggered_id == names.SWEEP_NAME["x"] and x_name and x_name != form.x_name:
-            values = {"x_name": x_name, "x_values": reading.usual_values(dataset, x_name)}
-            values |= {"y_name": y_name, "y_values": no_update, "seeds": no_update}
-        elif ctx.triggered_id == names.SWEEP_NAME["y"] and y_name and y_name != form.y_name:
-            values = {"y_name": y_name, "y_values": reading.usual_values(dataset, y_name)}
-            values |= {"x_name": x_name, "x_values": no_update, "seeds": no_update}
-        shown = form._asdict() | values
-        return (*shown.values(), "hidden" if shown["y_name"] == reading.NO_AXIS else "")
-
-    @app.callback(
-        Output(names.SWEEP_BASE, "children"),
-        Output(names.SWEEP_BASE_SUMMARY, "children"),
-        Input(MOTIF_METHOD.settings, "data"),
-        Input(names.SWEEP_NAME["x"], "value"),
-        Input(names.SWEEP_NAME["y"], "value"),
-    )
-    def show_base(view, x_name, y_name):
-        without = {x_name, y_name, "seed"}
-        values = settings.request_of(MOTIFS, "", view).parameters
-        texts = {name: text for name, text in settings.not_default(MOTIFS, values).items() if name not in without}
-        shown = [parameter for parameter in settings.parameters(MOTIFS) if parameter.name not in without]
-        return parameter_form(shown, values, names.BASE_SETTING), summary(texts)
-
-    @app.callback(
-        Output(names.SWEEP_PLAN, "children"),
-        Output(names.SWEEP_VALUES["x"], "error"),
-        Output(names.SWEEP_VALUES["y"], "error"),
-        Output(names.SWEEP_NAME["y"], "error"),
-        Output(names.SWEEP_SEEDS, "error"),
-        *(Input(control, "value") for control in names.FORM),
-        Input(names.SWEEP_SEEN, "data"),
-        State(DATASET, "data"),
-        State(VIEW, "data"),
-    )
-    def plan(x_name, x_values, y_name, y_values, seeds, _seen, name, view):
-        form = _form(x_name, x_values, y_name, y_values, seeds)
-        if form is None:
-            return (no_update,) * 5
-        problems = reading.problems_of(form)
-        same = form.x_name == form.y_name
-        y = problems.get("y")
-        errors = problems.get("x"), None if same else y, y if same else None, problems.get("seeds")
-        try:
-            sweep = reading.sweep_of(form, view)
-        except ParameterError as error:
-            return "" if problems else str(error), *errors
-        dataset = _dataset(workspace, name)
-        n_ready = reading.table_of(workspace, dataset, sweep).n_ready if dataset else 0
-        return _plan(sweep, n_ready), *errors
-
-
-def _plan(sweep: SweepParameters, n_ready: int) -> str:
-    counts = [len(values) for values in sweep.values_of_axes().values()]
-    total = sweep.seeds
-    for n in counts:
-        total *= n
-    factors = " × ".join([*map(str, counts), f"{sweep.seeds} seed{'s' if sweep.seeds > 1 else ''}"])
-    done = (
-        ""
-        if not n_ready
-        else ", all of them there already"
-        if n_ready == total
-        else f", {n_ready} of them there already"
-    )
-    return f"{factors} = {total} points{done}."
-
-
-def _ask(app: Dash, workspace: Workspace) -> None:
-    @app.callback(
-        Output(_BASE, "error"),
-        Input(names.SWEEP_RUN, "n_clicks"),
-        *(State(control, "value") for control in names.FORM),
-        State(_BASE, "value"),
-        State(_BASE, "id"),
-        State(DATASET, "data"),
-        prevent_initial_call=True,
-    )
-    def run(_clicks, x_name, x_values, y_name, y_values, seeds, base, ids, name):
-        taken, problems = read_form(settings.parameters(MOTIFS), ids, base)
-        form = _form(x_name, x_values, y_name, y_values, seeds)
-        if problems:
-            set_props(names.SWEEP_BASE_FOLD, {"value": "base"})
-            return [problems.get(component["name"]) for component in ids]
-        try:
-            if not name or form is None:
-                raise WorkspaceError("Choose a dataset first; the library has none yet.")
-            change = settings.view_of(MOTIFS, taken)
-            request = reading.request_of(name, sweep := reading.sweep_of(form, change))
-            dataset = workspace.open(name)
-            if reading.table_of(workspace, dataset, sweep).n_ready < len(sweep.points()):
-                set_props(JOB_STARTED, {"data": jobs.start(workspace, request).id})
-            set_props(VIEW_CHANGE, {"data": reading.view_of(form) | change})
-        except (ParameterError, WorkspaceError) as error:
-            set_props(NOTICES, {"sendNotifications": [notice("Cannot run the sweep", str(error), "red")]})
-        return [None] * len(ids)
 
 
 def _look(app: Dash, workspace: Workspace) -> None:
@@ -333,16 +214,3 @@ def _shown(workspace: Workspace, name: str | None, view: Any) -> Shown | None:
     except (ParameterError, WorkspaceError):
         return None
     return shown if shown is not None and shown.table.n_ready else None
-
-
-def _dataset(workspace: Workspace, name: str | None) -> Dataset | None:
-    try:
-        return workspace.open(name) if name else None
-    except WorkspaceError:
-        return None
-
-
-def _form(x_name, x_values, y_name, y_values, seeds) -> Form | None:
-    if not x_name or not y_name:
-        return None  # not filled yet
-    return Form(x_name, x_values or "", y_name, y_values or "", "" if seeds is None else str(seeds))
