@@ -43,6 +43,19 @@ CREATE TABLE IF NOT EXISTS votes (
     UNIQUE (dataset, person, query, left_hit, right_hit, left_engine, right_engine)
 );
 CREATE INDEX IF NOT EXISTS jobs_by_state ON jobs (state, id);
+CREATE TABLE IF NOT EXISTS documents (
+    kind TEXT NOT NULL, id TEXT NOT NULL, version INTEGER NOT NULL, created REAL NOT NULL, deleted REAL,
+    PRIMARY KEY (kind, id)
+);
+CREATE TABLE IF NOT EXISTS document_versions (
+    kind TEXT NOT NULL, id TEXT NOT NULL, version INTEGER NOT NULL, document TEXT NOT NULL, author TEXT NOT NULL,
+    saved REAL NOT NULL, what TEXT NOT NULL, PRIMARY KEY (kind, id, version)
+);
+CREATE TABLE IF NOT EXISTS comments (
+    id TEXT PRIMARY KEY, place TEXT NOT NULL, text TEXT NOT NULL, author TEXT NOT NULL, created REAL NOT NULL,
+    updated REAL NOT NULL, version INTEGER NOT NULL, resolved INTEGER NOT NULL, parent TEXT, deleted REAL
+);
+CREATE INDEX IF NOT EXISTS comments_by_place ON comments (place);
 """
 
 

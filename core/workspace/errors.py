@@ -22,6 +22,25 @@ class ResultDamaged(WorkspaceError):
     """A stored result cannot be read. It has been set aside, so that it can be computed again."""
 
 
+class DocumentGone(WorkspaceError):
+    """There is no such view, board, comment or version, or it has been deleted."""
+
+
+class DocumentDamaged(WorkspaceError):
+    """A version of a view or a board cannot be read; an earlier one can be restored."""
+
+
+class ConflictError(WorkspaceError):
+    """Someone else has changed the same thing meanwhile; nothing was saved.
+
+    present: what it is now, None where it has been removed; author: who changed it last.
+    """
+
+    def __init__(self, message: str, present: object, author: str) -> None:
+        super().__init__(message)
+        self.present, self.author = present, author
+
+
 _SYSTEM = {
     errno.ENOSPC: "the disk is full; free some space and try again",
     errno.EDQUOT: "your disk quota is used up; free some space and try again",

@@ -11,6 +11,8 @@ from types import ModuleType
 from typing import TYPE_CHECKING
 
 from core.progress import Report, silent
+from core.workspace.boards import Boards
+from core.workspace.comments import Comments
 from core.workspace.database import Database
 from core.workspace.datasets import DatasetInfo, DatasetStore, Fill, version_token
 from core.workspace.errors import WorkspaceError, plain_errors
@@ -20,6 +22,7 @@ from core.workspace.notes import Notes
 from core.workspace.ratings import Ratings
 from core.workspace.results import ResultStore
 from core.workspace.uploads import Uploads
+from core.workspace.views import Views
 
 if TYPE_CHECKING:
     from core.mocap.clip import Label
@@ -54,6 +57,9 @@ class Workspace:
         self.jobs = JobTable(self._database)
         self.notes = Notes(self._database)
         self.ratings = Ratings(self._database)
+        self.views = Views(self._database)
+        self.boards = Boards(self._database)
+        self.comments = Comments(self._database)
 
     @property
     def logs(self) -> Path:

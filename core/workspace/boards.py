@@ -1,0 +1,287 @@
+"""Boards: blocks on a grid that a team arranges together; different blocks can be changed at once without conflict."""
+
+from __future__ import annotations
+
+import hmac
+import re
+import secrets
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import asdict, dataclass, field, replace
+from typing import Any, Literal
+
+from core.workspace.database import Database
+from core.workspace.documents import LONGEST_NAME, Document, Documents, Kept, one_line, paragraphs, plain_json
+from core.workspace.errors import ConflictError, DocumentGone, WorkspaceError
+from core.workspace.views import LONGEST_NOTE, LONGEST_TITLE
+
+MOST_BLOCKS, LARGEST_SETTINGS, LARGEST_PLACE = 100, 64_000, 10_000
+Right = Literal["read", "edit"]
+Place = tuple[int, int, int, int]  # x, y, width, height in cells of the grid
+
+
+@dataclass(frozen=True)
+class Block:
+    """A part of a board. x, y, w, h: its place in cells of the grid; settings: JSON that its kind understands.
+
+    ``settings["pinned"]`` names the result it shows as it was made: its dataset, fingerprint and key.
+    version: the board's version in which its kind or settings were changed last, by ``author``.
+    """
+
+    id: str
+    kind: str
+    x: int = 0
+    y: int = 0
+    w: int = 4
+    h: int = 4
+    settings: Mapping[str, Any] = field(default_factory=dict)
+    version: int = 0
+    author: str = ""
+
+
+@dataclass(frozen=True)
+class Board:
+    """A board as it was saved in ``version`` by ``author``; created, updated: seconds since 1970.
+
+    filters: what the whole board is narrowed to. read_key, edit_key: whoever has one may see or change this board.
+    """
+
+    id: str
+    title: str
+    note: str
+    blocks: tuple[Block, ...]
+    filters: Mapping[str, Any]
+    version: int
+    author: str
+    created: float
+    updated: float
+    read_key: str
+    edit_key: str
+
+    def block(self, id: str) -> Block | None:
+        """The block with this id."""
+        return next((block for block in self.blocks if block.id == id), None)
+
+
+class Boards(Documents[Board]):
+    """The boards of a workspace. All that changes one gives the new board and raises DocumentGone, DocumentDamaged,
+
+    or WorkspaceError for what does not fit.
+    """
+
+    def __init__(self, database: Database):
+        super().__init__(database, "board", "board")
+
+    def create(self, title: str, blocks: Iterable[Block] = (), author: str = "", note: str = "") -> Board:
+        """A new board; blocks whose id is empty or taken get one."""
+        known: list[Block] = []
+        for block in blocks:
+            known.append(_checked(block, known, 1, author))
+        return self._create(_document(_title(title), _note(note), known, {}, *_new_keys()), author)
+
+    def by_key(self, key: str) -> tuple[Board, Right]:
+        """The board that ``key`` opens, and whether to read or to edit; raises DocumentGone for any other text."""
+        try:
+            board = self.get(str(key).partition("-")[0])
+        except DocumentGone as error:
+            raise DocumentGone("This link opens no board. It may have been deleted or its link renewed.") from error
+        rights: tuple[tuple[str, Right], ...] = ((board.edit_key, "edit"), (board.read_key, "read"))
+        for own, right in rights:
+            if hmac.compare_digest(own.encode(), str(key).encode()):
+                return board, right
+        raise DocumentGone("This link opens no board. It may have been deleted or its link renewed.")
+
+    def change_block(self, board_id: str, block: Block, expected_version: int, author: str = "") -> Board:
+        """Saves kind and settings of a block; its place stays what it is (:meth:`move_blocks`).
+
+        expected_version: of the block as it was seen. Raises ConflictError where it has been changed or removed since.
+        """
+
+        def edit(board: Board) -> list[Block]:
+            present = _unchanged(board, block.id, expected_version)
+            new = replace(present, kind=block.kind, settings=block.settings)
+            new = _checked(new, [], board.version + 1, author)
+            return [new if old.id == block.id else old for old in board.blocks]
+
+        return self._change_blocks(board_id, edit, author, f"block {block.id} changed")
+
+    def add_block(self, board_id: str, block: Block, author: str = "") -> Board:
+        """Adds a block at the end; one whose id is empty or taken gets a new id."""
+
+        def edit(board: Board) -> list[Block]:
+            return [*board.blocks, _checked(block, board.blocks, board.version + 1, author)]
+
+        return self._change_blocks(board_id, edit, author, "block added")
+
+    def remove_block(
+        self, board_id: str, block_id: str, author: str = "", expected_version: int | None = None
+    ) -> Board:
+        """Removes a block; raises ConflictError where it is gone, or changed since ``expected_version``."""
+
+        def edit(board: Board) -> list[Block]:
+            _unchanged(board, block_id, expected_version)
+            return [block for block in board.blocks if block.id != block_id]
+
+        return self._change_blocks(board_id, edit, author, f"block {block_id} removed")
+
+    def move_blocks(self, board_id: str, places: Mapping[str, Sequence[int]], author: str = "") -> Board:
+        """Places blocks anew. places: block id -> x, y, width, height in cells; blocks that are gone are left out."""
+        checked = {id: _place(place) for id, place in places.items()}
+
+        def edit(board: Board) -> list[Block]:
+            return [_at(block, checked[block.id]) if block.id in checked else block for block in board.blocks]
+
+        return self._change_blocks(board_id, edit, author, "blocks moved")
+
+    def set_filters(self, board_id: str, filters: Mapping[str, Any], author: str = "") -> Board:
+        """What the whole board is narrowed to."""
+        plain = plain_json(filters, "filters", LARGEST_SETTINGS)
+        return self._change(
+            board_id, lambda board: _as_document(replace(board, filters=plain)), author, "filters changed"
+        )
+
+    def rename(self, board_id: str, title: str, note: str | None = None, author: str = "") -> Board:
+        """Another title, and another note where one is given."""
+        title, note = _title(title), None if note is None else _note(note)
+
+        def edit(board: Board) -> Document:
+            return _as_document(replace(board, title=title, note=board.note if note is None else note))
+
+        return self._change(board_id, edit, author, "renamed")
+
+    def renew_keys(self, board_id: str, author: str = "") -> Board:
+        """New keys: links that were given away before open the board no more."""
+
+        def edit(board: Board) -> Document:
+            return _document(board.title, board.note, board.blocks, board.filters, *_new_keys())
+
+        return self._change(board_id, edit, author, "links renewed")
+
+    def duplicate(self, board_id: str, title: str = "", author: str = "") -> Board:
+        """A new board with the same blocks, filters and note, and keys of its own."""
+        board = self.get(board_id)
+        title = _title(title or f"{board.title[: LONGEST_TITLE - 7]} (copy)")
+        blocks = [replace(block, version=1, author=author) for block in board.blocks]
+        return self._create(_document(title, board.note, blocks, board.filters, *_new_keys()), author, "copied")
+
+    def _change_blocks(self, id: str, edit: Callable[[Board], list[Block]], author: str, what: str) -> Board:
+        def document(board: Board) -> Document:
+            return _as_document(replace(board, blocks=tuple(edit(board))))
+
+        return self._change(id, document, author, what)
+
+    def _content(self, kept: Kept) -> Board:
+        document = kept.document
+        blocks = tuple(Block(**block) for block in document["blocks"])
+        for block in blocks:
+            _check_block(block)
+        keys = [f"{kept.id}-{document[name]}" for name in ("read_key", "edit_key")]
+        texts, filters = (str(document["title"]), str(document["note"])), dict(document["filters"])
+        return Board(kept.id, *texts, blocks, filters, kept.version, kept.author, kept.created, kept.saved, *keys)
+
+    def _again(self, old: Kept, present: Board | None) -> Document:
+        """The keys stay what they are now; a block that becomes another counts as changed."""
+        board, version = self._content(old), (present.version if present else old.version) + 1
+        if present is None:
+            return _as_document(board)
+        blocks = []
+        for block in board.blocks:
+            now = present.block(block.id)
+            same = now is not None and (now.kind, now.settings) == (block.kind, block.settings)
+            blocks.append(replace(block, version=now.version if same and now else version))
+        board = replace(board, blocks=tuple(blocks), read_key=present.read_key, edit_key=present.edit_key)
+        return _as_document(board)
+
+
+def pinned_state(
+    settings: Mapping[str, Any], fingerprints: Mapping[str, str]
+) -> Literal["not pinned", "unchanged", "changed", "gone"]:
+    """Whether the data behind a block's pinned result is still what it was made with.
+
+    fingerprints: name of each dataset -> fingerprint of what it holds now. "gone": there is no such dataset.
+    """
+    pinned = settings.get("pinned")
+    if not isinstance(pinned, Mapping) or not pinned.get("dataset"):
+        return "not pinned"
+    now = fingerprints.get(str(pinned["dataset"]))
+    if now is None:
+        return "gone"
+    return "unchanged" if now == pinned.get("fingerprint") else "changed"
+
+
+def _unchanged(board: Board, block_id: str, expected_version: int | None) -> Block:
+    present = board.block(block_id)
+    if present is None:
+        raise ConflictError("This block has been removed meanwhile.", None, board.author)
+    if expected_version not in (None, present.version):
+        who = present.author or "Someone"
+        raise ConflictError(f"{who} has changed this block meanwhile.", present, present.author)
+    return present
+
+
+def _checked(block: Block, others: Sequence[Block], version: int, author: str) -> Block:
+    """The block in its final form, with an id that none of ``others`` has."""
+    taken = {other.id for other in others}
+    id = block.id if block.id and block.id not in taken else secrets.token_hex(4)
+    settings = plain_json(block.settings, "settings of a block", LARGEST_SETTINGS)
+    author = one_line(author, "name", LONGEST_NAME)
+    place = _place((block.x, block.y, block.w, block.h))
+    return _check_block(_at(replace(block, id=id, settings=settings, version=version, author=author), place))
+
+
+def _check_block(block: Block) -> Block:
+    if not (re.fullmatch(r"[0-9A-Za-z_-]{1,40}", block.id) and re.fullmatch(r"[a-z][a-z0-9 _-]{0,39}", block.kind)):
+        raise WorkspaceError("The id or the kind of a block holds characters that it cannot have.")
+    if not isinstance(block.settings, Mapping) or not isinstance(block.version, int):
+        raise WorkspaceError("The settings of a block are a mapping and its version is a whole number.")
+    _place((block.x, block.y, block.w, block.h))
+    return block
+
+
+def _place(numbers: Sequence[int]) -> Place:
+    whole = len(numbers) == 4 and all(isinstance(n, int) and not isinstance(n, bool) for n in numbers)
+    if not whole or min(numbers) < 0 or max(numbers) > LARGEST_PLACE or min(numbers[2:]) < 1:
+        raise WorkspaceError("The place of a block is four whole numbers: x and y from 0, width and height from 1.")
+    x, y, w, h = numbers
+    return x, y, w, h
+
+
+def _at(block: Block, place: Place) -> Block:
+    x, y, w, h = place
+    return replace(block, x=x, y=y, w=w, h=h)
+
+
+def _title(title: object) -> str:
+    return one_line(title, "title", LONGEST_TITLE, needed=True)
+
+
+def _note(note: object) -> str:
+    return paragraphs(note, "note", LONGEST_NOTE)
+
+
+def _new_keys() -> tuple[str, str]:
+    return secrets.token_urlsafe(16), secrets.token_urlsafe(16)
+
+
+def _as_document(board: Board) -> Document:
+    keys = (key.partition("-")[2] for key in (board.read_key, board.edit_key))  # without the id before them
+    return _document(board.title, board.note, board.blocks, board.filters, *keys)
+
+
+def _document(
+    title: str, note: str, blocks: Iterable[Block], filters: Mapping[str, Any], read_key: str, edit_key: str
+) -> Document:
+    return {
+        "title": title,
+        "note": note,
+        "blocks": _bounded(blocks),
+        "filters": dict(filters),
+        "read_key": read_key,
+        "edit_key": edit_key,
+    }
+
+
+def _bounded(blocks: Iterable[Block]) -> list[dict[str, Any]]:
+    plain = [asdict(block) for block in blocks]
+    if len(plain) > MOST_BLOCKS:
+        raise WorkspaceError(f"A board has at most {MOST_BLOCKS} blocks.")
+    return plain

@@ -1,0 +1,263 @@
+"""Documents that a team changes together: every save is a version, who saved what when is kept, any can come back.
+
+A document is JSON: a saved view, a board. The store knows nothing of what is in it.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import secrets
+import sqlite3
+import time
+import unicodedata
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, replace
+from typing import Any, Generic, TypeVar
+
+from core.workspace.database import Database
+from core.workspace.errors import DocumentDamaged, DocumentGone, WorkspaceError
+
+T = TypeVar("T")
+Document = dict[str, Any]
+KEPT_VERSIONS = 200  # of each document; the oldest go first
+LARGEST_DOCUMENT = 1_000_000  # letters of JSON
+LONGEST_NAME = 80  # letters of a person's name
+_DEEPEST = 12  # levels of lists and mappings in a JSON value
+
+_PRESENT = (
+    "SELECT d.id, d.version, v.document, v.author, d.created, v.saved, d.deleted FROM documents d "
+    "LEFT JOIN document_versions v ON v.kind = d.kind AND v.id = d.id AND v.version = d.version WHERE d.kind = ?"
+)
+
+
+@dataclass(frozen=True)
+class Kept:
+    """A version of a document. author: who saved this version; created, saved: seconds since 1970."""
+
+    id: str
+    version: int
+    document: Document
+    author: str
+    created: float
+    saved: float
+
+
+@dataclass(frozen=True)
+class Change:
+    """One entry of a document's history: ``author`` saved ``version`` at ``saved`` (seconds since 1970) by ``what``."""
+
+    version: int
+    author: str
+    saved: float
+    what: str
+
+
+class Documents(Generic[T], ABC):
+    """The documents of one kind; ``word`` is what people call one of them, as in "the board"."""
+
+    def __init__(self, database: Database, kind: str, word: str):
+        self._database, self._kind, self._word = database, kind, word
+
+    @abstractmethod
+    def _content(self, kept: Kept) -> T:
+        """What a version stands for; a LookupError, TypeError, ValueError or AttributeError says that it is damaged."""
+
+    def _again(self, old: Kept, present: T | None) -> Document:
+        """What :meth:`restore` saves, of the earlier version and of what there is now (None: damaged)."""
+        return old.document
+
+    def _create(self, document: Document, author: str, what: str = "made") -> T:
+        """Keeps a new document under a new id; raises WorkspaceError where it is too large or cannot be written."""
+        id, now = secrets.token_hex(6), time.time()
+        text, author = self._text(document), one_line(author, "name", LONGEST_NAME)
+        with self._database.transaction(f"keep the {self._word}") as table:
+            table.execute("INSERT INTO documents VALUES (?, ?, 1, ?, NULL)", (self._kind, id, now))
+            table.execute(
+                "INSERT INTO document_versions VALUES (?, ?, 1, ?, ?, ?, ?)", (self._kind, id, text, author, now, what)
+            )
+        return self._content(Kept(id, 1, document, author, now, now))
+
+    def get(self, id: str, version: int | None = None) -> T:
+        """The present version, or an earlier one; raises DocumentGone, DocumentDamaged."""
+        return self._read(self._row(id, version))[1]
+
+    def all(self) -> list[T]:
+        """The present versions, newest first; the deleted and the damaged are left out (:meth:`damaged`)."""
+        return [content for _, content in self._readable() if content is not None]
+
+    def damaged(self) -> list[str]:
+        """The ids of documents whose present version cannot be read; :meth:`restore` brings back an earlier one."""
+        return [id for id, content in self._readable() if content is None]
+
+    def _readable(self) -> Iterator[tuple[str, T | None]]:
+        for row in self._rows():
+            try:
+                yield row["id"], self._read(row)[1]
+            except DocumentDamaged:
+                yield row["id"], None
+
+    def version(self, id: str) -> int:
+        """The number of the present version, by one cheap query; raises DocumentGone."""
+        rows = self._database.rows(
+            "SELECT version FROM documents WHERE kind = ? AND id = ? AND deleted IS NULL", self._kind, str(id)
+        )
+        if not rows:
+            raise self._gone(id)
+        return int(rows[0]["version"])
+
+    def _change(self, id: str, edit: Callable[[T], Document], author: str, what: str) -> T:
+        """Saves what ``edit`` makes of the present version as the next one; nobody else saves in between.
+
+        What ``edit`` raises comes out and nothing is saved. Raises DocumentGone, DocumentDamaged, WorkspaceError.
+        """
+        author = one_line(author, "name", LONGEST_NAME)
+        with self._database.transaction(f"keep the {self._word}") as table:
+            kept, content = self._read(self._row(id))
+            return self._append(table, kept, edit(content), author, what)
+
+    def restore(self, id: str, version: int, author: str = "") -> T:
+        """Saves an earlier version once more, as the newest; also where the present one is damaged.
+
+        Raises DocumentGone, DocumentDamaged.
+        """
+        author = one_line(author, "name", LONGEST_NAME)
+        with self._database.transaction(f"restore the {self._word}") as table:
+            row = self._row(id)
+            old, _ = self._read(self._row(id, version))
+            newest = replace(old, version=row["version"])
+            document = self._again(old, dict(self._readable()).get(id))
+            return self._append(table, newest, document, author, f"version {version} restored")
+
+    def history(self, id: str) -> list[Change]:
+        """Who saved what when, newest first; also of a deleted document. Raises DocumentGone."""
+        rows = self._database.rows(
+            "SELECT version, author, saved, what FROM document_versions WHERE kind = ? AND id = ? "
+            "ORDER BY version DESC",
+            self._kind,
+            str(id),
+        )
+        if not rows:
+            raise self._gone(id)
+        return [Change(row["version"], row["author"], row["saved"], row["what"]) for row in rows]
+
+    def delete(self, id: str) -> None:
+        """Takes the document away until :meth:`undelete`; raises DocumentGone where it is not there."""
+        self._mark(id, time.time())
+
+    def undelete(self, id: str) -> T:
+        """Brings a deleted document back; raises DocumentGone where there has never been one."""
+        self._mark(id, None)
+        return self.get(id)
+
+    def _mark(self, id: str, deleted: float | None) -> None:
+        living = "" if deleted is None else " AND deleted IS NULL"
+        with self._database.transaction(f"delete the {self._word}") as table:
+            done = table.execute(
+                f"UPDATE documents SET deleted = ? WHERE kind = ? AND id = ?{living}", (deleted, self._kind, str(id))
+            )
+            if not done.rowcount:
+                raise self._gone(id)
+
+    def _append(self, table: sqlite3.Connection, newest: Kept, document: Document, author: str, what: str) -> T:
+        """Writes the version after ``newest``."""
+        id, text, now, version = newest.id, self._text(document), time.time(), newest.version + 1
+        table.execute("UPDATE documents SET version = ? WHERE kind = ? AND id = ?", (version, self._kind, id))
+        table.execute(
+            "INSERT INTO document_versions VALUES (?, ?, ?, ?, ?, ?, ?)",
+            (self._kind, id, version, text, author, now, what),
+        )
+        table.execute(
+            "DELETE FROM document_versions WHERE kind = ? AND id = ? AND version <= ?",
+            (self._kind, id, version - KEPT_VERSIONS),
+        )
+        return self._content(Kept(id, version, document, author, newest.created, now))
+
+    def _rows(self) -> list[sqlite3.Row]:
+        return self._database.rows(f"{_PRESENT} AND d.deleted IS NULL ORDER BY v.saved DESC, d.id", self._kind)
+
+    def _row(self, id: str, version: int | None = None) -> sqlite3.Row:
+        rows = self._database.rows(f"{_PRESENT} AND d.id = ? AND d.deleted IS NULL", self._kind, str(id))
+        if not rows:
+            raise self._gone(id)
+        if version is None or version == rows[0]["version"]:
+            return rows[0]
+        old = self._database.rows(
+            "SELECT v.id, v.version, v.document, v.author, d.created, v.saved FROM document_versions v "
+            "JOIN documents d ON d.kind = v.kind AND d.id = v.id WHERE v.kind = ? AND v.id = ? AND v.version = ?",
+            self._kind,
+            str(id),
+            int(version),
+        )
+        if not old:
+            raise DocumentGone(f"There is no version {version} of this {self._word} any more.")
+        return old[0]
+
+    def _read(self, row: sqlite3.Row) -> tuple[Kept, T]:
+        try:
+            document = json.loads(row["document"])
+            kept = Kept(row["id"], row["version"], document, row["author"], row["created"], row["saved"])
+            return kept, self._content(kept)
+        except (LookupError, ValueError, TypeError, AttributeError) as error:
+            raise DocumentDamaged(
+                f"Version {row['version']} of the {self._word} {row['id']} is damaged and cannot be read. "
+                "Restore an earlier version from its history."
+            ) from error
+
+    def _gone(self, id: str) -> DocumentGone:
+        return DocumentGone(f"There is no {self._word} {str(id)[:40]!r}. It may have been deleted.")
+
+    def _text(self, document: Document) -> str:
+        text = json.dumps(document, allow_nan=False, separators=(",", ":"))
+        if len(text) > LARGEST_DOCUMENT:
+            raise WorkspaceError(
+                f"This {self._word} has become too large: {len(text):,} letters, where {LARGEST_DOCUMENT:,} fit."
+            )
+        return text
+
+
+def one_line(text: object, what: str, longest: int, *, needed: bool = False) -> str:
+    """One line of readable text; raises WorkspaceError where it is too long, or empty though it is needed."""
+    plain = unicodedata.normalize("NFC", str(text))
+    plain = " ".join("".join(c if unicodedata.category(c)[0] != "C" else " " for c in plain).split())
+    return _bounded(plain, what, longest, needed)
+
+
+def paragraphs(text: object, what: str, longest: int, *, needed: bool = False) -> str:
+    """Text of several lines without control characters; raises WorkspaceError as :func:`one_line`."""
+    plain = unicodedata.normalize("NFC", str(text)).replace("\r\n", "\n")
+    plain = "".join(c for c in plain if c in "\n\t" or unicodedata.category(c)[0] != "C").strip()
+    return _bounded(plain, what, longest, needed)
+
+
+def _bounded(text: str, what: str, longest: int, needed: bool) -> str:
+    if needed and not text:
+        raise WorkspaceError(f"The {what} is empty.")
+    if len(text) > longest:
+        raise WorkspaceError(f"The {what} has at most {longest:,} letters; this one has {len(text):,}.")
+    return text
+
+
+def plain_json(value: object, what: str, largest: int) -> Any:
+    """``value`` as JSON gives it back (tuples become lists); raises WorkspaceError where JSON cannot hold it.
+
+    largest: letters of its JSON.
+    """
+    plain = _plain(value, what, _DEEPEST)
+    size = len(json.dumps(plain, allow_nan=False))
+    if size > largest:
+        raise WorkspaceError(f"The {what} are too large: {size:,} letters, where {largest:,} fit.")
+    return plain
+
+
+def _plain(value: object, what: str, depth: int) -> Any:
+    if not depth:
+        raise WorkspaceError(f"The {what} are nested too deeply.")
+    if isinstance(value, Mapping) and all(isinstance(key, str) for key in value):
+        return {key: _plain(part, what, depth - 1) for key, part in value.items()}
+    if isinstance(value, list | tuple):
+        return [_plain(part, what, depth - 1) for part in value]
+    if value is None or isinstance(value, str | bool | int) or (isinstance(value, float) and math.isfinite(value)):
+        return value
+    raise WorkspaceError(f"The {what} hold something that is not text, a finite number, a list or a mapping.")
