@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 from pathlib import Path
+from typing import NamedTuple
 
 from core.inspection.body import floor_notes, size_doubts, up_doubts
 from core.inspection.duplicates import find_duplicates
@@ -18,18 +19,41 @@ from core.mocap.clip import Clip
 from core.mocap.dataset import Dataset, FileReport, ImportReport, motion_digest, read_recordings
 from core.mocap.errors import RecordingError
 from core.mocap.kinematics import joint_positions
+from core.mocap.reports import Finding
 from core.mocap.text import recording_format
 from core.progress import Report, silent
 
-__all__ = ["inspect_clip", "inspect_dataset", "inspect_file", "inspect_skeleton", "rest_pose"]
+__all__ = [
+    "Inspection",
+    "find_doubts",
+    "inspect_clip",
+    "inspect_dataset",
+    "inspect_file",
+    "inspect_skeleton",
+    "rest_pose",
+]
 
-_NAMED = 3  # faults of one kind that are named one by one
+_NAMED = 3  # faults of one kind that are named one by one in a sentence
+_MARKED = 200  # and those that are findings of their own
 _ALIKE = ("the same recording as", "looks like the same motion as")  # how doubts about duplicates begin
+
+
+class Inspection(NamedTuple):
+    """What inspection finds in a clip.
+
+    findings: what a person should look at, and in which frames, that of the reader first. doubts: the same in
+    sentences, all jumps in one. remarks: what is good to know. lead: frames of a rest pose in front.
+    """
+
+    findings: tuple[Finding, ...]
+    doubts: tuple[str, ...]
+    remarks: tuple[str, ...]
+    lead: int
 
 
 def inspect_clip(clip: Clip) -> tuple[str, ...]:
     """What a person should look at in this clip, one sentence each; nothing where all is well."""
-    return _inspect(clip)[0]
+    return find_doubts(clip).doubts
 
 
 def rest_pose(clip: Clip) -> int:
@@ -38,20 +62,21 @@ def rest_pose(clip: Clip) -> int:
     return rest_pose_frames(clip, positions, find_jumps(clip, positions))[0]
 
 
-def _inspect(clip: Clip) -> tuple[tuple[str, ...], tuple[str, ...], int]:
-    """Doubts, remarks, and the frames of a rest pose in front."""
+def find_doubts(clip: Clip) -> Inspection:
+    """Inspects a clip."""
     positions = joint_positions(clip)
     jumps = find_jumps(clip, positions)
     lead, why = rest_pose_frames(clip, positions, jumps)
-    doubts = [*clip.warnings, *size_doubts(clip.skeleton)]
+    before = [*clip.findings, *size_doubts(clip.skeleton)]
     if lead:
         frames = "frame 0" if lead == 1 else f"frames 0 to {lead - 1}"
-        doubts.append(f"{frames} before the motion: {why}, then a jump")
-    doubts += _jump_words(clip, [jump for jump in jumps if jump.frame > lead])
-    doubts += rate_doubts(clip, positions)
-    doubts += up_doubts(clip, positions[lead:])
+        before.append(Finding("rest pose", f"{frames} before the motion: {why}, then a jump", 0, lead))
+    jumps = [jump for jump in jumps if jump.frame > lead]
     sliding, remarks = floor_notes(clip, positions[lead:])
-    return tuple(dict.fromkeys([*doubts, *sliding])), (*clip.notes, *remarks), lead
+    after = [*rate_doubts(clip, positions), *up_doubts(clip, positions[lead:]), *sliding]
+    findings = dict.fromkeys([*before, *_jump_findings(clip, jumps), *after])
+    doubts = dict.fromkeys([*(f.message for f in before), *_jump_words(clip, jumps), *(f.message for f in after)])
+    return Inspection(tuple(findings), tuple(doubts), (*clip.notes, *remarks), lead)
 
 
 def _jump_words(clip: Clip, jumps: list[Jump]) -> list[str]:
@@ -63,9 +88,26 @@ def _jump_words(clip: Clip, jumps: list[Jump]) -> list[str]:
     return [f"jumps {times} from one frame to the next, faster than a body can move: {named}"]
 
 
+def _jump_findings(clip: Clip, jumps: list[Jump]) -> list[Finding]:
+    """Every jump at its frames; of very many, the later ones together."""
+    findings = [
+        Finding(
+            "jump",
+            f"{clip.skeleton.names[jump.joint]} jumps by {jump.metres:.2g} m",
+            jump.frame - 1,
+            jump.frame + 1,
+        )
+        for jump in jumps[:_MARKED]
+    ]
+    if others := jumps[_MARKED:]:
+        words = f"{len(others)} further jumps"
+        findings.append(Finding("jump", words, others[0].frame - 1, others[-1].frame + 1))
+    return findings
+
+
 def inspect_skeleton(asf: AsfSkeleton) -> tuple[str, ...]:
     """What a person should look at in a skeleton, one sentence each."""
-    return tuple(size_doubts(asf.skeleton))
+    return tuple(finding.message for finding in (*asf.findings, *size_doubts(asf.skeleton)))
 
 
 def inspect_file(path: str | Path, *, skeleton: str | Path | None = None, fps: float | None = None) -> FileReport:
@@ -78,14 +120,14 @@ def inspect_file(path: str | Path, *, skeleton: str | Path | None = None, fps: f
         if recording_format(path)[1] == ".asf":
             asf = read_asf(path)
             notes = (f"a skeleton of {asf.skeleton.n_joints} joints and tips", *asf.notes)
-            return _file_report(FileReport(str(path), None, "ok", notes), inspect_skeleton(asf))
+            doubts = inspect_skeleton(asf)
+            return FileReport(str(path), None, "warning" if doubts else "ok", (*doubts, *notes))
         file, clip = next(iter(read_recordings(path, skeleton=skeleton, fps=fps)))
     except RecordingError as error:
         file, clip = error, None
     if clip is None or isinstance(file, RecordingError):
         return FileReport(str(path), None, "error", (str(file),))
-    doubts, remarks, _ = _inspect(clip)
-    return _file_report(FileReport(str(path), clip.name, file.verdict, file.messages), doubts, remarks)
+    return _file_report(FileReport(str(path), clip.name, file.verdict, file.messages), find_doubts(clip))
 
 
 def inspect_dataset(dataset: Dataset, report: Report = silent) -> ImportReport:
@@ -93,22 +135,29 @@ def inspect_dataset(dataset: Dataset, report: Report = silent) -> ImportReport:
 
     Clips that came from no file (a demo) get an entry of their own.
     """
-    doubts, remarks, leads = {}, {}, []
+    inspected: dict[str, Inspection] = {}
     for k, clip in enumerate(dataset.clips):
         report("Inspecting", k / len(dataset.clips))
-        doubts[clip.name], remarks[clip.name], lead = _inspect(clip)
-        leads.append(lead)
+        inspected[clip.name] = find_doubts(clip)
     digests = [motion_digest(clip) for clip in dataset.clips]
+    leads = [inspection.lead for inspection in inspected.values()]
     for k, others in find_duplicates(dataset.clips, digests, leads).items():
         named = ", ".join(dataset.clips[other].name for other in others[:5]) + (" ..." if len(others) > 5 else "")
         same = all(digests[other] == digests[k] for other in others)
-        word = _ALIKE[0] if same else _ALIKE[1]
-        doubts[dataset.clips[k].name] += (f"{word} {named}",)
-    before = (_without_alike(file, remarks.get(file.clip or "", ())) for file in dataset.report.files)
-    files = [_file_report(f, doubts.get(f.clip or "", ()), remarks.get(f.clip or "", ())) for f in before]
+        words = f"{_ALIKE[0] if same else _ALIKE[1]} {named}"
+        before = inspected[dataset.clips[k].name]
+        inspected[dataset.clips[k].name] = before._replace(
+            findings=(*before.findings, Finding("duplicate", words)), doubts=(*before.doubts, words)
+        )
+    nothing = Inspection((), (), (), 0)
+    files = [
+        _file_report(_without_alike(file, found.remarks), found)
+        for file in dataset.report.files
+        for found in [inspected.get(file.clip or "", nothing)]
+    ]
     known = {file.clip for file in files}
     files += [
-        _file_report(FileReport(clip.name, clip.name, "ok"), doubts[clip.name], remarks[clip.name])
+        _file_report(FileReport(clip.name, clip.name, "ok"), inspected[clip.name])
         for clip in dataset.clips
         if clip.name not in known
     ]
@@ -123,8 +172,8 @@ def _without_alike(file: FileReport, remarks: Iterable[str]) -> FileReport:
     return replace(file, messages=kept, verdict="ok" if doubtless else file.verdict)
 
 
-def _file_report(file: FileReport, doubts: Iterable[str], remarks: Iterable[str] = ()) -> FileReport:
+def _file_report(file: FileReport, found: Inspection) -> FileReport:
     """The report with more to say: doubts first, nothing twice."""
-    doubts = tuple(doubts)
-    verdict = "error" if file.verdict == "error" else "warning" if doubts else file.verdict
-    return replace(file, verdict=verdict, messages=tuple(dict.fromkeys([*doubts, *file.messages, *remarks])))
+    verdict = "error" if file.verdict == "error" else "warning" if found.doubts else file.verdict
+    messages = tuple(dict.fromkeys([*found.doubts, *file.messages, *found.remarks]))
+    return replace(file, verdict=verdict, messages=messages, findings=found.findings)

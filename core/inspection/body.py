@@ -7,6 +7,7 @@ import numpy as np
 from core.editing.contacts import floor_height, sole_points
 from core.mocap.anatomy import find_anatomy
 from core.mocap.clip import Clip
+from core.mocap.reports import Finding
 from core.mocap.skeleton import Skeleton
 from core.mocap.units import LONGEST_BONE, SPANS, span
 
@@ -14,20 +15,22 @@ _FLOOR = 0.25  # metres from zero that are worth a word
 _SLIDING, _LOW = 1.0, 0.03  # m/s of the slowest foot while the lowest is within 3 cm of the floor
 
 
-def size_doubts(skeleton: Skeleton) -> list[str]:
+def size_doubts(skeleton: Skeleton) -> list[Finding]:
     """Bones and bodies of a size that nobody has."""
     lengths = np.linalg.norm(skeleton.offsets, axis=1)
     longest = int(lengths.argmax())
     if lengths[longest] > LONGEST_BONE:
         parent = skeleton.names[skeleton.parents[longest]]
-        return [f"{skeleton.names[longest]} is {lengths[longest]:.4g} m away from {parent}: no body is that large"]
+        words = f"{skeleton.names[longest]} is {lengths[longest]:.4g} m away from {parent}: no body is that large"
+        return [Finding("size", words)]
     size = span(skeleton.parents, skeleton.offsets)
     if skeleton.n_joints > 5 and not SPANS[0] <= size <= SPANS[1]:
-        return [f"the skeleton spans {size:.3g} m from tip to tip: not the size of a person; check the unit"]
+        words = f"the skeleton spans {size:.3g} m from tip to tip: not the size of a person; check the unit"
+        return [Finding("size", words)]
     return []
 
 
-def up_doubts(clip: Clip, positions: np.ndarray) -> list[str]:
+def up_doubts(clip: Clip, positions: np.ndarray) -> list[Finding]:
     """Whether the head is above the feet most of the time. positions: (n_frames, n_joints, 3), metres, world."""
     anatomy = find_anatomy(clip.skeleton)
     if not anatomy.legs or anatomy.head_tip == 0:
@@ -37,14 +40,16 @@ def up_doubts(clip: Clip, positions: np.ndarray) -> list[str]:
     upright /= max(float(np.linalg.norm(upright)), 1e-9)
     axis = int(np.abs(upright).argmax())
     if axis == 1 and upright[1] < 0:
-        return ["the head is below the feet most of the time: a handstand, or Y points down in this file"]
+        words = "the head is below the feet most of the time: a handstand, or Y points down in this file"
+        return [Finding("up", words)]
     if axis != 1 and abs(upright[axis]) > 0.9:
         sign = "" if upright[axis] > 0 else "-"
-        return [f"the body lies along {sign}{'XYZ'[axis]} most of the time: a person lying, or a file with Z up"]
+        words = f"the body lies along {sign}{'XYZ'[axis]} most of the time: a person lying, or a file with Z up"
+        return [Finding("up", words)]
     return []
 
 
-def floor_notes(clip: Clip, positions: np.ndarray) -> tuple[list[str], list[str]]:
+def floor_notes(clip: Clip, positions: np.ndarray) -> tuple[list[Finding], list[str]]:
     """Doubts (feet that slide) and remarks (a floor that is not at zero).
 
     positions: (n_frames, n_joints, 3), metres, world.
@@ -64,5 +69,6 @@ def floor_notes(clip: Clip, positions: np.ndarray) -> tuple[list[str], list[str]
     sliding = float(np.median(np.min(speeds, axis=0)[low])) if low.sum() > clip.fps else 0.0
     doubts = []
     if sliding > _SLIDING:
-        doubts.append(f"the feet slide: both move at {sliding:.1f} m/s or more half the time they are near the floor")
+        words = f"the feet slide: both move at {sliding:.1f} m/s or more half the time they are near the floor"
+        doubts.append(Finding("sliding", words))
     return doubts, remarks

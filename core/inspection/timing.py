@@ -9,6 +9,7 @@ import numpy as np
 from core.arrays import FloatArray
 from core.mocap.anatomy import SIDES, find_anatomy
 from core.mocap.clip import Clip
+from core.mocap.reports import Finding
 
 FASTEST = 12.0  # m/s of a joint against the pelvis; hands of sportsmen come near it
 _OUTLIER = 5.0  # times as fast as the frames around it: motion has inertia, faults have none
@@ -64,25 +65,27 @@ def rest_pose_frames(clip: Clip, positions: np.ndarray, jumps: list[Jump]) -> tu
     return 0, ""
 
 
-def rate_doubts(clip: Clip, positions: np.ndarray) -> list[str]:
+def rate_doubts(clip: Clip, positions: np.ndarray) -> list[Finding]:
     """What speaks against the frame rate: a rate nobody records at, frames that come twice.
 
     positions: (n_frames, n_joints, 3), metres, world.
     """
     doubts = []
     if not _SLOWEST_RATE <= clip.fps <= _FASTEST_RATE:
-        doubts.append(f"{clip.fps:.4g} frames per second: few people record at such a rate; check the frame time")
+        words = f"{clip.fps:.4g} frames per second: few people record at such a rate; check the frame time"
+        doubts.append(Finding("rate", words))
     if clip.n_frames <= 20:
         return doubts
     still = np.abs(np.diff(positions, axis=0)).max(axis=(1, 2)) < 1e-6
     if still.all():
-        return [*doubts, "nothing moves in any frame"]
+        return [*doubts, Finding("still", "nothing moves in any frame")]
     for times in (2, 3, 4, 5):
         # frames that come in packs of equal ones: all steps stand still but every second (third ...)
         moves = [(~still[k::times]).mean() for k in range(times)]
         if max(moves) > 0.8 and sum(moves) - max(moves) < 0.05 and still.mean() > 0.4:
             rate = clip.fps / times
-            doubts.append(f"every frame comes {times} times: the motion was recorded at {rate:.4g} frames per second")
+            words = f"every frame comes {times} times: the motion was recorded at {rate:.4g} frames per second"
+            doubts.append(Finding("rate", words))
             break
     return doubts
 

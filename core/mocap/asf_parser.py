@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from core.mocap.errors import RecordingError
+from core.mocap.reports import Finding
 from core.mocap.text import MAX_NAME, number, quoted
 
 Line = tuple[int, list[str]]
 _ROOT_DOF = ("tx", "ty", "tz", "rx", "ry", "rz")
-_BONE_DOF = ("rx", "ry", "rz")
+_BONE_DOF = ("rx", "ry", "rz", "tx", "ty", "tz", "l")
+_TURNS = ("rx", "ry", "rz")
 
 
 @dataclass
@@ -39,6 +42,8 @@ class RawAsf:
     bones: dict[str, RawBone] = field(default_factory=dict)
     parents: dict[str, str] = field(default_factory=dict)
     children: dict[str, list[str]] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
+    findings: list[Finding] = field(default_factory=list)
 
 
 def parse_asf(path: str | Path, text: str) -> RawAsf:
@@ -49,6 +54,10 @@ def parse_asf(path: str | Path, text: str) -> RawAsf:
 class _Parser:
     def __init__(self, path: str | Path):
         self.path, self.asf = path, RawAsf()
+        self.uneven: list[str] = []  # bones whose direction is no unit vector
+        self.limits: list[str] = []  # bones whose limits do not fit their degrees of freedom
+        self.stretched: list[str] = []  # bones that may also shift or become longer
+        self.ignored: dict[str, int] = {}  # unknown keywords -> line
 
     def error(self, found: str, expected: str = "", line: int | None = None) -> RecordingError:
         return RecordingError(self.path, found, expected, line)
@@ -62,21 +71,36 @@ class _Parser:
             elif name != "units":
                 raise self.error(f"no :{name} section", "an ASF skeleton with :root, :bonedata and :hierarchy")
         self.check()
+        self.say()
         return self.asf
+
+    def say(self) -> None:
+        """What was passed over or mended."""
+        if self.uneven:
+            words = f"the direction of {_some(self.uneven)} is no unit vector: made one"
+            self.asf.findings.append(Finding("direction", words))
+        if self.stretched:
+            words = f"{_some(self.stretched)} may shift or change length (dof l, tx, ty, tz): these values are left out"
+            self.asf.findings.append(Finding("dof", words))
+        if self.limits:
+            words = f"the limits of {_some(self.limits)} do not fit the degrees of freedom: limits are not used"
+            self.asf.findings.append(Finding("limits", words))
+        if self.ignored:
+            self.asf.notes.append(f"unknown words in :bonedata, left out: {_some(list(self.ignored))}")
 
     def sections(self, text: str) -> dict[str, tuple[int, list[Line]]]:
         """Name -> line of its heading and its lines, as words; comments and blank lines left out."""
         found: dict[str, tuple[int, list[Line]]] = {}
         lines: list[Line] | None = None
         for at, raw in enumerate(text.split("\n"), 1):
-            words = raw.split()
-            if not words or words[0].startswith("#"):
+            words = (raw if "#" not in raw else re.split(r"(?:^|\s)#", raw)[0]).split()
+            if not words:
                 continue
             if words[0].startswith(":"):
                 name = words[0][1:].lower()
                 if name in found:
                     raise self.error(f"a second :{name[:40]} section", "one", at)
-                lines = []
+                lines = [(at, words[1:])] if words[1:] else []
                 found[name] = (at, lines)
             elif lines is None:
                 raise self.error(f"{quoted(words[0])}", "a section such as :units, as in every ASF skeleton", at)
@@ -85,7 +109,8 @@ class _Parser:
         return found
 
     def units(self, at: int, lines: list[Line]) -> None:
-        for line, words in lines:
+        pairs = [(line, words[k : k + 2]) for line, words in lines for k in range(0, len(words), 2)]
+        for line, words in pairs:
             key, value = words[0].lower(), words[1] if len(words) > 1 else ""
             if key == "length":
                 self.asf.length_unit = number(self.path, value, line, "a length unit")
@@ -148,13 +173,15 @@ class _Parser:
                 bone.length = self.numbers(values, 1, line, "length")[0]
             elif key == "axis":
                 bone.axis = self.numbers(values[:3], 3, line, "axis")
-                bone.order = self.order(values[3:], line)
+                bone.order = self.order(values[3:], line) if values[3:] else "xyz"
             elif key == "dof":
                 bone.dof = self.dof(values, line, _BONE_DOF)
             elif key == "limits" or key.startswith("("):
                 bone.limits += " ".join(words).count("(")
             elif key not in ("id", "bodymass", "cofmass"):
-                raise self.error(quoted(words[0]), "name, direction, length, axis, dof or limits", line)
+                if not key.isalpha():
+                    raise self.error(quoted(words[0]), "name, direction, length, axis, dof or limits", line)
+                self.ignored.setdefault(words[0][:20], line)
         self.check_bone(bone)
         return bone
 
@@ -168,11 +195,14 @@ class _Parser:
         if bone.length < 0 or bone.length > 1e6:
             raise self.error(f"{where} has length {bone.length:g}", "a length from 0 to 1e6", bone.line)
         size = sum(d * d for d in bone.direction) ** 0.5
+        if bone.length > 0 and size < 1e-6:
+            raise self.error(f"{where} has no direction", "a direction other than 0 0 0", bone.line)
         if bone.length > 0 and abs(size - 1) > 0.01:
-            raise self.error(f"{where} has a direction of length {size:.3g}", "a unit vector", bone.line)
-        if bone.limits and bone.limits != len(bone.dof):
-            found = f"{where} has {bone.limits} limits for {len(bone.dof)} degrees of freedom"
-            raise self.error(found, "one for each", bone.line)
+            self.uneven.append(bone.name)
+        if bone.limits not in (0, len(bone.dof), sum(dof in _TURNS for dof in bone.dof)):
+            self.limits.append(bone.name)
+        if set(bone.dof) - set(_TURNS):
+            self.stretched.append(bone.name)
 
     def name(self, values: list[str], line: int) -> str:
         if len(values) != 1 or len(values[0]) > MAX_NAME:
@@ -207,15 +237,22 @@ class _Parser:
                 self.link(line, words)
 
     def link(self, line: int, words: list[str]) -> None:
-        known = {"root", *self.asf.bones}
-        for name in words:
-            if name not in known:
-                raise self.error(f"the bone {quoted(name)} has no data", "a bone of :bonedata", line)
+        words = [self.known(name, line) for name in words]
         for child in words[1:]:
             if child == "root" or child in self.asf.parents:
                 raise self.error(f"the bone {quoted(child)} hangs from two parents or is the root", "one parent", line)
             self.asf.parents[child] = words[0]
             self.asf.children.setdefault(words[0], []).append(child)
+
+    def known(self, name: str, line: int) -> str:
+        """The bone of this name, whatever its capitals where no two bones differ in them only."""
+        names = ["root", *self.asf.bones]
+        if name in names:
+            return name
+        alike = [known for known in names if known.lower() == name.lower()]
+        if len(alike) != 1:
+            raise self.error(f"the bone {quoted(name)} has no data", "a bone of :bonedata", line)
+        return alike[0]
 
     def check(self) -> None:
         """Every bone hangs, through its parents, from the root."""
@@ -228,3 +265,7 @@ class _Parser:
             if name not in reached:
                 found = f"the bone {quoted(name)} does not hang from the root"
                 raise self.error(found, "every bone in the hierarchy, no circles", bone.line)
+
+
+def _some(names: list[str]) -> str:
+    return ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")

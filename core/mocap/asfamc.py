@@ -6,6 +6,7 @@ length, zero for the bones that hang from the root; the end of a leaf bone is an
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -13,12 +14,15 @@ import numpy as np
 
 from core.mocap import numbers
 from core.mocap import quaternions as quat
+from core.mocap.amc_repair import AmcTable, repaired_frames
 from core.mocap.asf_parser import RawAsf, parse_asf
 from core.mocap.clip import Clip
 from core.mocap.errors import RecordingError
 from core.mocap.euler import rotations_from_angles
+from core.mocap.gaps import fill_rotations, fill_track
+from core.mocap.reports import Finding
 from core.mocap.skeleton import Skeleton
-from core.mocap.text import LARGEST, decoded, line_at, quoted, read_bytes, recording_format, token_at
+from core.mocap.text import LARGEST, decoded, read_bytes, recording_format, token_at
 
 INCH = 0.0254
 DEFAULT_FPS = 120.0  # AMC stores no rate; this is the rate of the CMU recordings
@@ -33,7 +37,8 @@ class AsfSkeleton:
     bones: ASF names ("root" first) in the order of their values; first_value: (n_bones + 1,) where each begins.
     columns, axes: (n_joints, 3) angles of every joint, see :func:`core.mocap.euler.rotations_from_angles`.
     frames: (n_joints, 4) quaternions of the bones' axes. root_columns: where TX, TY, TZ stand, -1 for none.
-    root_position: (3,) metres, added to the root's path.
+    turns: number of a bone that may also shift or stretch -> which of its values are turns.
+    root_position: (3,) metres, added to the root's path. findings: what was odd about the file and has been mended.
     """
 
     path: str
@@ -44,8 +49,10 @@ class AsfSkeleton:
     axes: np.ndarray
     frames: np.ndarray
     root_columns: tuple[int, int, int]
+    turns: Mapping[int, tuple[int, ...]]
     root_position: np.ndarray
     notes: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()
 
 
 def read_asf(path: str | Path) -> AsfSkeleton:
@@ -53,7 +60,9 @@ def read_asf(path: str | Path) -> AsfSkeleton:
 
     Raises RecordingError for anything that is no complete, consistent skeleton.
     """
-    raw = parse_asf(path, decoded(read_bytes(path)))
+    encoding: list[str] = []
+    raw = parse_asf(path, decoded(read_bytes(path, encoding)))
+    raw.findings += [Finding("encoding", note) for note in encoding]
     unit = INCH / raw.length_unit
     order = _depth_first(raw)
     names: list[str] = []
@@ -96,10 +105,24 @@ def _with_channels(
         first.append(start + len(bone.dof))
     x, y, z = (raw.root.dof.index(t) if t in raw.root.dof else -1 for t in ("tx", "ty", "tz"))
     moved = np.any(raw.root_position) or np.any(raw.root.axis)
-    notes = ("the skeleton's own root position and orientation were applied",) if moved else ()
-    position = np.array(raw.root_position) * unit
+    notes = (*(["the skeleton's own root position and orientation were applied"] if moved else []), *raw.notes)
     return AsfSkeleton(
-        str(path), skeleton, tuple(bones), np.array(first), columns, axes, frames, (x, y, z), position, notes
+        path=str(path),
+        skeleton=skeleton,
+        bones=tuple(bones),
+        first_value=np.array(first),
+        columns=columns,
+        axes=axes,
+        frames=frames,
+        root_columns=(x, y, z),
+        turns={
+            k: tuple(place for place, dof in enumerate(bone.dof) if dof.startswith("r"))
+            for k, bone in enumerate(bones.values())
+            if k and not all(dof.startswith("r") for dof in bone.dof)
+        },
+        root_position=np.array(raw.root_position) * unit,
+        notes=notes,
+        findings=tuple(raw.findings),
     )
 
 
@@ -116,7 +139,8 @@ def _vector(raw: RawAsf, bone: str | None) -> np.ndarray:
     """From the start to the end of a bone, in file units; zero for the root, which has no length."""
     if bone is None or bone == "root":
         return np.zeros(3)
-    return np.array(raw.bones[bone].direction) * raw.bones[bone].length
+    direction = np.array(raw.bones[bone].direction)
+    return direction * raw.bones[bone].length / max(float(np.linalg.norm(direction)), 1e-9)
 
 
 def _free(name: str, raw: RawAsf) -> str:
@@ -130,23 +154,29 @@ def read_amc(path: str | Path, asf: AsfSkeleton, fps: float = DEFAULT_FPS) -> Cl
 
     Raises RecordingError for a file that is damaged or does not fit the skeleton, ValueError where fps is not positive.
     """
-    data = read_bytes(path)
+    encoding: list[str] = []
+    data = read_bytes(path, encoding)
     start, radians = _head(path, data)
-    values = _frames(path, data, start, asf)
-    skeleton = asf.skeleton
+    table = _frames(path, data, start, asf)
+    values, skeleton = table.values, asf.skeleton
     if radians:
         values[:, [c for c in asf.columns.ravel() if c >= 0]] *= 180 / np.pi
     root = np.tile(asf.root_position, (len(values), 1))
     for k, column in enumerate(asf.root_columns):
         if column >= 0:
             root[:, k] += values[:, column] * skeleton.unit
+    rotations = rotations_from_angles(values, asf.columns, asf.axes, asf.frames)
+    if table.lost.any():
+        fill_rotations(rotations, table.lost)
+        fill_track(root, table.lost)
     return Clip(
         name=recording_format(path)[0],
         skeleton=skeleton,
         fps=float(fps),
         root_positions=root.astype(np.float32),
-        rotations=rotations_from_angles(values, asf.columns, asf.axes, asf.frames),
+        rotations=rotations,
         notes=asf.notes,
+        findings=(*(Finding("encoding", note) for note in encoding), *asf.findings, *table.findings),
     )
 
 
@@ -165,7 +195,7 @@ def _head(path: str | Path, data: bytes) -> tuple[int, bool]:
     raise RecordingError(path, "no frames", "a frame's number and its bones")
 
 
-def _frames(path: str | Path, data: bytes, start: int, asf: AsfSkeleton) -> np.ndarray:
+def _frames(path: str | Path, data: bytes, start: int, asf: AsfSkeleton) -> AmcTable:
     """All values, (n_frames, n_values) float64."""
     raw = np.frombuffer(data, np.uint8)
     encoded = [bone.encode() for bone in asf.bones]
@@ -174,31 +204,7 @@ def _frames(path: str | Path, data: bytes, start: int, asf: AsfSkeleton) -> np.n
     # Every numbered line that has its bones takes at least two bytes a value: no count in the file is believed.
     n = min(numbers.count_numbered_lines(raw, start), len(data) // max(2 * int(asf.first_value[-1]), 1) + 1)
     out = np.empty((n, int(asf.first_value[-1])))
-    found, status, offset, what = numbers.scan_frames(raw, start, names, name_at, asf.first_value, out, LARGEST)
-    if status != numbers.OK:
-        raise _frame_error(path, data, asf, found, status, offset, what)
-    return out[:found]
-
-
-def _frame_error(
-    path: str | Path, data: bytes, asf: AsfSkeleton, frame: int, status: int, offset: int, what: int
-) -> RecordingError:
-    line, word, body = line_at(data, offset), token_at(data, offset), Path(asf.path).name
-    bone = asf.bones[what] if 0 <= what < len(asf.bones) else ""
-    if status == numbers.UNKNOWN_NAME:
-        return RecordingError(path, f"the bone {word} is not in {body}", "bones of this skeleton", line)
-    if status == numbers.MISSING_NAME:
-        found = f"frame {frame + 1} ends without the bone {quoted(bone)}"
-        return RecordingError(path, found, f"every bone of {body} that moves, in every frame", line)
-    if status == numbers.REPEATED_NAME:
-        return RecordingError(path, f"the bone {word} comes twice in a frame", "each bone once", line)
-    if status == numbers.NOT_A_NUMBER:
-        return RecordingError(path, word, "a finite decimal number", line)
-    if status == numbers.FRAME_NUMBER:
-        after = f"the frame number {what + 1}" if what >= 0 else "a frame number"
-        return RecordingError(path, word, after, line)
-    if status == numbers.ROW_WIDTH:
-        k = asf.bones.index(data[offset:].split(None, 1)[0].decode())
-        wanted = int(asf.first_value[k + 1] - asf.first_value[k])
-        return RecordingError(path, f"{what} values for {word}", f"{wanted}, as {body} says", line)
-    return RecordingError(path, word, "a frame's number before its bones", line)
+    found, status, _, _ = numbers.scan_frames(raw, start, names, name_at, asf.first_value, out, LARGEST)
+    if status == numbers.OK:
+        return AmcTable(out[:found], np.zeros(found, bool))
+    return repaired_frames(path, data, start, asf.bones, asf.first_value, asf.turns, Path(asf.path).name)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gzip
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,39 +14,90 @@ from core.mocap.bvh_parser import RawBvh, RawJoint, parse_bvh
 from core.mocap.clip import Clip
 from core.mocap.euler import rotations_from_angles
 from core.mocap.files import replacing
+from core.mocap.gaps import fill_rotations, fill_track
 from core.mocap.pelvis import find_pelvis
+from core.mocap.reports import Finding
 from core.mocap.skeleton import Skeleton
 from core.mocap.text import read_bytes, recording_format
 from core.mocap.units import guess_unit, span
 
 _STILL = 1e-6  # of the body's span: position channels that stay within it do not move
+_LOOKED_AT = 32  # frames that are looked at to tell displacements from places
+_NEARLY_ZERO, _MOST_DISPLACED, _FEWEST_DISPLACED = 0.1, 0.8, 3  # of OFFSET, of the joints, joints
 
 
-def read_bvh(path: str | Path, unit: float | None = None) -> Clip:
-    """A recording from a ``.bvh`` or ``.bvh.gz`` file.
+def read_bvh(path: str | Path, unit: float | None = None, fps: float | None = None) -> Clip:
+    """A recording from a ``.bvh`` or ``.bvh.gz`` file; of several skeletons in one file, the first.
 
-    Position channels replace OFFSET. Joints above the pelvis are folded into its path; another joint whose position
-    channels move gets a translation track. unit: metres per unit of the file; guessed from the body's size where not
-    given, see the clip's notes. Raises RecordingError for anything that is no complete recording.
+    unit: metres per unit of the file; guessed from the body's size where not given, see the clip's notes. fps: frames
+    per second, in place of what the file says. Raises RecordingError for what is no recording, see read_bvh_clips.
     """
-    raw = parse_bvh(path, read_bytes(path))
-    notes: list[str] = []
-    warnings: list[str] = []
-    names = _unique_names(raw.joints, warnings)
+    return read_bvh_clips(path, unit, fps)[0]
+
+
+def read_bvh_clips(path: str | Path, unit: float | None = None, fps: float | None = None) -> tuple[Clip, ...]:
+    """A clip for each ROOT of a BVH file; all but the first have the root's name behind the file's.
+
+    Position channels replace OFFSET; where nearly all are 0 they are added to it. Joints above the pelvis are folded
+    into its path; another joint whose position channels move gets a translation track. A few damaged frames are filled
+    from those around; the findings of the clip say which. Parameters as in :func:`read_bvh`. Raises RecordingError
+    where the file is damaged further, or holds no motion.
+    """
+    encoding: list[str] = []
+    raw = parse_bvh(path, read_bytes(path, encoding), fps)
+    roots = [j for j, joint in enumerate(raw.joints) if joint.parent < 0]
+    raw.findings[:0] = [Finding("encoding", note) for note in encoding]
+    name = recording_format(path)[0]
+    if len(roots) == 1:
+        return (_clip(raw, name, unit),)
+    titles = [raw.joints[j].name for j in roots]
+    words = f"{len(roots)} skeletons in one file ({', '.join(titles[:5])}): each is a clip of its own"
+    raw.findings.insert(0, Finding("roots", words))
+    names = [name, *(f"{name} {title}" for title in titles[1:])]
+    return tuple(
+        _clip(_under(raw, j), names[k] if names.count(names[k]) == 1 else f"{names[k]} {k + 1}", unit)
+        for k, j in enumerate(roots)
+    )
+
+
+def _under(raw: RawBvh, root: int) -> RawBvh:
+    """Only the joints of one root; the values stay whole, joints know their columns."""
+    keep = _at_or_below(raw.joints, root)
+    index = {j: k for k, j in enumerate(keep)}
+    joints = [
+        replace(raw.joints[j], parent=index.get(raw.joints[j].parent, -1), children=[index[c] for c in children])
+        for j, children in ((j, raw.joints[j].children) for j in keep)
+    ]
+    return replace(raw, joints=joints, findings=list(raw.findings), notes=list(raw.notes))
+
+
+def _clip(raw: RawBvh, name: str, unit: float | None) -> Clip:
+    notes, findings = raw.notes, raw.findings
+    names = _unique_names(raw.joints, findings)
     pelvis = find_pelvis(names, [[c for c in j.children if not raw.joints[c].end_site] for j in raw.joints])
+    added = _are_displacements(raw, pelvis)
+    if added:
+        words = "the position channels are nearly all 0 where OFFSET is not: taken as displacements, added to OFFSET"
+        findings.append(Finding("displacements", words))
     rotations = rotations_from_angles(raw.values, *_rotation_columns(raw.joints))
-    root, rotations = _fold(raw, rotations, pelvis, names, notes)
-    offsets, tracks = _offsets(raw, pelvis)
+    root, rotations = _fold(raw, rotations, pelvis, names, notes, added)
+    offsets, tracks = _offsets(raw, pelvis, added)
     keep = _at_or_below(raw.joints, pelvis)
     index = {j: k for k, j in enumerate(keep)}
     parents = tuple(-1 if j == pelvis else index[raw.joints[j].parent] for j in keep)
     offsets = offsets[keep]
     offsets[0] = 0
     if unit is None:
-        unit = _guessed(parents, offsets, notes, warnings)
+        unit = _guessed(parents, offsets, notes, findings)
     if tracks:
         moving = ", ".join(names[j] for j in list(tracks)[:5]) + (" ..." if len(tracks) > 5 else "")
         notes.append(f"{len(tracks)} joints below the pelvis also change place ({moving}): kept as translation tracks")
+    rotations = np.ascontiguousarray(rotations[:, keep], np.float32)
+    if any(finding.kind == "filled" for finding in findings):
+        lost = np.isnan(raw.values).any(axis=1)
+        fill_rotations(rotations, lost)
+        for track in (root, *tracks.values()):
+            fill_track(track, lost)
     skeleton = Skeleton(
         names=tuple(names[j] for j in keep),
         parents=parents,
@@ -55,18 +107,18 @@ def read_bvh(path: str | Path, unit: float | None = None) -> Clip:
         unit=unit,
     )
     return Clip(
-        name=recording_format(path)[0],
+        name=name,
         skeleton=skeleton,
         fps=_frame_rate(raw.frame_time),
         root_positions=(root * unit).astype(np.float32),
-        rotations=np.ascontiguousarray(rotations[:, keep], np.float32),
+        rotations=rotations,
         translations={index[j]: (track * unit).astype(np.float32) for j, track in tracks.items()},
         notes=tuple(notes),
-        warnings=tuple(warnings),
+        findings=tuple(findings),
     )
 
 
-def _unique_names(joints: Sequence[RawJoint], warnings: list[str]) -> list[str]:
+def _unique_names(joints: Sequence[RawJoint], findings: list[Finding]) -> list[str]:
     """Joint names, made unique: joints first, so that only an end site gives way to a joint of its name."""
     taken: set[str] = set()
     names, repeated = [""] * len(joints), []
@@ -79,7 +131,7 @@ def _unique_names(joints: Sequence[RawJoint], warnings: list[str]) -> list[str]:
         taken.add(name)
         names[j] = name
     if repeated:
-        warnings.append(f"joint names that come more than once: {', '.join(repeated[:5])}")
+        findings.append(Finding("names", f"joint names that come more than once: {', '.join(repeated[:5])}"))
     return names
 
 
@@ -88,31 +140,66 @@ def _rotation_columns(joints: Sequence[RawJoint]) -> tuple[np.ndarray, np.ndarra
     for j, joint in enumerate(joints):
         turns = [(k, c) for k, c in enumerate(joint.channels) if c.endswith("rotation")]
         for n, (k, channel) in enumerate(turns):
-            columns[j, n], axes[j, n] = joint.first_column + k, "XYZ".index(channel[0])
+            columns[j, n], axes[j, n] = joint.columns[k], "XYZ".index(channel[0])
     return columns, axes
 
 
-def _positions(raw: RawBvh, j: int) -> np.ndarray:
-    """Where a joint is in its parent's frame, (n_frames, 3), file units: its OFFSET, replaced by position channels."""
+def _are_displacements(raw: RawBvh, pelvis: int) -> bool:
+    """Whether position channels are meant to be added to OFFSET: nearly all stay at 0 although OFFSET does not.
+
+    Few joints say nothing: one may well be meant to lie on its parent.
+    """
+    columns, sizes = [], []
+    for _j, joint in enumerate(raw.joints[pelvis + 1 :], pelvis + 1):
+        if len(joint.channels) > 3 and (places := _places(joint)) and any(joint.offset or ()):
+            columns.append(places)
+            sizes.append(max(map(abs, joint.offset or ())))
+    if len(columns) < _FEWEST_DISPLACED:
+        return False
+    limits = _NEARLY_ZERO * np.array(sizes)
+    for step in (len(raw.values), max(1, len(raw.values) // _LOOKED_AT)):  # one frame rules most files out
+        largest = np.nan_to_num(np.abs(raw.values[::step][:, columns])).max(axis=(0, 2))
+        if np.count_nonzero(largest <= limits) <= _MOST_DISPLACED * len(limits):
+            return False
+    return True
+
+
+def _places(joint: RawJoint) -> list[int]:
+    """Columns of X, Y and Z position; empty where one of them is not there."""
+    where = dict(zip(joint.channels, joint.columns, strict=True))
+    places = [where.get(f"{axis}position", -1) for axis in "XYZ"]
+    return places if min(places) >= 0 else []
+
+
+def _positions(raw: RawBvh, j: int, added: bool) -> np.ndarray:
+    """Where a joint is in its parent's frame, (n_frames, 3), file units: its OFFSET, replaced by position channels.
+
+    added: the channels are added to it instead.
+    """
     joint = raw.joints[j]
+    if places := _places(joint):
+        together = places[0] + 1 == places[1] == places[2] - 1
+        values = raw.values[:, places[0] : places[2] + 1] if together else raw.values[:, places]
+        return values + np.array(joint.offset) if added else values
     positions = np.tile(np.array(joint.offset), (len(raw.values), 1))
     for k, channel in enumerate(joint.channels):
         if channel.endswith("position"):
-            positions[:, "XYZ".index(channel[0])] = raw.values[:, joint.first_column + k]
+            axis = "XYZ".index(channel[0])
+            positions[:, axis] = raw.values[:, joint.columns[k]] + (positions[:, axis] if added else 0)
     return positions
 
 
 def _fold(
-    raw: RawBvh, rotations: np.ndarray, pelvis: int, names: list[str], notes: list[str]
+    raw: RawBvh, rotations: np.ndarray, pelvis: int, names: list[str], notes: list[str], added: bool
 ) -> tuple[np.ndarray, np.ndarray]:
     """Path of the pelvis in the world (n_frames, 3), file units, and ``rotations`` with its world rotation."""
     above, joint = [], pelvis
     while (joint := raw.joints[joint].parent) >= 0:
         above.append(joint)
-    path = _positions(raw, pelvis)
+    path = _positions(raw, pelvis, added)
     turn = rotations[:, pelvis]
     for joint in above:
-        path = _positions(raw, joint) + quat.rotate(rotations[:, joint].astype(float), path)
+        path = _positions(raw, joint, added) + quat.rotate(rotations[:, joint].astype(float), path)
         turn = quat.multiply(rotations[:, joint], turn)
     if above:
         rotations[:, pelvis] = turn
@@ -129,33 +216,36 @@ def _at_or_below(joints: Sequence[RawJoint], pelvis: int) -> list[int]:
     return sorted(kept)
 
 
-def _offsets(raw: RawBvh, pelvis: int) -> tuple[np.ndarray, dict[int, np.ndarray]]:
+def _offsets(raw: RawBvh, pelvis: int, added: bool) -> tuple[np.ndarray, dict[int, np.ndarray]]:
     """Rest offsets (n_joints, 3) and the tracks of joints below the pelvis that change place, in file units."""
-    offsets = np.array([joint.offset for joint in raw.joints])
+    offsets = np.array([joint.offset for joint in raw.joints], float)
     parents = [joint.parent for joint in raw.joints]
     bones = offsets * (np.arange(len(offsets)) > pelvis)[:, None]
     still, tracks = _STILL * span(parents, bones), {}
+    whole = not any(finding.kind == "filled" for finding in raw.findings)
     for j, joint in enumerate(raw.joints):
         if j <= pelvis or not any(c.endswith("position") for c in joint.channels):
             continue
-        positions = _positions(raw, j)
-        if np.abs(positions - offsets[j]).max() <= still:
+        positions = _positions(raw, j, added)
+        known = positions if whole else positions[~np.isnan(positions).any(axis=1)]
+        if np.abs(known - offsets[j]).max() <= still:
             continue
-        if np.ptp(positions, axis=0).max() <= still:
-            offsets[j] = positions[0]
+        if np.ptp(known, axis=0).max() <= still:
+            offsets[j] = known[0]
         else:
             tracks[j] = positions
     return offsets, tracks
 
 
-def _guessed(parents: Sequence[int], offsets: np.ndarray, notes: list[str], warnings: list[str]) -> float:
+def _guessed(parents: Sequence[int], offsets: np.ndarray, notes: list[str], findings: list[Finding]) -> float:
     guess, length = guess_unit(parents, offsets), span(parents, offsets)
     notes.append(f"no unit in a BVH file: taken as {guess.words}, for a span of {length * guess.metres:.2f} m")
     if not guess.believable:
-        warnings.append(
+        words = (
             f"the skeleton spans {length:.4g} units from tip to tip, the size of a person in no common unit; "
             f"taken as {guess.words}"
         )
+        findings.append(Finding("unit", words))
     return guess.metres
 
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import NamedTuple
 
 import numpy as np
 
 from core.errors import ParameterError
+from core.mocap.reports import Finding
 from core.mocap.skeleton import Skeleton
 
 
@@ -43,7 +44,8 @@ class Clip:
     translations: joint index -> (n_frames, 3) float32, metres: positions in the parent's frame that replace the rest
         offset of a joint (other than the root) whose position channels move.
     notes: what the reader did, in plain words (unit guessed, joints folded).
-    warnings: what a person should look at, in plain words.
+    findings: what a person should look at, and in which frames.
+    up: the axis that points up in the file the clip came from (``y``, ``z``, ``-x`` ...); the clip itself has Y up.
     Arrays may be memory-mapped. Raises ValueError where shapes do not agree or fps is not positive.
     """
 
@@ -54,7 +56,8 @@ class Clip:
     rotations: np.ndarray
     translations: Mapping[int, np.ndarray] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
-    warnings: tuple[str, ...] = ()
+    findings: tuple[Finding, ...] = ()
+    up: str = "y"
 
     def __post_init__(self) -> None:
         n, shape = len(self.root_positions), (len(self.root_positions), self.skeleton.n_joints, 4)
@@ -62,6 +65,11 @@ class Clip:
             raise ValueError(f"{self.name}: expected root positions ({n}, 3) and rotations {shape}")
         if n == 0 or not self.fps > 0:
             raise ValueError(f"{self.name}: a clip needs at least one frame and a positive frame rate")
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What a person should look at, in plain words."""
+        return tuple(finding.message for finding in self.findings)
 
     @property
     def n_frames(self) -> int:
@@ -83,4 +91,14 @@ class Clip:
             root_positions=self.root_positions[start:end],
             rotations=self.rotations[start:end],
             translations={j: t[start:end] for j, t in self.translations.items()},
+            findings=tuple(_findings_within(self.findings, start, end)),
         )
+
+
+def _findings_within(findings: tuple[Finding, ...], start: int, end: int) -> Iterator[Finding]:
+    """Those that are about frames ``[start, end)``, counted from ``start``, or about the whole clip."""
+    for finding in findings:
+        if finding.start is None or finding.end is None:
+            yield finding
+        elif finding.start < end and finding.end > start:
+            yield replace(finding, start=max(finding.start, start) - start, end=min(finding.end, end) - start)

@@ -14,13 +14,13 @@ from joblib import Parallel, delayed
 
 from core.errors import ParameterError
 from core.mocap.asfamc import DEFAULT_FPS, AsfSkeleton, read_amc, read_asf
-from core.mocap.bvh import read_bvh
+from core.mocap.bvh import read_bvh_clips
 from core.mocap.clip import Clip, Label
 from core.mocap.errors import RecordingError
 from core.mocap.label_files import find_label_files, find_labels
 from core.mocap.labels import fit_labels, read_labels
 from core.mocap.recordings import Recording, Source, find_recordings, find_skeleton, name_recordings
-from core.mocap.reports import FileReport, ImportReport
+from core.mocap.reports import FileReport, ImportReport, Verdict
 from core.mocap.skeleton import Skeleton
 from core.mocap.text import recording_format
 from core.progress import Report, silent
@@ -122,7 +122,8 @@ def open_dataset(
 ) -> Dataset:
     """Read a folder of recordings (and all below), one file, or several of either.
 
-    skeleton: .asf for .amc files that have none beside them. fps: frame rate of .amc files (120 where not given).
+    skeleton: .asf for .amc files that have none beside them. fps: frame rate of all recordings, in place of what they
+    say (AMC says nothing: 120 where not given).
     clips: names of the clips to read (or one string, with commas); all others are left alone. labels: CSV file or
     folder; where not given, the label files of the source folders (see label_files). on_error "report": what cannot be
     read stands in the report instead of raising. Raises RecordingError for the first file that cannot be read, where
@@ -190,19 +191,25 @@ def read_recordings(
         for start in range(0, len(jobs), _BATCH):
             report("Reading recordings", start / len(jobs))
             batch = jobs[start : start + _BATCH]
-            for (recording, _), clip in zip(batch, parallel(delayed(_read)(*job, fps) for job in batch), strict=True):
-                yield _reported(recording, clip, shared)
+            read: list[tuple[Clip, ...] | RecordingError] = parallel(delayed(_read)(*job, fps) for job in batch)
+            for (recording, _), one in zip(batch, read, strict=True):
+                yield from _reported(recording, one, shared)
     report("Reading recordings", 1.0)
 
 
 def _reported(
-    recording: Recording, clip: Clip | RecordingError, shared: dict[Skeleton, Skeleton]
-) -> tuple[FileReport | RecordingError, Clip | None]:
-    if isinstance(clip, RecordingError):
-        return clip, None
-    clip = replace(clip, name=recording.clip, skeleton=shared.setdefault(clip.skeleton, clip.skeleton))
-    doubts = (*clip.warnings, *filter(None, [recording.message]))
-    return FileReport(str(recording.path), clip.name, "warning" if doubts else "ok", (*doubts, *clip.notes)), clip
+    recording: Recording, read: tuple[Clip, ...] | RecordingError, shared: dict[Skeleton, Skeleton]
+) -> Iterator[tuple[FileReport | RecordingError, Clip | None]]:
+    if isinstance(read, RecordingError):
+        yield read, None
+        return
+    for clip in read:
+        # A file of several skeletons has several clips: what is added to the file's name stays.
+        name = recording.clip + clip.name.removeprefix(read[0].name)
+        clip = replace(clip, name=name, skeleton=shared.setdefault(clip.skeleton, clip.skeleton))
+        doubts = (*clip.warnings, *filter(None, [recording.message]))
+        verdict: Verdict = "warning" if doubts else "ok"
+        yield FileReport(str(recording.path), name, verdict, (*doubts, *clip.notes), findings=clip.findings), clip
 
 
 def _skeleton_of(
@@ -222,10 +229,14 @@ def _skeleton_of(
     return cache[asf]
 
 
-def _read(recording: Recording, asf: AsfSkeleton | RecordingError | None, fps: float | None) -> Clip | RecordingError:
+def _read(
+    recording: Recording, asf: AsfSkeleton | RecordingError | None, fps: float | None
+) -> tuple[Clip, ...] | RecordingError:
     if isinstance(asf, RecordingError):
         return asf
     try:
-        return read_bvh(recording.path) if asf is None else read_amc(recording.path, asf, fps or DEFAULT_FPS)
+        if asf is None:
+            return read_bvh_clips(recording.path, fps=fps)
+        return (read_amc(recording.path, asf, fps or DEFAULT_FPS),)
     except RecordingError as error:
         return error

@@ -9,10 +9,26 @@ Verdict = Literal["ok", "warning", "error"]
 
 
 @dataclass(frozen=True)
+class Finding:
+    """Something a person should look at in a clip.
+
+    kind: a short word for what it is, the same for all findings of that sort (``filled``, ``jump``, ``up`` ...).
+    message: one sentence. start, end: the frames it is about, ``[start, end)`` of the clip's own rate; None where it is
+    about the whole clip.
+    """
+
+    kind: str
+    message: str
+    start: int | None = None
+    end: int | None = None
+
+
+@dataclass(frozen=True)
 class FileReport:
     """One file: its path, the clip it became (None where it could not be read), the verdict and why.
 
-    ``addition``: 0 where it came with the import, n where the n-th addition to the dataset brought it.
+    ``findings``: what is to be looked at in the clip; their sentences are among ``messages`` as well. ``addition``: 0
+    where it came with the import, n where the n-th addition to the dataset brought it.
     """
 
     path: str
@@ -20,6 +36,7 @@ class FileReport:
     verdict: Verdict
     messages: tuple[str, ...] = ()
     addition: int = 0
+    findings: tuple[Finding, ...] = ()
 
 
 @dataclass(frozen=True)

@@ -21,7 +21,7 @@ from core.mocap.clip import Clip, Label
 from core.mocap.dataset import Dataset, clip_digest
 from core.mocap.errors import RecordingError
 from core.mocap.files import replacing
-from core.mocap.reports import FileReport, ImportReport
+from core.mocap.reports import FileReport, Finding, ImportReport
 from core.mocap.skeleton import Skeleton
 
 FORMAT = "motionscape/dataset/1"
@@ -94,7 +94,7 @@ class DatasetWriter:
             "translated": sorted(clip.translations),
             "digest": digest or clip_digest(clip),
         }
-        entry |= {"notes": clip.notes, "warnings": clip.warnings}
+        entry |= {"notes": clip.notes, "findings": [asdict(finding) for finding in clip.findings], "up": clip.up}
         for part in (clip.root_positions, clip.rotations, *(clip.translations[j] for j in sorted(clip.translations))):
             self._file.write(np.ascontiguousarray(part, _FLOAT).data)
             self._written += part.size
@@ -132,7 +132,10 @@ def load_dataset(folder: str | Path) -> Dataset:
         numbers = np.load(folder / "motion.npy", mmap_mode="c" if head["clips"] else None, allow_pickle=False)
         skeletons = [Skeleton.from_json(entry) for entry in head["skeletons"]]
         clips = tuple(_clip(entry, skeletons, np.asarray(numbers)) for entry in head["clips"])
-        files = (FileReport(**{**f, "messages": tuple(f["messages"])}) for f in head["report"]["files"])
+        files = (
+            FileReport(**{**f, "messages": tuple(f["messages"]), "findings": findings_from(f)})
+            for f in head["report"]["files"]
+        )
         return Dataset(
             name=head["name"],
             clips=clips,
@@ -146,6 +149,12 @@ def load_dataset(folder: str | Path) -> Dataset:
         raise RecordingError(folder, "no dataset here", "a folder with dataset.json and motion.npy") from None
     except (OSError, EOFError, ValueError, KeyError, TypeError, IndexError) as error:
         raise RecordingError(folder, f"a damaged dataset ({error})", "one that was imported; import it again") from None
+
+
+def findings_from(entry: Mapping[str, Any]) -> tuple[Finding, ...]:
+    """The findings in the JSON of a clip or of a file's report; older ones only have sentences, called warnings."""
+    plain = (Finding("other", message) for message in entry.get("warnings", ()))
+    return (*plain, *(Finding(**finding) for finding in entry.get("findings", ())))
 
 
 def _clip(entry: Mapping[str, Any], skeletons: list[Skeleton], numbers: np.ndarray) -> Clip:
@@ -164,5 +173,6 @@ def _clip(entry: Mapping[str, Any], skeletons: list[Skeleton], numbers: np.ndarr
         rotations=parts[1],
         translations=dict(zip(entry["translated"], parts[2:], strict=True)),
         notes=tuple(entry["notes"]),
-        warnings=tuple(entry["warnings"]),
+        findings=findings_from(entry),
+        up=entry.get("up", "y"),
     )

@@ -5,7 +5,6 @@ from __future__ import annotations
 import gzip
 import re
 import zlib
-from contextlib import suppress
 from pathlib import Path
 
 from core.mocap.errors import RecordingError
@@ -26,14 +25,20 @@ def recording_format(path: str | Path) -> tuple[str, str]:
     return Path(name).stem, Path(name).suffix.lower()
 
 
-def read_bytes(path: str | Path) -> bytes:
-    r"""Content of a text file or of its ``.gz``: no byte-order mark, lines end in ``\n``.
+def read_bytes(path: str | Path, notes: list[str] | None = None) -> bytes:
+    r"""Content of a text file or of its ``.gz``: UTF-8, no byte-order mark, lines end in ``\n``.
 
-    Raises RecordingError where there is no such file, it cannot be unpacked, is empty, or is not plain text.
+    notes: gets a sentence where the text came in another encoding. Raises RecordingError where there is no such file,
+    it cannot be unpacked, is empty, or is not plain text.
     """
     data = _unpacked(Path(path))
-    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        raise RecordingError(path, "the text is UTF-16", "UTF-8 or ASCII; save it again as UTF-8")
+    if encoding := _wide_encoding(data):
+        try:
+            data = data.decode(encoding).encode()
+        except UnicodeError:
+            raise RecordingError(path, "the text begins as UTF-16 and is damaged", "a whole text file") from None
+        if notes is not None:
+            notes.append("the text is UTF-16: read as such")
     data = data.removeprefix(b"\xef\xbb\xbf")
     if data.startswith(b"version https://git-lfs"):
         raise RecordingError(path, "a Git LFS pointer stands in place of the recording", "the data; run 'git lfs pull'")
@@ -46,6 +51,19 @@ def read_bytes(path: str | Path) -> bytes:
         byte, line = data[odd.start()], line_at(data, odd.start())
         raise RecordingError(path, f"byte 0x{byte:02x}, which no text has", "a text file", line)
     return data
+
+
+def _wide_encoding(data: bytes) -> str:
+    """Name of the two-byte encoding of a text, told by its byte-order mark or by every other byte being 0."""
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return "utf-16"
+    head = data[:200]
+    if len(head) < 20 or not any(head):
+        return ""
+    even, odd = head[::2].count(0), head[1::2].count(0)
+    if not even and odd == len(head) // 2:
+        return "utf-16-le"
+    return "utf-16-be" if not odd and even == (len(head) + 1) // 2 else ""
 
 
 def _unpacked(path: Path) -> bytes:
@@ -70,9 +88,10 @@ def _unpacked(path: Path) -> bytes:
 
 def decoded(data: bytes) -> str:
     """Text of a file's head: UTF-8, else Latin-1, which old Windows tools write."""
-    with suppress(UnicodeDecodeError):
+    try:
         return data.decode("utf-8")
-    return data.decode("latin-1")
+    except UnicodeDecodeError:
+        return data.decode("latin-1")
 
 
 def line_at(data: bytes, offset: int) -> int:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -70,7 +70,7 @@ def pack_clip(clip: Clip) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
     """A clip as a document and arrays: ``root (n, 3)`` metres, ``rotations (n, n_joints, 4)``, ``translation_J (n, 3)``
     metres for each joint J that has one."""
     document = {"format": FORMAT, "name": clip.name, "fps": clip.fps, "skeleton": clip.skeleton.to_json()}
-    document |= {"notes": list(clip.notes), "warnings": list(clip.warnings)}
+    document |= {"notes": list(clip.notes), "findings": [asdict(f) for f in clip.findings], "up": clip.up}
     arrays = {"root": np.asarray(clip.root_positions), "rotations": np.asarray(clip.rotations)}
     return document, arrays | {f"translation_{j}": np.asarray(track) for j, track in clip.translations.items()}
 
@@ -79,10 +79,20 @@ def unpack_clip(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -
     """The clip back from :func:`pack_clip`, arrays ``(n, ...)`` as there. Raises FormatError, KeyError, TypeError."""
     from core.mocap.clip import Clip
     from core.mocap.skeleton import Skeleton
+    from core.mocap.storage import findings_from
 
     if document.get("format") != FORMAT:
         raise FormatError(f"not a recording: expected format {FORMAT}, found {document.get('format')}")
     moving = {int(name.partition("_")[2]): track for name, track in arrays.items() if name.startswith("translation_")}
     skeleton = Skeleton.from_json(document["skeleton"])
-    messages = {"notes": tuple(document["notes"]), "warnings": tuple(document["warnings"])}
-    return Clip(document["name"], skeleton, document["fps"], arrays["root"], arrays["rotations"], moving, **messages)
+    return Clip(
+        document["name"],
+        skeleton,
+        document["fps"],
+        arrays["root"],
+        arrays["rotations"],
+        moving,
+        tuple(document["notes"]),
+        findings_from(document),
+        document.get("up", "y"),
+    )
