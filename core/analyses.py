@@ -36,6 +36,7 @@ from core.workspace import (
     tasks,
     was_interrupted,
 )
+from core.workspace.people import Person, acting_as
 from core.workspace.query_files import QueryFileParameters
 
 if TYPE_CHECKING:
@@ -183,7 +184,8 @@ def execute(workspace: Workspace, job: Job, report: Report = silent) -> Any:
             report(stage, fraction)
 
         try:
-            result = _perform(workspace, job, both)
+            with acting_as(Person(workspace.audit.who_started(job.id))):
+                result = _perform(workspace, job, both)
         except (Cancelled, KeyboardInterrupt):
             workspace.jobs.stopped(job.id)
             raise

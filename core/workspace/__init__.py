@@ -1,6 +1,7 @@
 """Data sets, results and the job table on disk, addressed by content."""
 
 from core.mocap.files import atomic_file
+from core.workspace.audit import Audit
 from core.workspace.boards import Block, Board, Boards, pinned_state
 from core.workspace.comments import Comment, Comments
 from core.workspace.datasets import DatasetInfo
@@ -19,13 +20,19 @@ from core.workspace.errors import (
 from core.workspace.jobs import Job, JobTable
 from core.workspace.names import check_name, clean_name
 from core.workspace.notes import MotifNote, Notes
+from core.workspace.people import ROLES, AccessRefused, Person, acting, acting_as
 from core.workspace.ratings import Ratings
 from core.workspace.results import Result, ResultStore
 from core.workspace.uploads import Uploads, safe_parts
+from core.workspace.users import Account, Users
 from core.workspace.views import SavedView, Views
 from core.workspace.workspace import Workspace, is_workspace, shared_workspace
 
 __all__ = [
+    "ROLES",
+    "AccessRefused",
+    "Account",
+    "Audit",
     "Block",
     "Board",
     "Boards",
@@ -41,15 +48,19 @@ __all__ = [
     "MotifNote",
     "NameRefused",
     "Notes",
+    "Person",
     "Ratings",
     "Result",
     "ResultDamaged",
     "ResultStore",
     "SavedView",
     "Uploads",
+    "Users",
     "Views",
     "Workspace",
     "WorkspaceError",
+    "acting",
+    "acting_as",
     "atomic_file",
     "check_name",
     "clean_name",

@@ -8,10 +8,13 @@ import secrets
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from typing import Any, Literal
+from urllib.parse import parse_qs, urlsplit
 
+from core.workspace import people
 from core.workspace.database import Database
 from core.workspace.documents import LONGEST_NAME, Document, Documents, Kept, one_line, paragraphs, plain_json
 from core.workspace.errors import ConflictError, DocumentGone, WorkspaceError
+from core.workspace.people import AccessRefused, acting, require, require_board
 from core.workspace.views import LONGEST_NOTE, LONGEST_TITLE
 
 MOST_BLOCKS, LARGEST_SETTINGS, LARGEST_PLACE = 100, 64_000, 10_000
@@ -75,7 +78,7 @@ class Boards(Documents[Board]):
         """A new board; blocks whose id is empty or taken get one."""
         known: list[Block] = []
         for block in blocks:
-            known.append(_checked(block, known, 1, author))
+            known.append(_checked(block, known, 1, people.author(author)))
         return self._create(_document(_title(title), _note(note), known, {}, *_new_keys()), author)
 
     def by_key(self, key: str) -> tuple[Board, Right]:
@@ -99,7 +102,7 @@ class Boards(Documents[Board]):
         def edit(board: Board) -> list[Block]:
             present = _unchanged(board, block.id, expected_version)
             new = replace(present, kind=block.kind, settings=block.settings)
-            new = _checked(new, [], board.version + 1, author)
+            new = _checked(new, [], board.version + 1, people.author(author))
             return [new if old.id == block.id else old for old in board.blocks]
 
         return self._change_blocks(board_id, edit, author, f"block {block.id} changed")
@@ -108,7 +111,7 @@ class Boards(Documents[Board]):
         """Adds a block at the end; one whose id is empty or taken gets a new id."""
 
         def edit(board: Board) -> list[Block]:
-            return [*board.blocks, _checked(block, board.blocks, board.version + 1, author)]
+            return [*board.blocks, _checked(block, board.blocks, board.version + 1, people.author(author))]
 
         return self._change_blocks(board_id, edit, author, "block added")
 
@@ -151,6 +154,8 @@ class Boards(Documents[Board]):
     def renew_keys(self, board_id: str, author: str = "") -> Board:
         """New keys: links that were given away before open the board no more."""
 
+        require("editor", to="renew the links of a board")
+
         def edit(board: Board) -> Document:
             return _document(board.title, board.note, board.blocks, board.filters, *_new_keys())
 
@@ -160,7 +165,7 @@ class Boards(Documents[Board]):
         """A new board with the same blocks, filters and note, and keys of its own."""
         board = self.get(board_id)
         title = _title(title or f"{board.title[: LONGEST_TITLE - 7]} (copy)")
-        blocks = [replace(block, version=1, author=author) for block in board.blocks]
+        blocks = [replace(block, version=1, author=people.author(author)) for block in board.blocks]
         return self._create(_document(title, board.note, blocks, board.filters, *_new_keys()), author, "copied")
 
     def _change_blocks(self, id: str, edit: Callable[[Board], list[Block]], author: str, what: str) -> Board:
@@ -168,6 +173,20 @@ class Boards(Documents[Board]):
             return _as_document(replace(board, blocks=tuple(edit(board))))
 
         return self._change(id, document, author, what)
+
+    def _may_see(self, id: str) -> bool:
+        return acting().board in (None, id)
+
+    def _require(self, id: str | None, document: Document | None, to: str) -> None:
+        person = acting()
+        if id is None or (document is None and person.is_guest):
+            require("editor", to=to)
+            return
+        require_board(id, to=to)
+        if document is not None and person.is_guest:
+            datasets, views = _named(document["blocks"], document["filters"])
+            if not (datasets <= person.datasets and views <= person.views):
+                raise AccessRefused("This link does not let you show data that the board does not show already.")
 
     def _content(self, kept: Kept) -> Board:
         document = kept.document
@@ -206,6 +225,34 @@ def pinned_state(
     if now is None:
         return "gone"
     return "unchanged" if now == pinned.get("fingerprint") else "changed"
+
+
+def shown(board: Board) -> tuple[frozenset[str], frozenset[str]]:
+    """The datasets (names) and saved views (ids) that blocks and filters of a board name."""
+    return _named([block.settings for block in board.blocks], board.filters)
+
+
+def _named(*parts: object) -> tuple[frozenset[str], frozenset[str]]:
+    datasets: set[str] = set()
+    views: set[str] = set()
+
+    def look(value: object, key: str = "") -> None:
+        if isinstance(value, Mapping):
+            for name, part in value.items():
+                look(part, name)
+        elif isinstance(value, list | tuple):
+            for part in value:
+                look(part, key)
+        elif isinstance(value, str):
+            if key in ("dataset", "datasets"):
+                datasets.add(value)
+            elif key in ("view", "views"):
+                views.add(value)
+            elif key == "address":
+                datasets.update(parse_qs(urlsplit(value).query).get("dataset", ()))
+
+    look(parts)
+    return frozenset(datasets), frozenset(views)
 
 
 def _unchanged(board: Board, block_id: str, expected_version: int | None) -> Block:

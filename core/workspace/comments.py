@@ -8,6 +8,8 @@ import sqlite3
 import time
 from dataclasses import dataclass
 
+from core.workspace import people
+from core.workspace.audit import record
 from core.workspace.database import Database
 from core.workspace.documents import LONGEST_NAME, one_line, paragraphs
 from core.workspace.errors import ConflictError, DocumentGone, WorkspaceError
@@ -45,7 +47,8 @@ class Comments:
     def add(self, place: str, text: str, author: str = "", parent: str | None = None) -> Comment:
         """Keeps a comment. Raises WorkspaceError (empty, too long, no place), DocumentGone where the parent is gone."""
         place, text = _place(place), paragraphs(text, "comment", LONGEST_TEXT, needed=True)
-        author, now, id = one_line(author, "name", LONGEST_NAME), time.time(), secrets.token_hex(6)
+        _require(place, "comment")
+        author, now, id = one_line(people.author(author), "name", LONGEST_NAME), time.time(), secrets.token_hex(6)
         if parent is not None and self.get(parent).place != place:
             raise WorkspaceError("An answer belongs to the place of the comment that it answers.")
         with self._database.transaction("keep the comment") as table:
@@ -53,6 +56,7 @@ class Comments:
                 "INSERT INTO comments VALUES (?, ?, ?, ?, ?, ?, 1, 0, ?, NULL)",
                 (id, place, text, author, now, now, parent),
             )
+            record(table, "comment added", place, text[:80])
         return Comment(id, place, text, author, now, now, 1, mentions(text), False, parent)
 
     def get(self, id: str) -> Comment:
@@ -64,7 +68,7 @@ class Comments:
         rows = self._database.rows(
             "SELECT * FROM comments WHERE place = ? AND deleted IS NULL ORDER BY created, id", str(place)
         )
-        return [_comment(row) for row in rows]
+        return [_comment(row) for row in rows if _may_see(row["place"])]
 
     def under(self, prefix: str) -> list[Comment]:
         """The comments at a place and below it, such as all of ``board:ID``, oldest first."""
@@ -74,7 +78,7 @@ class Comments:
             "ORDER BY created, id",
             *(below[:-1], below, after),
         )
-        return [_comment(row) for row in rows]
+        return [_comment(row) for row in rows if _may_see(row["place"])]
 
     def state(self, prefix: str) -> str:
         """A short text that changes whenever :meth:`under` does, by one cheap query."""
@@ -90,40 +94,47 @@ class Comments:
         text = paragraphs(text, "comment", LONGEST_TEXT, needed=True)
         with self._database.transaction("keep the comment") as table:
             present = self.get(id)
+            _require_own(present, "edit this comment")
             if present.version != expected_version:
                 raise ConflictError("This comment has been changed meanwhile.", present, present.author)
             table.execute(
                 "UPDATE comments SET text = ?, updated = ?, version = version + 1 WHERE id = ?", (text, time.time(), id)
             )
+            record(table, "comment edited", present.place, text[:80])
         return self.get(id)
 
     def resolve(self, id: str) -> Comment:
         """Marks a comment as done; raises DocumentGone."""
-        return self._set(id, "resolved = 1")
+        _require(self.get(id).place, "resolve this comment")
+        return self._set(id, "resolved = 1", "resolved")
 
     def reopen(self, id: str) -> Comment:
         """Marks a resolved comment as open again; raises DocumentGone."""
-        return self._set(id, "resolved = 0")
+        _require(self.get(id).place, "reopen this comment")
+        return self._set(id, "resolved = 0", "reopened")
 
     def delete(self, id: str) -> None:
         """Takes a comment away until :meth:`undelete`; its answers stay. Raises DocumentGone."""
-        self.get(id)
-        self._set(id, "deleted = 1")
+        _require_own(self.get(id), "delete this comment")
+        self._set(id, "deleted = 1", "deleted")
 
     def undelete(self, id: str) -> Comment:
         """Brings a deleted comment back; raises DocumentGone."""
-        return self._set(id, "deleted = NULL")
+        _require_own(_comment(self._row(id, deleted=True)), "bring this comment back")
+        return self._set(id, "deleted = NULL", "restored")
 
-    def _set(self, id: str, what: str) -> Comment:
+    def _set(self, id: str, what: str, done: str) -> Comment:
         with self._database.transaction("keep the comment") as table:
             table.execute(
                 f"UPDATE comments SET {what}, updated = ?, version = version + 1 WHERE id = ?", (time.time(), str(id))
             )
-        return _comment(self._row(id, deleted=True))
+            comment = _comment(self._row(id, deleted=True))
+            record(table, f"comment {done}", comment.place, comment.text[:80])
+        return comment
 
     def _row(self, id: str, deleted: bool = False) -> sqlite3.Row:
         rows = self._database.rows("SELECT * FROM comments WHERE id = ?", str(id))
-        if not rows or (rows[0]["deleted"] and not deleted):
+        if not rows or (rows[0]["deleted"] and not deleted) or not _may_see(rows[0]["place"]):
             raise DocumentGone("There is no such comment. It may have been deleted.")
         return rows[0]
 
@@ -131,6 +142,28 @@ class Comments:
 def mentions(text: str) -> tuple[str, ...]:
     """The names that follow an @ in a text, each once."""
     return tuple(dict.fromkeys(name.rstrip(".-") for name in _MENTION.findall(text)))
+
+
+def _may_see(place: str) -> bool:
+    """Whether who acts may see what is said at a place: a guest sees their board's."""
+    board = people.acting().board
+    return board is None or place.partition("/")[0] == f"board:{board}"
+
+
+def _require(place: str, to: str) -> None:
+    kind, _, rest = place.partition("/")[0].partition(":")
+    if kind == "board":
+        people.require_board(rest, to=to)
+    else:
+        people.require("editor", to=to)
+
+
+def _require_own(comment: Comment, to: str) -> None:
+    """Raises AccessRefused for the comment of someone else, except for owners."""
+    _require(comment.place, to)
+    person = people.acting()
+    if comment.author != person.name and not person.may("owner"):
+        raise people.AccessRefused(f"Only {comment.author or 'its author'} or an owner may {to}.")
 
 
 def _place(place: object) -> str:

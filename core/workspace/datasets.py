@@ -21,9 +21,11 @@ from typing import TYPE_CHECKING
 from core.caching import RecentCache
 from core.mocap.errors import RecordingError
 from core.mocap.files import atomic_file, replacing, sweep_abandoned
+from core.workspace.audit import record
 from core.workspace.database import Database
 from core.workspace.errors import NameRefused, WorkspaceError, plain_errors
 from core.workspace.names import check_name, check_token, inside
+from core.workspace.people import acting, require
 
 if TYPE_CHECKING:
     from core.mocap.dataset import Dataset
@@ -69,12 +71,13 @@ class DatasetStore:
         order = (
             "trashed IS NOT NULL ORDER BY trashed DESC" if trashed else "trashed IS NULL ORDER BY name COLLATE NOCASE"
         )
-        return [DatasetInfo(*row) for row in self._database.rows(f"SELECT {_COLUMNS} FROM datasets WHERE {order}")]
+        rows = self._database.rows(f"SELECT {_COLUMNS} FROM datasets WHERE {order}")
+        return [info for info in (DatasetInfo(*row) for row in rows) if _may_see(info)]
 
     def info(self, name: str) -> DatasetInfo:
         """The data set called ``name``; raises WorkspaceError where there is none, naming those there are."""
         row = self._one("name = ? AND trashed IS NULL", str(name))
-        if row is None:
+        if row is None or not _may_see(row):
             names = [info.name for info in self.list()]
             known = f"The datasets here are: {', '.join(names[:8])}" if names else "The workspace is empty"
             more = f" and {len(names) - 8} more." if len(names) > 8 else "."
@@ -84,7 +87,7 @@ class DatasetStore:
     def with_fingerprint(self, fingerprint: str) -> DatasetInfo:
         """A data set with this content, also from the trash; raises WorkspaceError where there is none."""
         row = self._one("fingerprint = ? ORDER BY trashed IS NOT NULL", str(fingerprint))
-        if row is None:
+        if row is None or not _may_see(row):
             raise WorkspaceError("The dataset was changed or removed since; start the analysis again.")
         return row
 
@@ -113,11 +116,13 @@ class DatasetStore:
 
     def add(self, name: str, fill: Fill) -> DatasetInfo:
         """Stores under ``name`` what ``fill`` writes, whole or not at all. Raises NameRefused, WorkspaceError."""
+        require("editor", to="add datasets")
         name = self.check_free(name)
         info = self._store(name, fill)
         try:
             with self._database.transaction(f"enter the dataset {name!r}") as table:
                 _insert(table, info)
+                record(table, "dataset added", name, f"{info.clips} clips")
         except WorkspaceError as error:
             shutil.rmtree(self._path(info.folder), ignore_errors=True)
             if isinstance(error.__cause__, sqlite3.IntegrityError):  # someone was faster
@@ -131,6 +136,7 @@ class DatasetStore:
         Of one data set only the last such version is kept. Raises WorkspaceError, also where someone else has changed
         or deleted the data set meanwhile.
         """
+        require("editor", info.id, to="change this dataset")
         new = replace(self._store(info.name, fill), id=info.id, imported=info.imported)
         old = replace(info, id=version_token(info), trashed=time.time())
         try:
@@ -144,6 +150,7 @@ class DatasetStore:
                 table.execute("DELETE FROM datasets WHERE id = ?", (info.id,))
                 _insert(table, new)
                 _insert(table, old)
+                record(table, "dataset changed", new.name, f"{new.clips} clips, {new.labels} labels")
         except WorkspaceError:
             shutil.rmtree(self._path(new.folder), ignore_errors=True)
             raise
@@ -166,12 +173,14 @@ class DatasetStore:
         now = self._one("id = ? AND trashed IS NULL", token[:_ID])
         if version is None or now is None or not is_version(version):
             raise WorkspaceError("What it was before is no longer there.")
+        require("editor", now.id, to="change this dataset")
         back = replace(version, id=now.id, name=now.name, trashed=None)
         gone = replace(now, id=version_token(now), trashed=time.time())
         with self._database.transaction(f"restore the dataset {now.name!r}") as table:
             table.execute("DELETE FROM datasets WHERE id IN (?, ?)", (version.id, now.id))
             _insert(table, back)
             _insert(table, gone)
+            record(table, "dataset changed back", back.name, f"{back.clips} clips, {back.labels} labels")
         self._write_card(back)
         self._write_card(gone)
         return back
@@ -179,6 +188,7 @@ class DatasetStore:
     def rename(self, name: str, new_name: str) -> DatasetInfo:
         """Renames a data set; raises NameRefused where the new name cannot be used or is taken."""
         info = self.info(name)
+        require("editor", info.id, to="rename this dataset")
         new_name = check_name(new_name)
         if new_name == info.name:
             return info
@@ -186,6 +196,7 @@ class DatasetStore:
         try:
             with self._database.transaction("rename the dataset") as table:
                 table.execute("UPDATE datasets SET name = ? WHERE id = ?", (new_name, info.id))
+                record(table, "dataset renamed", info.name, f"to {new_name}")
         except WorkspaceError as error:
             if isinstance(error.__cause__, sqlite3.IntegrityError):
                 self.check_free(new_name)
@@ -197,6 +208,7 @@ class DatasetStore:
     def trash(self, name: str) -> str:
         """Puts a data set into the trash; the token to restore it. Raises WorkspaceError where there is none."""
         info = self.info(name)
+        require("editor", info.id, to="delete this dataset")
         self._set_trashed(info.id, time.time())
         return info.id
 
@@ -208,6 +220,7 @@ class DatasetStore:
         info = self._one("id = ? AND trashed IS NOT NULL", check_token(token, "trash token"))
         if info is None:
             raise WorkspaceError("This dataset is no longer in the trash.")
+        require("editor", info.id, to="restore this dataset")
         fresh = secrets.token_hex(_ID // 2) if is_version(info) else info.id  # from now on a data set of its own
         self._set_trashed(info.id, None, self.free_name(info.name), fresh)
         return self.info_by_id(fresh)
@@ -221,6 +234,7 @@ class DatasetStore:
 
     def empty_trash(self) -> int:
         """Deletes for good what is in the trash; how many data sets that were. Raises WorkspaceError."""
+        require("owner", to="empty the trash")
         gone = self._delete("trashed IS NOT NULL")
         for path in self._bin.iterdir():
             shutil.rmtree(path, ignore_errors=True)
@@ -236,6 +250,8 @@ class DatasetStore:
                 removed = table.execute(
                     "DELETE FROM datasets WHERE id = ? AND trashed IS NOT NULL", (info.id,)
                 ).rowcount
+                if removed and not is_version(info):
+                    record(table, "dataset deleted for good", info.name)
             if removed:
                 self._discard(info)
         return len(rows)
@@ -266,6 +282,8 @@ class DatasetStore:
                 "UPDATE datasets SET trashed = ?, name = coalesce(?, name), id = ? WHERE id = ?",
                 (when, name, new_id or dataset_id, dataset_id),
             )
+            row = table.execute("SELECT name FROM datasets WHERE id = ?", (new_id or dataset_id,)).fetchone()
+            record(table, "dataset restored" if when is None else "dataset deleted", row["name"] if row else dataset_id)
         self._write_card(self.info_by_id(new_id or dataset_id))
 
     def _write_card(self, info: DatasetInfo) -> None:
@@ -294,6 +312,12 @@ class DatasetStore:
                     info = DatasetInfo(**json.loads(card.read_text(encoding="utf-8")))
                     if card.parent.name == info.folder and check_name(info.name) == info.name:
                         _insert(table, info)
+
+
+def _may_see(info: DatasetInfo) -> bool:
+    """Whether who acts may see a data set: a guest sees those of the board whose link they have."""
+    person = acting()
+    return not person.is_guest or (info.trashed is None and info.name in person.datasets)
 
 
 def version_token(info: DatasetInfo) -> str:

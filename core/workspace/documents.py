@@ -13,9 +13,12 @@ import time
 import unicodedata
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterator, Mapping
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Any, Generic, TypeVar
 
+from core.workspace import people
+from core.workspace.audit import record
 from core.workspace.database import Database
 from core.workspace.errors import DocumentDamaged, DocumentGone, WorkspaceError
 
@@ -68,15 +71,32 @@ class Documents(Generic[T], ABC):
         """What :meth:`restore` saves, of the earlier version and of what there is now (None: damaged)."""
         return old.document
 
+    def _title(self, document: Document) -> str:
+        """What the audit log calls a document."""
+        return str(document.get("title", ""))
+
+    @abstractmethod
+    def _may_see(self, id: str) -> bool:
+        """Whether who acts may see the document with this id."""
+
+    @abstractmethod
+    def _require(self, id: str | None, document: Document | None, to: str) -> None:
+        """Raises AccessRefused where who acts may not change the document with this id, or make one (None).
+
+        document: what it is to become, where that is known.
+        """
+
     def _create(self, document: Document, author: str, what: str = "made") -> T:
         """Keeps a new document under a new id; raises WorkspaceError where it is too large or cannot be written."""
+        self._require(None, document, f"make a {self._word}")
         id, now = secrets.token_hex(6), time.time()
-        text, author = self._text(document), one_line(author, "name", LONGEST_NAME)
+        text, author = self._text(document), self._author(author)
         with self._database.transaction(f"keep the {self._word}") as table:
             table.execute("INSERT INTO documents VALUES (?, ?, 1, ?, NULL)", (self._kind, id, now))
             table.execute(
                 "INSERT INTO document_versions VALUES (?, ?, 1, ?, ?, ?, ?)", (self._kind, id, text, author, now, what)
             )
+            record(table, f"{self._word} {what}", self._title(document), id)
         return self._content(Kept(id, 1, document, author, now, now))
 
     def get(self, id: str, version: int | None = None) -> T:
@@ -103,7 +123,7 @@ class Documents(Generic[T], ABC):
         rows = self._database.rows(
             "SELECT version FROM documents WHERE kind = ? AND id = ? AND deleted IS NULL", self._kind, str(id)
         )
-        if not rows:
+        if not rows or not self._may_see(id):
             raise self._gone(id)
         return int(rows[0]["version"])
 
@@ -112,7 +132,7 @@ class Documents(Generic[T], ABC):
 
         What ``edit`` raises comes out and nothing is saved. Raises DocumentGone, DocumentDamaged, WorkspaceError.
         """
-        author = one_line(author, "name", LONGEST_NAME)
+        author = self._author(author)
         with self._database.transaction(f"keep the {self._word}") as table:
             kept, content = self._read(self._row(id))
             return self._append(table, kept, edit(content), author, what)
@@ -122,7 +142,7 @@ class Documents(Generic[T], ABC):
 
         Raises DocumentGone, DocumentDamaged.
         """
-        author = one_line(author, "name", LONGEST_NAME)
+        author = self._author(author)
         with self._database.transaction(f"restore the {self._word}") as table:
             row = self._row(id)
             old, _ = self._read(self._row(id, version))
@@ -138,7 +158,7 @@ class Documents(Generic[T], ABC):
             self._kind,
             str(id),
         )
-        if not rows:
+        if not rows or not self._may_see(id):
             raise self._gone(id)
         return [Change(row["version"], row["author"], row["saved"], row["what"]) for row in rows]
 
@@ -152,16 +172,28 @@ class Documents(Generic[T], ABC):
         return self.get(id)
 
     def _mark(self, id: str, deleted: float | None) -> None:
+        doing = "restore" if deleted is None else "delete"
+        self._require(str(id), None, f"{doing} this {self._word}")
         living = "" if deleted is None else " AND deleted IS NULL"
-        with self._database.transaction(f"delete the {self._word}") as table:
+        with self._database.transaction(f"{doing} the {self._word}") as table:
             done = table.execute(
                 f"UPDATE documents SET deleted = ? WHERE kind = ? AND id = ?{living}", (deleted, self._kind, str(id))
             )
             if not done.rowcount:
                 raise self._gone(id)
+            record(table, f"{self._word} {doing}d", self._latest_title(table, str(id)), id)
+
+    def _latest_title(self, table: sqlite3.Connection, id: str) -> str:
+        row = table.execute(
+            "SELECT document FROM document_versions WHERE kind = ? AND id = ? ORDER BY version DESC", (self._kind, id)
+        ).fetchone()
+        with suppress(ValueError, TypeError, AttributeError):
+            return self._title(json.loads(row["document"])) if row else ""
+        return ""
 
     def _append(self, table: sqlite3.Connection, newest: Kept, document: Document, author: str, what: str) -> T:
         """Writes the version after ``newest``."""
+        self._require(newest.id, document, f"change this {self._word}")
         id, text, now, version = newest.id, self._text(document), time.time(), newest.version + 1
         table.execute("UPDATE documents SET version = ? WHERE kind = ? AND id = ?", (version, self._kind, id))
         table.execute(
@@ -172,14 +204,16 @@ class Documents(Generic[T], ABC):
             "DELETE FROM document_versions WHERE kind = ? AND id = ? AND version <= ?",
             (self._kind, id, version - KEPT_VERSIONS),
         )
+        record(table, f"{self._word}: {what}", self._title(document), id)
         return self._content(Kept(id, version, document, author, newest.created, now))
 
     def _rows(self) -> list[sqlite3.Row]:
-        return self._database.rows(f"{_PRESENT} AND d.deleted IS NULL ORDER BY v.saved DESC, d.id", self._kind)
+        rows = self._database.rows(f"{_PRESENT} AND d.deleted IS NULL ORDER BY v.saved DESC, d.id", self._kind)
+        return [row for row in rows if self._may_see(row["id"])]
 
     def _row(self, id: str, version: int | None = None) -> sqlite3.Row:
         rows = self._database.rows(f"{_PRESENT} AND d.id = ? AND d.deleted IS NULL", self._kind, str(id))
-        if not rows:
+        if not rows or not self._may_see(str(id)):
             raise self._gone(id)
         if version is None or version == rows[0]["version"]:
             return rows[0]
@@ -204,6 +238,10 @@ class Documents(Generic[T], ABC):
                 f"Version {row['version']} of the {self._word} {row['id']} is damaged and cannot be read. "
                 "Restore an earlier version from its history."
             ) from error
+
+    @staticmethod
+    def _author(given: str) -> str:
+        return one_line(people.author(given), "name", LONGEST_NAME)
 
     def _gone(self, id: str) -> DocumentGone:
         return DocumentGone(f"There is no {self._word} {str(id)[:40]!r}. It may have been deleted.")

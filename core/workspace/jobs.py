@@ -19,8 +19,10 @@ from typing import Any
 import psutil
 
 from core.progress import Cancelled
+from core.workspace.audit import record
 from core.workspace.database import Database
 from core.workspace.errors import WorkspaceError
+from core.workspace.people import acting, require
 
 STOPPED = "The worker stopped before it was finished (it may have been ended, or run out of memory); run it again."
 HEARTBEAT = 0.5  # seconds between two signs of life
@@ -67,6 +69,7 @@ class JobTable:
         """The living job for ``key``, or a new one, queued. ``request`` must be JSON."""
         text, now = json.dumps(request, sort_keys=True), time.time()
         with self._database.transaction("enter the job") as table:
+            _require_editor(table, request, "start this")
             _bury_dead(table)
             row = table.execute(
                 "SELECT * FROM jobs WHERE key = ? AND state IN ('queued', 'running') AND cancel IS NULL", (key,)
@@ -78,6 +81,7 @@ class JobTable:
                 )
                 row = table.execute("SELECT * FROM jobs WHERE id = ?", (entry.lastrowid,)).fetchone()
                 _prune(table)
+                record(table, "job started", title, f"job {row['id']}")
         return _job(row)
 
     def claim(self, job_id: int) -> Job | None:
@@ -124,6 +128,11 @@ class JobTable:
         """Asks a job to stop: a queued one is cancelled at once, a running one by its worker. None where unknown."""
         now = time.time()
         with self._database.transaction("cancel the job") as table:
+            asked = table.execute("SELECT request, title FROM jobs WHERE id = ?", (job_id,)).fetchone()
+            if asked is None:
+                return None
+            _require_editor(table, json.loads(asked["request"]), "cancel this")
+            record(table, "job cancelled", asked["title"], f"job {job_id}")
             table.execute(
                 "UPDATE jobs SET cancel = ?, finished = ?, state = 'cancelled' WHERE id = ? AND state = 'queued'",
                 (now, now, job_id),
@@ -205,7 +214,8 @@ class JobTable:
 
     def _read(self, condition: str, *values: object) -> list[Job]:
         self.bury_dead()
-        return [_job(row) for row in self._database.rows(f"SELECT * FROM jobs {condition}", *values)]
+        jobs, person = [_job(row) for row in self._database.rows(f"SELECT * FROM jobs {condition}", *values)], acting()
+        return [job for job in jobs if not person.is_guest or job.request.get("dataset") in person.datasets]
 
     def list(self, limit: int = 50) -> list[Job]:
         """The newest jobs, newest first; dead workers have been noticed."""
@@ -218,6 +228,13 @@ def _job(row: sqlite3.Row) -> Job:
         **values | {"request": json.loads(row["request"]), "died": bool(row["died"])},
         cancelling=row["cancel"] is not None and row["state"] == "running",
     )
+
+
+def _require_editor(table: sqlite3.Connection, request: dict[str, Any], to: str) -> None:
+    """Raises AccessRefused where who acts is no editor of the dataset that a request is about."""
+    query = "SELECT id FROM datasets WHERE name = ? AND trashed IS NULL"
+    row = table.execute(query, (str(request.get("dataset", "")),)).fetchone()
+    require("editor", row["id"] if row else None, to=to)
 
 
 def _claim(table: sqlite3.Connection, row: sqlite3.Row | None) -> Job | None:

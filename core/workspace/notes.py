@@ -13,8 +13,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from core.workspace.audit import record
 from core.workspace.database import Database
 from core.workspace.errors import WorkspaceError
+from core.workspace.people import require
 
 if TYPE_CHECKING:
     from core.mocap.clip import Segment
@@ -61,6 +63,7 @@ class Notes:
         note: str = "",
     ) -> MotifNote:
         """Writes what is said of a motif of a result; saying nothing removes it. Raises WorkspaceError (too long)."""
+        require("editor", dataset, to="name motifs")
         plain = tuple((clip, start, end) for clip, start, end in segments)
         entry = MotifNote(_line(name), _tags(tags), str(note).strip(), plain, time.time())
         if len(entry.name) > LONGEST_NAME:
@@ -71,6 +74,7 @@ class Notes:
             raise WorkspaceError(f"A motif has at most {MOST_TAGS} tags of at most {LONGEST_NAME} letters.")
         row = (dataset, result, int(motif), json.dumps(entry.segments), entry.name, json.dumps(entry.tags), entry.note)
         with self._database.transaction("keep the note") as table:
+            record(table, "note written", entry.name or f"motif {motif}", f"motif {motif} of result {result[:12]}")
             if entry.is_empty:
                 # An empty row hides a note that would be carried over; without one there is nothing to hide.
                 others = table.execute("SELECT 1 FROM notes WHERE dataset = ? AND result != ? LIMIT 1", row[:2])

@@ -14,8 +14,10 @@ from collections.abc import Sequence
 
 from core.evaluation.agreement import LEAST, MOST, Rating, Vote
 from core.mocap.clip import Segment
+from core.workspace.audit import record
 from core.workspace.database import Database
 from core.workspace.errors import WorkspaceError
+from core.workspace.people import require
 
 CHOICES = ("left", "right", "same")
 LONGEST_WORD = 200
@@ -40,11 +42,13 @@ class Ratings:
 
         rank: the hit's place in the engine's list, from 1. Raises WorkspaceError for what cannot be.
         """
+        require("editor", dataset, to="rate hits")
         rating = Rating(_segment(query), _segment(hit), _word(engine), int(rank), int(value), _word(person))
         if not LEAST <= rating.value <= MOST or rating.rank < 1:
             raise WorkspaceError(f"A rating goes from {LEAST} to {MOST} and a rank from 1.")
         row = (dataset, *map(_text, rating[:2]), *rating[2:], time.time())
         with self._database.transaction("keep the rating") as table:
+            record(table, "hit rated", _text(hit), f"{rating.value} of {MOST}")
             table.execute("REPLACE INTO ratings VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?)", row)
         return rating
 
@@ -53,6 +57,7 @@ class Ratings:
 
         Raises WorkspaceError for an unknown choice or two times the same hit of the same engine.
         """
+        require("editor", dataset, to="rate hits")
         if vote.choice not in CHOICES:
             raise WorkspaceError(f"A vote is {', '.join(CHOICES)}, not {str(vote.choice)[:40]!r}.")
         first, second = (vote.left, vote.left_engine), (vote.right, vote.right_engine)
@@ -69,6 +74,7 @@ class Ratings:
         values = (*map(_text, kept[:3]), *kept[3:])
         turned = (values[0], values[2], values[1], values[4], values[3])  # the same two, shown the other way round
         with self._database.transaction("keep the vote") as table:
+            record(table, "hits compared", _text(vote.query), kept.choice)
             table.execute(
                 "DELETE FROM votes WHERE dataset = ? AND person = ? AND query = ? AND left_hit = ? AND right_hit = ? "
                 "AND left_engine = ? AND right_engine = ?",
@@ -91,7 +97,9 @@ class Ratings:
 
     def clear(self, dataset: str, *, person: str | None = None) -> int:
         """Removes the ratings and votes of a data set, or one person's; gives how many there were."""
+        require("editor", dataset, to="remove ratings")
         with self._database.transaction("remove the ratings") as table:
+            record(table, "ratings removed", dataset, person or "everyone's")
             return sum(
                 table.execute(
                     f"DELETE FROM {kind} WHERE dataset = ? AND (? IS NULL OR person = ?)", (dataset, person, person)

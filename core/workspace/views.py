@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from core.workspace.database import Database
 from core.workspace.documents import Document, Documents, Kept, one_line, paragraphs
 from core.workspace.errors import ConflictError, WorkspaceError
+from core.workspace.people import acting, require
 
 LONGEST_TITLE, LONGEST_NOTE, MOST_TAGS, LONGEST_ADDRESS = 120, 4000, 20, 4200
 
@@ -62,6 +63,12 @@ class Views(Documents[SavedView]):
             return document
 
         return self._change(id, edit, author, "saved")
+
+    def _may_see(self, id: str) -> bool:
+        return not acting().is_guest or id in acting().views
+
+    def _require(self, id: str | None, document: Document | None, to: str) -> None:
+        require("editor", to=to)
 
     def _content(self, kept: Kept) -> SavedView:
         document = kept.document

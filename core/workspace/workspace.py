@@ -11,6 +11,7 @@ from types import ModuleType
 from typing import TYPE_CHECKING
 
 from core.progress import Report, silent
+from core.workspace.audit import Audit
 from core.workspace.boards import Boards
 from core.workspace.comments import Comments
 from core.workspace.database import Database
@@ -22,6 +23,7 @@ from core.workspace.notes import Notes
 from core.workspace.ratings import Ratings
 from core.workspace.results import ResultStore
 from core.workspace.uploads import Uploads
+from core.workspace.users import Users
 from core.workspace.views import Views
 
 if TYPE_CHECKING:
@@ -60,6 +62,8 @@ class Workspace:
         self.views = Views(self._database)
         self.boards = Boards(self._database)
         self.comments = Comments(self._database)
+        self.users = Users(self._database)
+        self.audit = Audit(self._database)
 
     @property
     def logs(self) -> Path:
