@@ -6,6 +6,7 @@ metadata may give ``label``, ``help``, ``min``, ``max``, ``step``, ``choices`` a
 
 from __future__ import annotations
 
+import json
 import math
 import types
 from collections.abc import Mapping
@@ -120,6 +121,17 @@ def fill(kind: type, values: Mapping[str, Any]) -> dict[str, Any]:
 def build(kind: type, values: Mapping[str, Any]) -> Any:
     """An instance of ``kind`` from ``values``. Raises ParameterError, also for what the checks of ``kind`` refuse."""
     return kind(**fill(kind, values))
+
+
+def read_object(text: str, name: str) -> dict[str, Any]:
+    """The JSON object in the text of the parameter ``name``. Raises ParameterError for anything else."""
+    try:
+        values = json.loads(text)
+    except ValueError:
+        values = None
+    if not isinstance(values, dict):
+        raise ParameterError(f"{name}: expected the other parameters as a JSON object")
+    return values
 
 
 def _read(field: Any, hint: Any) -> Parameter:

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 
 from core.errors import AnalysisError
+from core.grammar.rules import Rule, choices
 from core.grammar.trees import Node, Symbol, build_tree
-
-if TYPE_CHECKING:
-    from core.grammar.motion_grammar import Grammar
 
 DEEPEST = 40  # non-terminals one inside another
 
@@ -26,13 +25,13 @@ class Least(NamedTuple):
 _ENDLESS = Least(np.inf, np.inf)
 
 
-def least(grammar: Grammar) -> dict[str, Least]:
+def least(rules: Sequence[Rule]) -> dict[str, Least]:
     """Non-terminal -> its shortest derivation, in terminals, then in depth; endless ones have infinitely many."""
-    shortest = dict.fromkeys(grammar.nonterminals, _ENDLESS)
+    shortest = dict.fromkeys((rule.left for rule in rules), _ENDLESS)
     changed = True
     while changed:
         changed = False
-        for k, rule in enumerate(grammar.rules):
+        for k, rule in enumerate(rules):
             new = through(rule.right, shortest)._replace(rule=k)
             if new[:2] < shortest[rule.left][:2]:
                 shortest[rule.left], changed = new, True
@@ -46,14 +45,20 @@ def through(right: tuple[Symbol, ...], known: dict[str, Least]) -> Least:
 
 
 def generate(
-    grammar: Grammar, rng: np.random.Generator, symbol: str, max_terminals: int, max_depth: int = DEEPEST
+    rules: Sequence[Rule],
+    probabilities: np.ndarray,
+    rng: np.random.Generator,
+    symbol: str,
+    max_terminals: int,
+    max_depth: int = DEEPEST,
 ) -> Node:
     """A random tree below ``symbol``: rules by their probability, among those that keep within both bounds.
 
-    Where no rule does, the shortest derivation ends it: rules may be cyclic. The bounds are only broken where even that
-    is too long. Raises AnalysisError for a symbol that has no rule or no finite derivation.
+    probabilities: ``(n_rules,)``, those of the rules with one left side add up to 1. Where no rule keeps within the
+    bounds, the shortest derivation ends the tree: rules may be cyclic. The bounds are only broken where even that is
+    too long. Raises AnalysisError for a symbol that has no rule or no finite derivation.
     """
-    known = least(grammar)
+    known, rules_of = least(rules), choices(rules)
     if known.get(symbol, _ENDLESS).terminals == np.inf:
         raise AnalysisError(f"nothing can be generated from {symbol}")
     room = max_terminals - known[symbol].terminals  # terminals that may still come on top of the shortest
@@ -63,19 +68,19 @@ def generate(
         nonlocal room
         depth = depths.pop()
         fits, costs = [], []
-        for k in grammar.choices[left]:
-            own = through(grammar.rules[k].right, known)
+        for k in rules_of[left]:
+            own = through(rules[k].right, known)
             if own.terminals - known[left].terminals <= room and depth + own.depth <= max_depth:
                 fits.append(k)
                 costs.append(own.terminals - known[left].terminals)
         if fits:
-            chances = grammar.probabilities[fits]
+            chances = probabilities[fits]
             chosen = int(rng.choice(len(fits), p=chances / chances.sum()))
             rule = fits[chosen]
             room -= costs[chosen]
         else:
             rule = known[left].rule
-        right = grammar.rules[rule].right
+        right = rules[rule].right
         depths.extend(depth + 1 for part in right if isinstance(part, str))
         return rule, right
 

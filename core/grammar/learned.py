@@ -9,7 +9,8 @@ from typing import Any, NamedTuple
 
 from core.errors import FormatError
 from core.grammar import terminals as terminal_files
-from core.grammar.motion_grammar import Bits, Grammar, Rule
+from core.grammar.motion_grammar import Bits, Grammar
+from core.grammar.rules import Rule
 from core.grammar.terminals import Terminals, segment_json
 from core.grammar.trees import Node
 from core.mocap.clip import Segment

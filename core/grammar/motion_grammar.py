@@ -15,18 +15,10 @@ import numpy as np
 from core.errors import ParameterError
 from core.grammar.chart import Chart
 from core.grammar.generation import generate
+from core.grammar.rules import Rule, choices
 from core.grammar.trees import Node, Symbol, build_tree, leaves, preorder
 
 START = "S"
-
-
-@dataclass(frozen=True)
-class Rule:
-    """``left`` may be rewritten as ``right``; count: how often it is in the training trees."""
-
-    left: str
-    right: tuple[Symbol, ...]
-    count: int = 1
 
 
 class Bits(NamedTuple):
@@ -72,10 +64,8 @@ class Grammar:
     @cached_property
     def choices(self) -> dict[str, tuple[int, ...]]:
         """Non-terminal -> indices of the rules that rewrite it."""
-        choices: dict[str, list[int]] = {left: [] for left in self.nonterminals}
-        for k, rule in enumerate(self.rules):
-            choices[rule.left].append(k)
-        return {left: tuple(indices) for left, indices in choices.items()}
+        indices = choices(self.rules)
+        return {left: indices[left] for left in self.nonterminals}
 
     @cached_property
     def probabilities(self) -> np.ndarray:
@@ -133,7 +123,8 @@ class Grammar:
     def generate(self, seed: int | np.random.Generator = 0, max_terminals: int = 40, symbol: str | None = None) -> Node:
         """A random tree, the same for the same seed, of about ``max_terminals`` at most; see
         :func:`core.grammar.generation.generate`. Raises ValueError for a symbol from which nothing comes."""
-        return generate(self, np.random.default_rng(seed), symbol or self.start, max_terminals)
+        rng = np.random.default_rng(seed)
+        return generate(self.rules, self.probabilities, rng, symbol or self.start, max_terminals)
 
     def bits(self, trees: Iterable[Node]) -> Bits:
         """Description length of the grammar and of the sentences with these trees (SYN 5.1)."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from core.errors import ParameterError
+from core.parameters import read_object
 from core.progress import Report
 
 MOST = 24
@@ -46,13 +47,7 @@ class TableParameters:
         return tuple({**self._base(), "n_terminals": number} for number in self.numbers())
 
     def _base(self) -> dict[str, Any]:
-        try:
-            values = json.loads(self.base)
-        except ValueError:
-            values = None
-        if not isinstance(values, dict):
-            raise ParameterError("base: expected the other parameters as a JSON object")
-        return {name: value for name, value in values.items() if name != "n_terminals"}
+        return {name: value for name, value in read_object(self.base, "base").items() if name != "n_terminals"}
 
 
 def part_report(report: Report, number: int, total: int) -> Report:

@@ -10,7 +10,7 @@ from typing import Any
 
 from core.errors import ParameterError
 from core.motifs.parameters import MotifParameters
-from core.parameters import Parameter, build, parameters_of, write_value
+from core.parameters import Parameter, build, parameters_of, read_object, write_value
 
 Axes = Mapping[str, Sequence[Any]]
 """Name of a parameter -> the values it takes, in the order in which they are shown."""
@@ -127,13 +127,7 @@ class SweepParameters:
         return dict(axes)
 
     def _base(self) -> MotifParameters:
-        try:
-            values = json.loads(self.base)
-        except ValueError:
-            values = None
-        if not isinstance(values, dict):
-            raise ParameterError("base: expected the other parameters as a JSON object")
-        base: MotifParameters = build(MotifParameters, values)
+        base: MotifParameters = build(MotifParameters, read_object(self.base, "base"))
         return base
 
 

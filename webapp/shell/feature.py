@@ -2,7 +2,7 @@
 
 A feature is one page with all that belongs to it: a folder of ``webapp/features`` whose ``__init__`` defines a
 :class:`Feature`. The shell, the Stage and the command line ask the features by way of this module and import none of
-them. Only the standard library is imported here: the command line must start quickly.
+them. Nothing heavy is imported here: the command line must start quickly.
 """
 
 from __future__ import annotations
@@ -12,7 +12,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib import import_module
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, get_type_hints
+from typing import TYPE_CHECKING, Any, NamedTuple, get_type_hints
+
+from webapp.shell.names import StageRequest
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -24,7 +26,6 @@ if TYPE_CHECKING:
     from core.analyses import Request
     from core.mocap.dataset import Dataset
     from core.workspace import Workspace
-    from webapp.shell.playback import Shown, StageRequest
     from webapp.shell.state import Values
 
 NOTHING: Mapping[str, Any] = MappingProxyType({})
@@ -99,6 +100,14 @@ def link_keys(view: type) -> LinkKeys:
 
 def _mark(hint: Any) -> LinkKey:
     return next((mark for mark in getattr(hint, "__metadata__", ()) if isinstance(mark, LinkKey)), LinkKey())
+
+
+class Shown(NamedTuple):
+    """What is on the screen when something is selected: name of the dataset, and the rest as a link has it."""
+
+    dataset: str
+    selection: Mapping[str, Any]
+    view: Mapping[str, str]
 
 
 @dataclass(frozen=True)

@@ -3,28 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, NamedTuple
+from typing import Any, Literal
 
 from dash import Dash, Input, Output, State, no_update, set_props
 
+from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.workspace import Workspace, WorkspaceError
 from webapp.shell import names
-from webapp.shell.feature import Feature, features
+from webapp.shell.feature import Feature, Shown, features
 from webapp.shell.messages import notice
+from webapp.shell.names import Figure, StageRequest
 
 MOST_FIGURES = 24  # the Stage stays fluid; more bodies would hide one another anyway
-
-StageRequest = dict[str, Any]
-"""What the Stage plays; docs/reference/stage.md describes it."""
-
-
-class Shown(NamedTuple):
-    """What is on the screen when something is selected: name of the dataset, and the rest as a link has it."""
-
-    dataset: str
-    selection: Mapping[str, Any]
-    view: Mapping[str, str]
 
 
 def selected_request(
@@ -67,28 +58,39 @@ def missing(
 
 
 def clip_request(dataset: Dataset, selection: Mapping[str, Any]) -> StageRequest | None:
-    """A clip, or frames ``start`` to ``end`` of it; None where the dataset has no such clip."""
+    """What plays for a selected clip, or frames of it; None where the dataset has no such clip."""
+    segment = clip_segment(dataset, selection)
+    return overlay(dataset, [item(*segment, segment.clip)], segment.clip) if segment else None
+
+
+def clip_segment(dataset: Dataset, selection: Mapping[str, Any]) -> Segment | None:
+    """Frames ``start`` to ``end`` of the selected clip, all where it has no such frames; None without such a clip."""
     try:
         clip = dataset.clip(str(selection["clip"]))
     except KeyError:
         return None
-    start, end = int(selection.get("start", 0)), int(selection.get("end", clip.n_frames))
-    start, end = (start, min(end, clip.n_frames)) if start < clip.n_frames and end > start else (0, clip.n_frames)
-    return overlay(dataset, [item(clip.name, start, end, clip.name)], clip.name)
+    start, end = int(selection.get("start", 0)), min(int(selection.get("end", clip.n_frames)), clip.n_frames)
+    return Segment(clip.name, start, end) if start < end else Segment(clip.name, 0, clip.n_frames)
 
 
-def item(clip: str, start: int, end: int, label: str, warp: list[float] | None = None) -> dict[str, Any]:
+def item(clip: str, start: int, end: int, label: str, warp: list[float] | None = None) -> Figure:
     """One figure of a request: frames ``[start, end)`` of a clip; warp: its frame beside each frame of the medoid."""
     return {"clip": clip, "start": int(start), "end": int(end), "label": label, "warp": warp}
 
 
-def overlay(dataset: Dataset, items: list[dict[str, Any]], title: str, sync: str = "warp") -> StageRequest:
+def overlay(dataset: Dataset, items: list[Figure], title: str, sync: Literal["warp", "start"] = "warp") -> StageRequest:
     """A request that lays its figures over one another.
 
     sync: "warp" plays them in step where they have warps, "start" each at its own pace from its start.
     """
-    content = {"dataset": dataset.name, "version": dataset.fingerprint, "items": items, "title": title}
-    return {**content, "layout": "overlay", "sync": sync}
+    return {
+        "dataset": dataset.name,
+        "version": dataset.fingerprint,
+        "items": items,
+        "title": title,
+        "layout": "overlay",
+        "sync": sync,
+    }
 
 
 def register(app: Dash, workspace: Workspace) -> None:

@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 from core.grammar import authoring
 from core.grammar.generation import least
 from core.grammar.induction import induce
-from core.grammar.motion_grammar import Grammar, Rule
+from core.grammar.motion_grammar import Grammar
+from core.grammar.rules import Rule
 from core.grammar.trees import at_path, depth, leaves, preorder
 from tests.core.grammar.test_induction import BASKETBALL, SENTENCES, spelled
 from tests.core.grammar.test_motion_grammar import CYCLIC, check_spans
@@ -39,7 +40,7 @@ def test_cyclic_grammars_end_within_the_bounds() -> None:
         for seed in range(40):
             tree = grammar.generate(seed, 15)
             assert 1 <= len(leaves(tree)) <= 15 and depth(tree) <= 41
-    assert least(endless)["S"][:2] == (1, 1)
+    assert least(endless.rules)["S"][:2] == (1, 1)
     never = Grammar((Rule("S", ("S", 1)),))
     with pytest.raises(ValueError, match="nothing can be generated"):
         never.generate(0)

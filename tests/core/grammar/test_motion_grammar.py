@@ -10,7 +10,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from core.grammar.motion_grammar import Grammar, Rule
+from core.grammar.motion_grammar import Grammar
+from core.grammar.rules import Rule
 from core.grammar.trees import at_path, brackets, depth, leaves, preorder
 
 SECTION_5_1 = Grammar((Rule("S", (0, 1, "A", 2, 3), 3), Rule("A", (4,), 2), Rule("A", (5,), 1)))

@@ -20,7 +20,7 @@ def register(app: Dash, workspace: Workspace) -> None:
     """Registers the page's callbacks."""
     method_page.register(app, workspace, METHOD)
     _show(app, workspace)
-    views.register(app, workspace)
+    views.BELOW.register(app, workspace)
 
 
 def _show(app: Dash, workspace: Workspace) -> None:

@@ -131,10 +131,7 @@ def register(app: Dash, workspace: Workspace) -> None:
     def make(view, _data, _place, name, before):
         if not compositions.is_composing(view) or not name or not (view or {}).get("sentence"):
             return no_update
-        try:
-            data = compositions.composed(workspace, name, view)
-        except WorkspaceError as error:
-            data = {"inputs": compositions.link_keys_of(view), "error": str(error)}
+        data = compositions.composed(workspace, name, view)
         return no_update if data is None or data == before else data
 
     @app.callback(
@@ -147,10 +144,7 @@ def register(app: Dash, workspace: Workspace) -> None:
     def others(view, _data, name, before):
         if not compositions.is_composing(view) or not name or not (view or {}).get("alt"):
             return no_update
-        try:
-            data = compositions.alternatives(workspace, name, view)
-        except WorkspaceError as error:
-            data = {"inputs": compositions.link_keys_of(view), "error": str(error)}
+        data = compositions.alternatives(workspace, name, view)
         return no_update if data is None or data == before else data
 
     @app.callback(

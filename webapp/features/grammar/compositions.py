@@ -24,6 +24,8 @@ from core.workspace import Workspace, WorkspaceError
 from webapp.features.grammar import grammars
 from webapp.features.grammar.figures import actions
 from webapp.shell import recipes, settings
+from webapp.shell.errors import sentence
+from webapp.shell.names import Colour
 from webapp.shell.virtual import virtual_name
 
 if TYPE_CHECKING:
@@ -77,33 +79,32 @@ def code_of(learned: LearnedGrammar, tree: Node) -> str:
 
 
 def composed(workspace: Workspace, name: str, view: View) -> dict[str, Any] | None:
-    """All that assets/grammar/compose.mjs shows of a routine; None while there is no grammar. Raises WorkspaceError."""
-    learned, key = grammars.learned(workspace, name, view), settings.key_of(workspace, grammars.PAGE, name, view)
-    if learned is None or key is None:
-        return None
-    data = {"key": key, "inputs": link_keys_of(view)}
+    """All that assets/grammar/compose.mjs shows of a routine, or why there is none; None while there is no grammar."""
+    data: dict[str, Any] = {"inputs": link_keys_of(view)}
     try:
-        tree = tree_of(learned, (view or {})["sentence"])
-        request = derive_request(learned, name, view, tree)
-        derivation = analyses.result_now(workspace, request)
+        learned, key = grammars.learned(workspace, name, view), settings.key_of(workspace, grammars.PAGE, name, view)
+        if learned is None or key is None:
+            return None
+        data["key"] = key
+        return data | _composed(workspace, learned, name, view)
     except MotionscapeError as error:
-        return data | {"error": _sentence(str(error))}
-    dataset, notes = workspace.open(name), grammars.notes_of(workspace, name, view) or {}
-    again = {"recipes": recipes.texts(workspace.path, request)}
-    shown = shown_routine(learned, derivation, analyses.key(workspace, request), notes)
+        return data | {"error": sentence(error)}
+
+
+def _composed(workspace: Workspace, learned: LearnedGrammar, name: str, view: View) -> dict[str, Any]:
+    tree = tree_of(learned, (view or {})["sentence"])
+    request = derive_request(learned, name, view, tree)
+    derivation = analyses.result_now(workspace, request)
+    notes = grammars.notes_of(workspace, name, view) or {}
     chosen = chosen_part(learned, tree, view)
-    svg = grammars.routine_svg(
-        dataset,
-        learned,
-        tree,
-        derivation.pieces,
-        notes,
-        marked=chosen and chosen["at"],
-        picked=_number(view, "pick"),
-    )
-    return (
-        data | shown | again | {"code": code_of(learned, tree), "svg": svg, "chosen": chosen, "parents": _parents(tree)}
-    )
+    marks = {"marked": chosen and chosen["at"], "picked": _number(view, "pick")}
+    return shown_routine(learned, derivation, analyses.key(workspace, request), notes) | {
+        "recipes": recipes.texts(workspace.path, request),
+        "code": code_of(learned, tree),
+        "svg": grammars.routine_svg(workspace.open(name), learned, tree, derivation.pieces, notes, **marks),
+        "chosen": chosen,
+        "parents": _parents(tree),
+    }
 
 
 def derive_request(learned: LearnedGrammar, dataset: str, view: View, tree: Node) -> analyses.Request:
@@ -134,7 +135,7 @@ def shown_routine(learned: LearnedGrammar, derivation: Derivation, key: str, not
     }
 
 
-def bands(derivation: Derivation, notes: actions.Notes) -> list[dict[str, Any]]:
+def bands(derivation: Derivation, notes: actions.Notes) -> list[Colour]:
     """Coloured spans for the Stage, one an action."""
     return [
         {
@@ -174,13 +175,12 @@ def chosen_part(learned: LearnedGrammar, tree: Node, view: View) -> dict[str, An
 
 
 def alternatives(workspace: Workspace, name: str, view: View) -> dict[str, Any] | None:
-    """Four alternatives for the chosen part, each with its motion; None without a grammar. Raises WorkspaceError."""
-    learned = grammars.learned(workspace, name, view)
-    if learned is None:
-        return None
-    data = {"inputs": link_keys_of(view, "alt")}
-    notes = grammars.notes_of(workspace, name, view) or {}
+    """Four alternatives for the chosen part, each with its motion, or why there are none; None without a grammar."""
+    data: dict[str, Any] = {"inputs": link_keys_of(view, "alt")}
     try:
+        learned, notes = grammars.learned(workspace, name, view), grammars.notes_of(workspace, name, view) or {}
+        if learned is None:
+            return None
         tree = tree_of(learned, (view or {})["sentence"])
         chosen = chosen_part(learned, tree, view)
         if chosen is None:
@@ -189,7 +189,7 @@ def alternatives(workspace: Workspace, name: str, view: View) -> dict[str, Any] 
         others = authoring.alternatives(learned.grammar, tree, chosen["at"], N_OTHERS, seed)
         shown = [_alternative(workspace, learned, name, view, other, chosen["at"], notes) for other in others]
     except MotionscapeError as error:
-        return data | {"error": _sentence(str(error))}
+        return data | {"error": sentence(error)}
     return data | {"part": chosen["name"], "others": shown}
 
 
@@ -239,7 +239,7 @@ def keep(workspace: Workspace, name: str | None, view: View, routine_name: str) 
             workspace, derive_request(learned, name, view, tree_of(learned, view["sentence"]))
         )
     except MotionscapeError as error:
-        raise WorkspaceError(_sentence(str(error))) from error
+        raise WorkspaceError(sentence(error)) from error
     notes = grammars.notes_of(workspace, name, view) or {}
     labels = tuple(
         Label(routine_name, start, end, actions.action_name(action, notes))
@@ -263,7 +263,3 @@ def _parents(tree: Node) -> list[str]:
 def _number(view: View, key: str) -> int | None:
     text = (view or {}).get(key, "")
     return int(text) if text.isdecimal() and len(text) < 7 else None
-
-
-def _sentence(text: str) -> str:
-    return text if text.endswith((".", "?", "!")) else f"{text}."

@@ -71,8 +71,8 @@ def result(tiles: Sequence[tuple[str, str, str]]) -> Component:
             html.Div(
                 id=names.GRAMMAR_STRING, className="card string", role="list", **attributes(aria_label="Recordings")
             ),
-            html.Div([views.switch()], className="section-head section"),
-            *views.panels(),
+            html.Div([views.BELOW.switch()], className="section-head section"),
+            *views.BELOW.panels(),
             dcc.Store(id=names.GRAMMAR_DRAWN),
         ]
     )

@@ -10,7 +10,9 @@ from core.mocap.dataset import Dataset
 from core.workspace import Workspace
 from webapp.features.grammar import grammars
 from webapp.features.grammar.figures import actions
-from webapp.shell.playback import MOST_FIGURES, Shown, StageRequest, overlay
+from webapp.shell.feature import Shown
+from webapp.shell.names import Figure, StageRequest
+from webapp.shell.playback import MOST_FIGURES, clip_segment, item, overlay
 
 
 def plays(workspace: Workspace, dataset: Dataset, shown: Shown) -> StageRequest | None:
@@ -60,17 +62,14 @@ def typical_first(occurrences: Sequence[Segment], typical: Segment, most: int = 
 
 def _stretch(
     dataset: Dataset, segments: Sequence[Sequence[Segment]], notes: actions.Notes, selection: Mapping[str, Any]
-) -> dict[str, Any] | None:
-    try:
-        clip = dataset.clip(str(selection["clip"]))
-    except KeyError:
+) -> StageRequest | None:
+    segment = clip_segment(dataset, selection)
+    if segment is None:
         return None
-    start, end = int(selection.get("start", 0)), min(int(selection.get("end", clip.n_frames)), clip.n_frames)
-    start, end = (start, end) if start < end else (0, clip.n_frames)
-    span = Segment(clip.name, start, end)
-    item = _item(span) | {"colours": actions.spans(segments, notes, span)}
-    return overlay(dataset, [item], clip.name, sync="start")
+    figure = _item(segment)
+    figure["colours"] = actions.spans(segments, notes, segment)
+    return overlay(dataset, [figure], segment.clip, sync="start")
 
 
-def _item(segment: Segment) -> dict[str, Any]:
-    return {"clip": segment.clip, "start": int(segment.start), "end": int(segment.end), "label": segment.clip}
+def _item(segment: Segment) -> Figure:
+    return item(*segment, segment.clip)

@@ -24,7 +24,8 @@ def register(app: Dash, workspace: Workspace) -> None:
     method_page.register(app, workspace, layout.METHOD)
     _show(app, workspace)
     _browse(app, workspace)
-    views.register(app, workspace)
+    views.BELOW.register(app, workspace)
+    views.BESIDE.register(app, workspace)
     stability_marks.register(app, workspace)
 
 

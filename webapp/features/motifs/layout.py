@@ -84,13 +84,13 @@ def result(graph: MotifGraph, dataset: Dataset, elements: list[dict], scheme: st
                 children=[
                     _graph_card(graph, elements, scheme),
                     html.Div(
-                        [views.switch("side", "What to do with the motif"), *views.panels("side")],
+                        [views.BESIDE.switch(), *views.BESIDE.panels()],
                         className="card selection-card",
                     ),
                 ],
             ),
-            html.Div([views.switch("view", "What to look at")], className="section-head section"),
-            *views.panels("view"),
+            html.Div([views.BELOW.switch()], className="section-head section"),
+            *views.BELOW.panels(),
             *(dcc.Store(id=name) for name in (names.MOTIONS, names.GRAPH_TAPPED, names.GRAPH_MARKED)),
         ]
     )

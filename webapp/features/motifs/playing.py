@@ -10,7 +10,9 @@ from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.motifs.graph import Edge, Motif, MotifGraph
 from core.workspace import Workspace
-from webapp.shell.playback import MOST_FIGURES, Shown, StageRequest, clip_request, item, overlay
+from webapp.shell.feature import Shown
+from webapp.shell.names import StageRequest
+from webapp.shell.playback import MOST_FIGURES, clip_request, item, overlay
 from webapp.shell.results import find_edge, find_motif, find_motifs, motif_graph, motif_notes
 from webapp.ui.tables import clock
 

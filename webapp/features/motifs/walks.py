@@ -19,6 +19,7 @@ from core.synthesis import NoWay, Walk, Ways, open_ways
 from core.synthesis.links import FURTHER, SEEN
 from core.workspace import Workspace, WorkspaceError
 from webapp.shell import recipes, results, settings
+from webapp.shell.errors import sentence
 from webapp.shell.virtual import virtual_name
 from webapp.ui.timeline import motif_colour
 
@@ -78,13 +79,13 @@ def walk_data(
     try:
         request = analyses.normalise(walk_request(dataset.name, view))
     except ParameterError as error:
-        return data | {"error": _sentence(str(error))}
+        return data | {"error": sentence(error)}
     try:
         walk = analyses.result_now(workspace, request)
         again = {"recipes": recipes.texts(workspace.path, request)}
         return data | shown_walk(walk, analyses.key(workspace, request), names) | again
     except MotionscapeError as error:
-        refused = {"error": _sentence(str(error)), "path": _listed(link_values["walk"])}
+        refused = {"error": sentence(error), "path": _listed(link_values["walk"])}
         if isinstance(error, NoWay):
             refused |= {"gap": [error.source, error.target], "detour": list(error.detour or ())}
         return data | refused
@@ -155,10 +156,6 @@ def _ways(dataset: Dataset, graph: MotifGraph, graph_key: str, further: bool) ->
 def _listed(text: str) -> list[int]:
     """The motifs of a path that names them, for people to mend it."""
     return [int(number) for number in text.split("-")] if re.fullmatch(r"\d{1,6}(-\d{1,6})*", text) else []
-
-
-def _sentence(text: str) -> str:
-    return text if text.endswith((".", "?", "!")) else f"{text}."
 
 
 _recent_ways: RecentCache[tuple[str, bool], Ways] = RecentCache(8)

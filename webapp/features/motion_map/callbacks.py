@@ -27,6 +27,7 @@ from webapp.shell.names import DATASET, MOTIF_METHOD, NOTICES, REVISION, SELECTI
 from webapp.shell.results import find_motifs
 from webapp.shell.state import Values
 from webapp.ui import method_page, tables
+from webapp.ui.views import register_switch
 
 METHOD = layout.METHOD
 
@@ -263,13 +264,7 @@ def _browser(app: Dash) -> None:
         Input(VIEW, "data"),
         State(names.MAP_LOOK, "data"),
     )
-    app.clientside_callback(ClientsideFunction("views", "chosen"), Input(names.MAP_BELOW, "value"), State(VIEW, "data"))
-    app.clientside_callback(
-        ClientsideFunction("views", "show"),
-        Output(names.MAP_BELOW, "value"),
-        Input(VIEW, "data"),
-        Input(names.MAP_BELOW, "id"),
-    )
+    register_switch(app, names.MAP_BELOW)
     for control in names.MAP_CONTROLS.values():
         app.clientside_callback(ClientsideFunction("map", "chosen"), Input(control, "value"), State(VIEW, "data"))
         app.clientside_callback(

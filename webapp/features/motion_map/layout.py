@@ -18,6 +18,7 @@ from webapp.shell.icons import icon
 from webapp.ui import method_page
 from webapp.ui.charts import CONFIG, empty
 from webapp.ui.downloads import table_download
+from webapp.ui.views import panel
 
 METHOD = method_page.MethodPage(
     page="map",
@@ -214,14 +215,7 @@ def _panels() -> list[Component]:
         ),
         "region": html.Div(id=names.MAP_REGION, className="card map-region-panel"),
     }
-    return [
-        html.Div(
-            content[value],
-            className="view-panel" + (" hidden" if number else ""),
-            **attributes(data_key="below", data_value=value),
-        )
-        for number, (value, _) in enumerate(BELOW)
-    ]
+    return [panel("below", value, content[value], hidden=number > 0) for number, (value, _) in enumerate(BELOW)]
 
 
 def menus(key: str | None, earlier: list[Component], copies: list[Component]) -> list[Component]:

@@ -15,7 +15,6 @@ import csv
 import io
 import json
 import re
-from urllib.parse import quote
 
 import numpy as np
 from flask import Blueprint, Response, jsonify, request
@@ -28,7 +27,15 @@ from core.motion_map.path_queries import search_path
 from core.workspace import Workspace, WorkspaceError
 from webapp.features.motion_map.names import MapHeader
 from webapp.features.motion_map.paths import path_of
-from webapp.shell.routes import BadRequest, OpenDataset, answer_errors, parse_interval, read_whole, response_with_etag
+from webapp.shell.routes import (
+    BadRequest,
+    OpenDataset,
+    answer_errors,
+    attachment,
+    parse_interval,
+    read_whole,
+    response_with_etag,
+)
 from webapp.shell.virtual import opener
 
 MOST_PATHS = 48
@@ -95,13 +102,11 @@ def map_blueprint(workspace: Workspace, open_dataset: OpenDataset) -> Blueprint:
 
     @routes.get("/<key>.json")
     def document(key: str) -> Response:
-        return _attachment(
-            json.dumps(_map(workspace, key).to_json()), "application/json", _name(workspace, key, "json")
-        )
+        return attachment(json.dumps(_map(workspace, key).to_json()), "application/json", _name(workspace, key, "json"))
 
     @routes.get("/<key>.csv")
     def nodes(key: str) -> Response:
-        return _attachment(nodes_csv(_map(workspace, key)), "text/csv", _name(workspace, key, "csv"))
+        return attachment(nodes_csv(_map(workspace, key)), "text/csv", _name(workspace, key, "csv"))
 
     return routes
 
@@ -165,9 +170,3 @@ def _map(workspace: Workspace, key: str) -> MotionMap:
 
 def _name(workspace: Workspace, key: str, ending: str) -> str:
     return f"{_map(workspace, key).dataset.get('name', 'motion')}-map.{ending}"
-
-
-def _attachment(text: str, mimetype: str, name: str) -> Response:
-    answer = Response(text, mimetype=mimetype)
-    answer.headers["Content-Disposition"] = f"attachment; filename*=UTF-8''{quote(name)}"
-    return answer

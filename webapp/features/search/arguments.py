@@ -7,7 +7,7 @@ from pathlib import Path
 
 from core.errors import ParameterError
 from core.poses.body_parts import normalise_weights
-from webapp.cli.arguments import on_source
+from webapp.cli.arguments import number, on_source
 
 
 def search(parser: argparse.ArgumentParser) -> None:
@@ -38,19 +38,12 @@ def _weights(text: str) -> dict[str, float]:
     weights: dict[str, float] = {}
     for entry in filter(None, (part.strip() for part in text.split(","))):
         name, _, value = entry.partition("=")
-        weights[name.strip()] = weights.get(name.strip(), 0.0) + _number(value)
+        weights[name.strip()] = weights.get(name.strip(), 0.0) + number(value)
     try:
         normalise_weights(weights)
     except ParameterError as error:
         raise argparse.ArgumentTypeError(str(error)) from None
     return weights
-
-
-def _number(text: str) -> float:
-    try:
-        return float(text)
-    except ValueError:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a number") from None
 
 
 def _top(text: str) -> int:
@@ -60,7 +53,7 @@ def _top(text: str) -> int:
 
 
 def _share(text: str) -> float:
-    value = _number(text)
+    value = number(text)
     if not 0 <= value <= 1:
         raise argparse.ArgumentTypeError(f"{text!r}: expected a number from 0 to 1")
     return value

@@ -37,6 +37,7 @@ from webapp.shell.names import (
 )
 from webapp.ui import method_page
 from webapp.ui.tables import labels_by_clip
+from webapp.ui.views import register_switch
 
 
 def register(app: Dash, workspace: Workspace) -> None:
@@ -46,15 +47,7 @@ def register(app: Dash, workspace: Workspace) -> None:
     _search(app, workspace)
     _menus(app, workspace)
     _upload(app, workspace)
-    app.clientside_callback(
-        ClientsideFunction("views", "chosen"), Input(names.SEARCH_LOOK, "value"), State(VIEW, "data")
-    )
-    app.clientside_callback(
-        ClientsideFunction("views", "show"),
-        Output(names.SEARCH_LOOK, "value"),
-        Input(VIEW, "data"),
-        Input(names.SEARCH_LOOK, "id"),
-    )
+    register_switch(app, names.SEARCH_LOOK)
 
 
 def _choices(app: Dash, workspace: Workspace) -> None:

@@ -15,6 +15,7 @@ from webapp.shell.attributes import attributes
 from webapp.shell.icons import icon
 from webapp.shell.uploads import SUFFIXES
 from webapp.ui.method_page import MethodPage, run_button, settings_fold, status_place
+from webapp.ui.views import panel
 
 VIEWS = {"search": "Search", "agree": "Do people agree?", "evaluate": "Evaluation"}
 
@@ -44,15 +45,8 @@ def page(panels: dict[str, Component]) -> Component:
                     run_button(METHOD),
                 ],
             ),
-            html.Div(
-                [settings_fold(METHOD), _search()],
-                className="view-panel",
-                **attributes(data_key="look", data_value="search"),
-            ),
-            *(
-                html.Div(panel, className="view-panel hidden", **attributes(data_key="look", data_value=value))
-                for value, panel in panels.items()
-            ),
+            panel("look", "search", [settings_fold(METHOD), _search()], hidden=False),
+            *(panel("look", value, content, hidden=True) for value, content in panels.items()),
         ],
     )
 
@@ -63,7 +57,6 @@ def _views(panels: dict[str, Component]) -> Component:
         data=[{"value": value, "label": label} for value, label in VIEWS.items() if value in ("search", *panels)],
         value="search",
         size="xs",
-        attributes={"root": {"data-key": "look"}},
         **attributes(aria_label="What to look at"),
     )
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from urllib.parse import quote
 
 from flask import Blueprint, Response, jsonify, request
 
@@ -16,7 +15,7 @@ from webapp.features.search.figures import hits as figures
 from webapp.features.search.queries import read_hit
 from webapp.shell import links, settings
 from webapp.shell.errors import sentence
-from webapp.shell.routes import BadRequest, answer_errors
+from webapp.shell.routes import BadRequest, answer_errors, attachment
 from webapp.ui.tables import labels_by_clip
 
 
@@ -54,7 +53,7 @@ def search_blueprint(workspace: Workspace) -> Blueprint:
         dataset, result = _requested_result(workspace)
         labels = labels_by_clip(dataset)
         rows = [(hit, searching.label_of(labels, hit.segment)) for hit in result.hits]
-        return _attachment(figures.hits_csv(dataset, rows), "text/csv", f"{dataset.name}-hits.csv")
+        return attachment(figures.hits_csv(dataset, rows), "text/csv", f"{dataset.name}-hits.csv")
 
     @routes.get("/hits.json")
     def hits_json() -> Response:
@@ -66,7 +65,7 @@ def search_blueprint(workspace: Workspace) -> Blueprint:
         document = figures.hits_json(
             dataset, result.query, result.hits, parameters, index.seconds if index else {}, result.milliseconds
         )
-        return _attachment(json.dumps(document, ensure_ascii=False), "application/json", f"{dataset.name}-hits.json")
+        return attachment(json.dumps(document, ensure_ascii=False), "application/json", f"{dataset.name}-hits.json")
 
     @routes.get("/ranking.json")
     def ranking_json() -> Response:
@@ -82,17 +81,17 @@ def search_blueprint(workspace: Workspace) -> Blueprint:
         document = (
             head | {"parameters": dict(rankings.parameters), "seconds": dict(rankings.seconds)} | scores.to_json()
         )
-        return _attachment(json.dumps(document), "application/json", f"{dataset.name}-evaluation.json")
+        return attachment(json.dumps(document), "application/json", f"{dataset.name}-evaluation.json")
 
     @routes.get("/ratings.csv")
     def ratings_csv() -> Response:
         name = request.args.get("dataset", "")
-        return _attachment(workspace.ratings.export_ratings(_id(workspace, name)), "text/csv", f"{name}-ratings.csv")
+        return attachment(workspace.ratings.export_ratings(_id(workspace, name)), "text/csv", f"{name}-ratings.csv")
 
     @routes.get("/votes.csv")
     def votes_csv() -> Response:
         name = request.args.get("dataset", "")
-        return _attachment(workspace.ratings.export_votes(_id(workspace, name)), "text/csv", f"{name}-votes.csv")
+        return attachment(workspace.ratings.export_votes(_id(workspace, name)), "text/csv", f"{name}-votes.csv")
 
     return routes
 
@@ -122,9 +121,3 @@ def _requested_result(workspace: Workspace) -> tuple[Dataset, searching.SearchRe
     if result is None:
         raise BadRequest("There is no query, or the index has not been built yet.", 404)
     return dataset, result
-
-
-def _attachment(text: str, mimetype: str, name: str) -> Response:
-    answer = Response(text, mimetype=mimetype)
-    answer.headers["Content-Disposition"] = f"attachment; filename*=UTF-8''{quote(name)}"
-    return answer

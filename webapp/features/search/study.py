@@ -31,6 +31,7 @@ from webapp.shell.names import DATASET, JOB_STARTED, NOTICES, THEME, VIEW, VIEW_
 from webapp.ui.charts import CONFIG, tall
 from webapp.ui.downloads import chart_menu
 from webapp.ui.tables import clock, strip_address
+from webapp.ui.views import panel, register_switch
 
 MODES = {"rate": "Rate pairs", "vote": "Which is more alike?", "results": "Results"}
 HINT = (
@@ -46,13 +47,12 @@ def layout() -> Component:
         data=[{"value": value, "label": label} for value, label in MODES.items()],
         value="rate",
         size="xs",
-        attributes={"root": {"data-key": "study"}},
         **attributes(aria_label="What to do"),
     )
     panels = [
-        _panel("rate", html.Div(id=names.STUDY_RATE, className="card study-card")),
-        _panel("vote", html.Div(id=names.STUDY_VOTE, className="card study-card")),
-        _panel("results", html.Div(id=names.STUDY_RESULTS)),
+        panel("study", "rate", html.Div(id=names.STUDY_RATE, className="card study-card"), hidden=False),
+        panel("study", "vote", html.Div(id=names.STUDY_VOTE, className="card study-card"), hidden=True),
+        panel("study", "results", html.Div(id=names.STUDY_RESULTS), hidden=True),
     ]
     stores = (names.STUDY_DATA, names.STUDY_DRAWN, names.STUDY_ANSWER, names.STUDY_RECEIVED, names.STUDY_WISH)
     return html.Div(
@@ -68,24 +68,11 @@ def layout() -> Component:
     )
 
 
-def _panel(value: str, child: Component) -> Component:
-    hidden = "" if value == "rate" else " hidden"
-    return html.Div(child, className=f"view-panel{hidden}", **attributes(data_key="study", data_value=value))
-
-
 def register(app: Dash, workspace: Workspace) -> None:
     """Registers the study's callbacks."""
     _show(app, workspace)
     _take(app, workspace)
-    app.clientside_callback(
-        ClientsideFunction("views", "chosen"), Input(names.SEARCH_STUDY, "value"), State(VIEW, "data")
-    )
-    app.clientside_callback(
-        ClientsideFunction("views", "show"),
-        Output(names.SEARCH_STUDY, "value"),
-        Input(VIEW, "data"),
-        Input(names.SEARCH_STUDY, "id"),
-    )
+    register_switch(app, names.SEARCH_STUDY)
     app.clientside_callback(
         ClientsideFunction("study", "draw"),
         Output(names.STUDY_DRAWN, "data"),

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from core.demo import make_demo
-from core.grammar.motion_grammar import Grammar, Rule
+from core.grammar.motion_grammar import Grammar
+from core.grammar.rules import Rule
 from core.grammar.trees import at_path, preorder
 from core.mocap.clip import Label, Segment
 from core.mocap.dataset import Dataset

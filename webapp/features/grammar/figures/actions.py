@@ -11,6 +11,7 @@ from urllib.parse import quote, urlencode
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.workspace import MotifNote
+from webapp.shell.names import Colour
 from webapp.ui.brief_names import brief_names
 from webapp.ui.tables import labels_by_clip, majority_label, strip_address
 from webapp.ui.timeline import motif_colour
@@ -116,9 +117,9 @@ def string_rows(
     ]
 
 
-def spans(segments: Sequence[Sequence[Segment]], notes: Notes, within: Segment) -> list[dict[str, Any]]:
+def spans(segments: Sequence[Sequence[Segment]], notes: Notes, within: Segment) -> list[Colour]:
     """Coloured spans of a stretch of a clip for the Stage, in frames of the clip's own rate."""
-    entries = [
+    entries: list[Colour] = [
         {"start": start, "end": end, "colour": action_colour(action), "label": short_name(action, notes)}
         for action, occurrences in enumerate(segments)
         for clip, start, end in occurrences

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from core.grammar.motion_grammar import Rule
+    from core.grammar.rules import Rule
 
 
 def phrase_names(ways: Iterable[Rule], start: str) -> dict[str, str]:
