@@ -712,6 +712,7 @@
       set: (value) => {
         if (value === suite) return;
         library = value;
+        delete library?.Cytoscape?.defaultProps?.wheelSensitivity;
         arrive();
       }
     });
@@ -1201,7 +1202,7 @@
   var TRAIL_WORDS = { off: "Trails off", root: "Trail of the body", limbs: "Trails of hands and feet" };
   function makeActions(stage2) {
     const { clock: clock2, camera, traces } = stage2;
-    const say2 = (text) => stage2.say(text);
+    const say2 = (text) => stage2.messages.say(text);
     return {
       play: () => clock2.playing ? stage2.pause() : stage2.play(),
       back: () => stage2.step(-1),
@@ -1220,7 +1221,7 @@
       pose: () => stage2.setLayout("pose"),
       warp: () => stage2.setSync(stage2.sync === "warp" ? "start" : "warp"),
       reset: () => stage2.resetCamera(),
-      help: () => stage2.toggleHelp(),
+      help: () => stage2.messages.toggleHelp(),
       retry: () => stage2.requests.show(stage2.request ?? null)
     };
   }
@@ -1252,7 +1253,7 @@
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
     const button4 = closest(event, "button");
     if (button4 && (event.key === " " || event.key === "Enter")) return;
-    if (event.key === "Escape" && stage2.toggleHelp(false)) return;
+    if (event.key === "Escape" && stage2.messages.toggleHelp(false)) return;
     const orbit = event.shiftKey && ORBIT[event.key];
     const action = KEYS[event.key.length === 1 ? event.key.toLowerCase() : event.key];
     if (orbit) stage2.camera.orbit(...orbit);
@@ -1447,6 +1448,35 @@
     }
   };
 
+  // stage/events.mjs
+  var STATE_EVERY = 400;
+  var StageEvents = class {
+    /** @param {Stage} stage */
+    constructor(stage2) {
+      this.stage = stage2;
+      this.waiting = 0;
+      this.lastFrame = void 0;
+    }
+    /** "stage-state", a little later, so that many changes make one event: for the link. */
+    tellState() {
+      const { stage: stage2 } = this;
+      if (this.waiting || stage2.status !== "ready") return;
+      this.waiting = window.setTimeout(() => {
+        this.waiting = 0;
+        window.dispatchEvent(new CustomEvent("stage-state", { detail: { ...stage2.state(), items: stage2.standing() } }));
+      }, STATE_EVERY);
+    }
+    /** "stage-frame", where another frame is shown than before: for cursors in charts and lit nodes. */
+    tellFrame() {
+      const { stage: stage2 } = this;
+      const { time, duration, playing: playing3 } = stage2.clock;
+      if (stage2.status !== "ready" || time === this.lastFrame?.time && stage2.figures === this.lastFrame.figures) return;
+      this.lastFrame = { time, figures: stage2.figures };
+      window.dispatchEvent(new CustomEvent("stage-frame", { detail: { time, duration, playing: playing3, items: stage2.standing() } }));
+      if (playing3) this.tellState();
+    }
+  };
+
   // stage/layout.mjs
   var LANE = { least: 1, most: 2.4, gap: 0.3 };
   var ROW = { least: 1.5, most: 3.2 };
@@ -1546,6 +1576,115 @@
     if (layout === "overlay" || figures.length < 2) return { yaw: 0.62, pitch: 0.2 };
     return layout === "pose" ? { yaw: 0.02, pitch: 0.07 } : { yaw: 0.06, pitch: 0.34 };
   }
+
+  // stage/messages.mjs
+  var NOTICE = 1100;
+  function readout({ clock: { time, duration }, figures, timeline, layout }) {
+    const figure2 = figures[timeline.reference];
+    const frame = figure2.recordedFrame(time);
+    const span = figure2.spanAt(frame)?.label;
+    const moment = layout === "pose" ? `${Math.round(100 * time / (duration || 1))} % of each` : `${time.toFixed(2)} / ${duration.toFixed(2)} s`;
+    return `${moment} · frame ${frame}${span ? ` · ${span}` : ""}`;
+  }
+  function describe(figures) {
+    const count = figures.length === 1 ? "One figure" : `${figures.length} figures`;
+    return `${count} moving: ${figures.slice(0, 6).map((figure2) => figure2.label).join(", ")}`;
+  }
+  var Messages = class {
+    /** @param {HTMLElement} root */
+    constructor(root) {
+      this.root = root;
+      this.timer = 0;
+    }
+    /** @param {string} title @param {string} message */
+    show(title, message2) {
+      within(this.root, ".ms-stage-title").textContent = title;
+      within(this.root, ".ms-message-text").textContent = message2;
+      within(this.root, ".ms-stage-note").hidden = true;
+    }
+    /** Show for a moment what a button or a key did. @param {string} text */
+    say(text) {
+      const toast = within(this.root, ".ms-toast");
+      toast.textContent = text;
+      toast.classList.add("ms-shown");
+      clearTimeout(this.timer);
+      this.timer = window.setTimeout(() => toast.classList.remove("ms-shown"), NOTICE);
+    }
+    /** Open or close the list of keys; true when it was open. @param {boolean} [open] */
+    toggleHelp(open4) {
+      const help = within(this.root, ".ms-help");
+      const was = !help.hidden;
+      help.hidden = open4 === void 0 ? was : !open4;
+      return was;
+    }
+  };
+
+  // stage/frames.mjs
+  var LONGEST_STEP = 0.25;
+  var Frames = class {
+    /** @param {Stage} stage */
+    constructor(stage2) {
+      this.stage = stage2;
+      this.fps = 0;
+      this.stale = true;
+      this.before = void 0;
+      this.followed = [0, 0];
+      this.next = (now6) => this.tick(now6);
+    }
+    start() {
+      requestAnimationFrame(this.next);
+    }
+    /** @param {number} now */
+    tick(now6) {
+      const { stage: stage2 } = this;
+      if (stage2.closed) return;
+      requestAnimationFrame(this.next);
+      const seconds = Math.min(Math.max((now6 - (this.before ?? now6)) / 1e3, 0), LONGEST_STEP);
+      this.before = now6;
+      if (stage2.status !== "ready" && !this.stale) return;
+      const playing3 = stage2.clock.playing;
+      if (playing3) {
+        stage2.clock.advance(seconds);
+        this.fps += ((seconds > 0 ? 1 / seconds : 60) - this.fps) * 0.05;
+        if (!stage2.clock.playing) stage2.touch(true);
+      }
+      if (!playing3 && !this.stale) return;
+      this.stale = false;
+      this.paint(seconds);
+    }
+    /** @param {number} seconds */
+    paint(seconds) {
+      const { stage: stage2 } = this;
+      const { camera, clock: clock2, figures, scene } = stage2;
+      for (const figure2 of figures) if (figure2.visible) figure2.pose(clock2.time);
+      if (figures.length) {
+        const [x, z] = groundCentre(figures, this.followed);
+        if (camera.follow) camera.track(x, z, seconds, clock2.jumped || !clock2.playing);
+        clock2.jumped = false;
+      }
+      scene.paint(camera, figures, stage2.traces, clock2, stage2.layout === "overlay");
+      stage2.warpStrip.refresh(scene.theme);
+      stage2.controls.tick(figures.length ? readout(stage2) : "");
+      stage2.events.tellFrame();
+    }
+  };
+
+  // stage/looks.mjs
+  var Looks = class {
+    /** @param {Stage} stage */
+    constructor(stage2) {
+      this.size = new ResizeObserver(() => stage2.resized());
+      this.size.observe(stage2.scene.canvas);
+      this.theme = new MutationObserver(() => stage2.readLooks());
+      for (const node of [document.documentElement, document.body]) {
+        this.theme.observe(node, { attributes: true, attributeFilter: ["data-mantine-color-scheme", "class", "style"] });
+      }
+    }
+    close() {
+      this.size.disconnect();
+      this.theme.disconnect();
+    }
+  };
 
   // stage/spans.mjs
   var PATH_STEPS = 30;
@@ -3014,7 +3153,6 @@
   }
 
   // stage/stage.mjs
-  var STATE_EVERY = 400;
   var LAYOUT_WORDS = { overlay: "Overlay", side: "Side by side", pose: "Stills in rows" };
   var Stage = class {
     /** @param {HTMLElement} root */
@@ -3038,32 +3176,19 @@
       this.layout = "overlay";
       this.sync = "warp";
       this.status = "empty";
-      this.followed = [0, 0];
       this.chosen = -1;
-      this.fps = 0;
       this.closed = false;
-      this.dirty = true;
-      this.telling = 0;
-      this.quiet = 0;
       this.waiting = void 0;
-      this.before = void 0;
-      this.lastFrame = void 0;
-      this.sizes = new ResizeObserver(() => this.resized());
-      this.looks = new MutationObserver(() => this.readLooks());
+      this.frames = new Frames(this);
+      this.events = new StageEvents(this);
+      this.messages = new Messages(root);
       this.controls = new Controls(this, root);
-      this.watchLooks();
-      this.setStatus("empty");
-      this.frame = (now6) => this.tick(now6);
-      requestAnimationFrame(this.frame);
-    }
-    /** Follow changes of size, theme and screen. */
-    watchLooks() {
+      this.looks = new Looks(this);
       this.readLooks();
-      this.sizes.observe(this.scene.canvas);
-      for (const node of [document.documentElement, document.body]) {
-        this.looks.observe(node, { attributes: true, attributeFilter: ["data-mantine-color-scheme", "class", "style"] });
-      }
+      this.setStatus("empty");
+      this.frames.start();
     }
+    /** Colours and sizes are others: paint with them. */
     readLooks() {
       this.scene.setTheme(readTheme(this.root));
       this.colour();
@@ -3075,8 +3200,7 @@
     }
     close() {
       this.closed = true;
-      this.sizes.disconnect();
-      this.looks.disconnect();
+      this.looks.close();
     }
     /** Show figures from their start, as a request wants it. @param {Figure[]} figures @param {StageRequest} request */
     begin(figures, request5) {
@@ -3193,14 +3317,14 @@
       this.camera.reset(homeView(this.figures, layout));
       this.keepingShare(() => this.prepare());
       if (layout === "pose") this.standStill();
-      this.say(LAYOUT_WORDS[layout]);
+      this.messages.say(LAYOUT_WORDS[layout]);
     }
     /** @param {string} sync */
     setSync(sync) {
       if (!this.figures.some((figure2) => figure2.warp)) return;
       this.sync = sync;
       this.keepingShare(() => this.prepare());
-      this.say(this.timeline.warped ? "In step" : "Each at its own pace");
+      this.messages.say(this.timeline.warped ? "In step" : "Each at its own pace");
     }
     play() {
       this.clock.play();
@@ -3231,7 +3355,7 @@
     resetCamera() {
       this.camera.reset(homeView(this.figures, this.layout));
       this.place();
-      this.say("View reset");
+      this.messages.say("View reset");
     }
     /**
      * Something changed: draw, bring the buttons in line (`byHand`: the person did it), tell the app.
@@ -3240,95 +3364,23 @@
     touch(byHand) {
       if (byHand) this.controls.update();
       this.draw();
-      this.tell();
+      this.events.tellState();
     }
     draw() {
-      this.dirty = true;
-    }
-    tell() {
-      if (this.telling || this.status !== "ready") return;
-      this.telling = window.setTimeout(() => {
-        this.telling = 0;
-        window.dispatchEvent(new CustomEvent("stage-state", { detail: { ...this.state(), items: this.standing() } }));
-      }, STATE_EVERY);
+      this.frames.stale = true;
     }
     /** Where every figure stands now. */
     standing() {
       return this.figures.map((figure2) => standing(figure2, this.clock.time));
     }
-    /** For what follows every frame: a cursor in a chart, a lit node. */
-    tellFrame() {
-      const { time, duration, playing: playing3 } = this.clock;
-      if (this.status !== "ready" || time === this.lastFrame?.time && this.figures === this.lastFrame.figures) return;
-      this.lastFrame = { time, figures: this.figures };
-      window.dispatchEvent(new CustomEvent("stage-frame", { detail: { time, duration, playing: playing3, items: this.standing() } }));
-      if (playing3) this.tell();
-    }
-    /** @param {number} now */
-    tick(now6) {
-      if (this.closed) return;
-      requestAnimationFrame(this.frame);
-      const seconds = Math.min(Math.max((now6 - (this.before ?? now6)) / 1e3, 0), 0.25);
-      this.before = now6;
-      if (this.status !== "ready" && !this.dirty) return;
-      const playing3 = this.clock.playing;
-      if (playing3) {
-        this.clock.advance(seconds);
-        this.fps += ((seconds > 0 ? 1 / seconds : 60) - this.fps) * 0.05;
-        if (!this.clock.playing) this.touch(true);
-      }
-      if (!playing3 && !this.dirty) return;
-      this.dirty = false;
-      this.paint(seconds);
-    }
-    /** @param {number} seconds */
-    paint(seconds) {
-      for (const figure2 of this.figures) if (figure2.visible) figure2.pose(this.clock.time);
-      if (this.figures.length) {
-        const [x, z] = groundCentre(this.figures, this.followed);
-        const { camera } = this;
-        if (camera.follow) camera.track(x, z, seconds, this.clock.jumped || !this.clock.playing);
-        this.clock.jumped = false;
-      }
-      this.scene.paint(this.camera, this.figures, this.traces, this.clock, this.layout === "overlay");
-      this.warpStrip.refresh(this.scene.theme);
-      this.controls.tick(this.figures.length ? this.readout() : "");
-      this.tellFrame();
-    }
-    readout() {
-      const { time, duration } = this.clock;
-      const figure2 = this.figures[this.timeline.reference];
-      const frame = figure2.recordedFrame(time);
-      const span = figure2.spanAt(frame)?.label;
-      const moment = this.layout === "pose" ? `${Math.round(100 * time / (duration || 1))} % of each` : `${time.toFixed(2)} / ${duration.toFixed(2)} s`;
-      return `${moment} · frame ${frame}${span ? ` · ${span}` : ""}`;
-    }
     /** @param {string} status @param {string} [message] */
     setStatus(status2, message2 = "") {
       this.status = status2;
       this.root.dataset.status = status2;
-      within(this.root, ".ms-stage-title").textContent = this.request?.title || (status2 === "empty" ? "" : this.request?.items[0]?.label || "");
-      within(this.root, ".ms-message-text").textContent = message2;
-      within(this.root, ".ms-stage-note").hidden = true;
-      const n = this.figures.length;
-      this.scene.canvas.setAttribute("aria-label", status2 === "ready" ? `${n === 1 ? "One figure" : `${n} figures`} moving: ${this.figures.slice(0, 6).map((f) => f.label).join(", ")}` : "Stage for moving figures");
+      this.messages.show(status2 === "empty" ? "" : this.request?.title || this.request?.items[0]?.label || "", message2);
+      this.scene.canvas.setAttribute("aria-label", status2 === "ready" ? describe(this.figures) : "Stage for moving figures");
       this.controls.update();
       this.draw();
-    }
-    /** @param {string} text */
-    say(text) {
-      const toast = within(this.root, ".ms-toast");
-      toast.textContent = text;
-      toast.classList.add("ms-shown");
-      clearTimeout(this.quiet);
-      this.quiet = window.setTimeout(() => toast.classList.remove("ms-shown"), 1100);
-    }
-    /** Open or close the list of keys; true when it was open. @param {boolean} [open] */
-    toggleHelp(open4) {
-      const help = within(this.root, ".ms-help");
-      const was = !help.hidden;
-      help.hidden = open4 === void 0 ? was : !open4;
-      return was;
     }
     state() {
       return takeState(this);
@@ -3427,7 +3479,7 @@
       return stage?.clock.speed ?? 1;
     },
     get fps() {
-      return stage?.fps ?? 0;
+      return stage?.frames.fps ?? 0;
     },
     get figures() {
       return stage?.figures.filter((figure2) => figure2.visible).length ?? 0;
@@ -9083,7 +9135,7 @@
       );
     }
   }, { rootMargin: "120px" });
-  function describe(event) {
+  function describe2(event) {
     const row7 = (
       /** @type {HitRow | null} */
       closest(event, ".search-hit")
@@ -9270,7 +9322,7 @@
     else player.seek(share2 * player.duration);
   });
   document.addEventListener("pointermove", (event) => {
-    if (hasClass(event, "search-why")) describe(event);
+    if (hasClass(event, "search-why")) describe2(event);
   });
   var resting = 0;
   document.addEventListener("pointerover", (event) => {

@@ -68,6 +68,7 @@ function standIn(namespace, { source, components }) {
     set: (value) => {
       if (value === suite) return; // dash_ag_grid writes window.dash_ag_grid = window.dash_ag_grid || {}
       library = value;
+      delete library?.Cytoscape?.defaultProps?.wheelSensitivity; // Cytoscape warns of any value, its own default too
       arrive();
     },
   });

@@ -18,7 +18,7 @@ const TRAIL_WORDS = { off: "Trails off", root: "Trail of the body", limbs: "Trai
 function makeActions(stage) {
   const { clock, camera, traces } = stage;
   /** @param {string} text */
-  const say = (text) => stage.say(text);
+  const say = (text) => stage.messages.say(text);
   return {
     play: () => (clock.playing ? stage.pause() : stage.play()),
     back: () => stage.step(-1),
@@ -37,7 +37,7 @@ function makeActions(stage) {
     pose: () => stage.setLayout("pose"),
     warp: () => stage.setSync(stage.sync === "warp" ? "start" : "warp"),
     reset: () => stage.resetCamera(),
-    help: () => stage.toggleHelp(),
+    help: () => stage.messages.toggleHelp(),
     retry: () => stage.requests.show(stage.request ?? null),
   };
 }
@@ -56,7 +56,7 @@ function onKey(stage, actions, event) {
   if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
   const button = closest(event, "button");
   if (button && (event.key === " " || event.key === "Enter")) return;
-  if (event.key === "Escape" && stage.toggleHelp(false)) return;
+  if (event.key === "Escape" && stage.messages.toggleHelp(false)) return;
   const orbit = event.shiftKey && ORBIT[event.key];
   const action = KEYS[event.key.length === 1 ? event.key.toLowerCase() : event.key];
   if (orbit) stage.camera.orbit(...orbit);

@@ -82,7 +82,7 @@ export const player = {
   get camera() { return stage?.state().camera; },
   get playing() { return stage?.clock.playing ?? false; },
   get speed() { return stage?.clock.speed ?? 1; },
-  get fps() { return stage?.fps ?? 0; },
+  get fps() { return stage?.frames.fps ?? 0; },
   get figures() { return stage?.figures.filter((figure) => figure.visible).length ?? 0; },
   get layout() { return stage?.layout; },
   get sync() { return stage?.timeline.warped ? "warp" : "start"; },

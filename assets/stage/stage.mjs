@@ -1,11 +1,14 @@
-// The Stage: a 3D player of stick figures on a 2D canvas. Time comes from the browser; the server is asked for motions
-// once.
+// The Stage: a 3D player of stick figures on a 2D canvas. The server sends each motion once; the browser keeps the time.
 import { within } from "../shared/dom.mjs";
 import { Camera } from "./camera.mjs";
 import { figureColours, readTheme, shades } from "./colours.mjs";
 import { Controls } from "./controls.mjs";
+import { StageEvents } from "./events.mjs";
+import { Frames } from "./frames.mjs";
 import * as ids from "./ids.mjs";
-import { groundCentre, homeView, measureStage, placeFigures } from "./layout.mjs";
+import { homeView, measureStage, placeFigures } from "./layout.mjs";
+import { Looks } from "./looks.mjs";
+import { describe, Messages } from "./messages.mjs";
 import { nameFigures } from "./names.mjs";
 import { Requests } from "./requests.mjs";
 import { Scene } from "./scene.mjs";
@@ -17,7 +20,6 @@ import { WarpStrip } from "./warp.mjs";
 /** @import { Figure } from "./figure.mjs" */
 /** @import { Moment, SavedState, StageRequest } from "./types.d.ts" */
 
-const STATE_EVERY = 400; // milliseconds between "stage-state" events
 /** @type {Record<string, string>} */
 const LAYOUT_WORDS = { overlay: "Overlay", side: "Side by side", pose: "Stills in rows" };
 
@@ -40,38 +42,21 @@ export class Stage {
     this.layout = "overlay";
     this.sync = "warp";
     this.status = "empty";
-    this.followed = [0, 0];
     this.chosen = -1;
-    this.fps = 0;
     this.closed = false;
-    this.dirty = true;
-    this.telling = 0;
-    this.quiet = 0;
     /** @type {SavedState | undefined} */
     this.waiting = undefined;
-    /** @type {number | undefined} */
-    this.before = undefined; // when the last frame was
-    /** @type {{ time: number, figures: Figure[] } | undefined} */
-    this.lastFrame = undefined;
-    this.sizes = new ResizeObserver(() => this.resized());
-    this.looks = new MutationObserver(() => this.readLooks());
+    this.frames = new Frames(this);
+    this.events = new StageEvents(this);
+    this.messages = new Messages(root);
     this.controls = new Controls(this, root);
-    this.watchLooks();
-    this.setStatus("empty");
-    /** @type {FrameRequestCallback} */
-    this.frame = (now) => this.tick(now);
-    requestAnimationFrame(this.frame);
-  }
-
-  /** Follow changes of size, theme and screen. */
-  watchLooks() {
+    this.looks = new Looks(this);
     this.readLooks();
-    this.sizes.observe(this.scene.canvas);
-    for (const node of [document.documentElement, document.body]) {
-      this.looks.observe(node, { attributes: true, attributeFilter: ["data-mantine-color-scheme", "class", "style"] });
-    }
+    this.setStatus("empty");
+    this.frames.start();
   }
 
+  /** Colours and sizes are others: paint with them. */
   readLooks() {
     this.scene.setTheme(readTheme(this.root));
     this.colour();
@@ -85,8 +70,7 @@ export class Stage {
 
   close() {
     this.closed = true;
-    this.sizes.disconnect();
-    this.looks.disconnect();
+    this.looks.close();
   }
 
   /** Show figures from their start, as a request wants it. @param {Figure[]} figures @param {StageRequest} request */
@@ -217,7 +201,7 @@ export class Stage {
     this.camera.reset(homeView(this.figures, layout));
     this.keepingShare(() => this.prepare());
     if (layout === "pose") this.standStill();
-    this.say(LAYOUT_WORDS[layout]);
+    this.messages.say(LAYOUT_WORDS[layout]);
   }
 
   /** @param {string} sync */
@@ -225,7 +209,7 @@ export class Stage {
     if (!this.figures.some((figure) => figure.warp)) return;
     this.sync = sync;
     this.keepingShare(() => this.prepare());
-    this.say(this.timeline.warped ? "In step" : "Each at its own pace");
+    this.messages.say(this.timeline.warped ? "In step" : "Each at its own pace");
   }
 
   play() {
@@ -261,7 +245,7 @@ export class Stage {
   resetCamera() {
     this.camera.reset(homeView(this.figures, this.layout));
     this.place();
-    this.say("View reset");
+    this.messages.say("View reset");
   }
 
   /**
@@ -271,19 +255,11 @@ export class Stage {
   touch(byHand) {
     if (byHand) this.controls.update();
     this.draw();
-    this.tell();
+    this.events.tellState();
   }
 
   draw() {
-    this.dirty = true;
-  }
-
-  tell() {
-    if (this.telling || this.status !== "ready") return;
-    this.telling = window.setTimeout(() => {
-      this.telling = 0;
-      window.dispatchEvent(new CustomEvent("stage-state", { detail: { ...this.state(), items: this.standing() } }));
-    }, STATE_EVERY);
+    this.frames.stale = true;
   }
 
   /** Where every figure stands now. */
@@ -291,88 +267,14 @@ export class Stage {
     return this.figures.map((figure) => standing(figure, this.clock.time));
   }
 
-  /** For what follows every frame: a cursor in a chart, a lit node. */
-  tellFrame() {
-    const { time, duration, playing } = this.clock;
-    if (this.status !== "ready" || (time === this.lastFrame?.time && this.figures === this.lastFrame.figures)) return;
-    this.lastFrame = { time, figures: this.figures };
-    window.dispatchEvent(new CustomEvent("stage-frame", { detail: { time, duration, playing, items: this.standing() } }));
-    if (playing) this.tell();
-  }
-
-  /** @param {number} now */
-  tick(now) {
-    if (this.closed) return;
-    requestAnimationFrame(this.frame);
-    const seconds = Math.min(Math.max((now - (this.before ?? now)) / 1000, 0), 0.25);
-    this.before = now;
-    if (this.status !== "ready" && !this.dirty) return;
-    const playing = this.clock.playing;
-    if (playing) {
-      this.clock.advance(seconds);
-      this.fps += ((seconds > 0 ? 1 / seconds : 60) - this.fps) * 0.05;
-      if (!this.clock.playing) this.touch(true);
-    }
-    if (!playing && !this.dirty) return;
-    this.dirty = false;
-    this.paint(seconds);
-  }
-
-  /** @param {number} seconds */
-  paint(seconds) {
-    for (const figure of this.figures) if (figure.visible) figure.pose(this.clock.time);
-    if (this.figures.length) {
-      const [x, z] = groundCentre(this.figures, this.followed);
-      const { camera } = this;
-      if (camera.follow) camera.track(x, z, seconds, this.clock.jumped || !this.clock.playing);
-      this.clock.jumped = false;
-    }
-    this.scene.paint(this.camera, this.figures, this.traces, this.clock, this.layout === "overlay");
-    this.warpStrip.refresh(this.scene.theme);
-    this.controls.tick(this.figures.length ? this.readout() : "");
-    this.tellFrame();
-  }
-
-  readout() {
-    const { time, duration } = this.clock;
-    const figure = this.figures[this.timeline.reference];
-    const frame = figure.recordedFrame(time);
-    const span = figure.spanAt(frame)?.label;
-    const moment = this.layout === "pose" ? `${Math.round((100 * time) / (duration || 1))} % of each`
-      : `${time.toFixed(2)} / ${duration.toFixed(2)} s`;
-    return `${moment} · frame ${frame}${span ? ` · ${span}` : ""}`;
-  }
-
   /** @param {string} status @param {string} [message] */
   setStatus(status, message = "") {
     this.status = status;
     this.root.dataset.status = status;
-    within(this.root, ".ms-stage-title").textContent = this.request?.title || (status === "empty" ? "" : this.request?.items[0]?.label || "");
-    within(this.root, ".ms-message-text").textContent = message;
-    within(this.root, ".ms-stage-note").hidden = true;
-    const n = this.figures.length;
-    this.scene.canvas.setAttribute("aria-label", status === "ready"
-      ? `${n === 1 ? "One figure" : `${n} figures`} moving: ${this.figures.slice(0, 6).map((f) => f.label).join(", ")}`
-      : "Stage for moving figures");
+    this.messages.show(status === "empty" ? "" : this.request?.title || this.request?.items[0]?.label || "", message);
+    this.scene.canvas.setAttribute("aria-label", status === "ready" ? describe(this.figures) : "Stage for moving figures");
     this.controls.update();
     this.draw();
-  }
-
-  /** @param {string} text */
-  say(text) {
-    const toast = within(this.root, ".ms-toast");
-    toast.textContent = text;
-    toast.classList.add("ms-shown");
-    clearTimeout(this.quiet);
-    this.quiet = window.setTimeout(() => toast.classList.remove("ms-shown"), 1100);
-  }
-
-  /** Open or close the list of keys; true when it was open. @param {boolean} [open] */
-  toggleHelp(open) {
-    const help = within(this.root, ".ms-help");
-    const was = !help.hidden;
-    help.hidden = open === undefined ? was : !open;
-    return was;
   }
 
   state() {
