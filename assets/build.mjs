@@ -5,18 +5,26 @@ import { relative } from "node:path";
 import { build } from "esbuild";
 
 const folder = import.meta.dirname;
-const { outputFiles } = await build({
-  absWorkingDir: folder,
-  entryPoints: ["main.mjs", "main.css"],
-  entryNames: "motionscape",
-  outdir: "bundle",
-  bundle: true,
-  format: "iife",
-  target: "es2022",
-  charset: "utf8",
-  logLevel: "warning",
-  write: false,
-});
+/** What each file of the bundle is made of: the app, and the scripts and styles that stand in a report. */
+const ENTRIES = { motionscape: ["main.mjs", "main.css"], report: ["report/main.mjs", "report/report.css"] };
+const outputFiles = [];
+for (const [name, entryPoints] of Object.entries(ENTRIES)) {
+  const made = await build({
+    absWorkingDir: folder,
+    entryPoints,
+    entryNames: name === "motionscape" ? name : `parts/${name}`,
+    outdir: "bundle",
+    outbase: name === "motionscape" ? "." : name,
+    bundle: true,
+    minify: name !== "motionscape",
+    format: "iife",
+    target: "es2022",
+    charset: "utf8",
+    logLevel: "warning",
+    write: false,
+  });
+  outputFiles.push(...made.outputFiles);
+}
 // Plotly is too big for the bundle: a file of its own, which pages load when they show a chart.
 const PLOTLY = "plotly.js-cartesian-dist-min";
 const copies = { "plotly-cartesian.min.js": "plotly-cartesian.min.js", LICENSE: "plotly-cartesian.LICENSE.txt" };
@@ -36,6 +44,6 @@ if (process.argv.includes("--check")) {
   for (const { path } of stale) console.error(`assets/${relative(folder, path)} is not up to date: run "make bundle".`);
   process.exitCode = stale.length ? 1 : 0;
 } else {
-  mkdirSync(`${folder}/bundle/vendor`, { recursive: true });
+  for (const part of ["vendor", "parts"]) mkdirSync(`${folder}/bundle/${part}`, { recursive: true });
   for (const { path, text } of stale) writeFileSync(path, text);
 }

@@ -9,7 +9,10 @@ const BELOW = {
   stage: SHARED,
   jobs: SHARED,
   shell: [...SHARED, "stage"],
+  blocks: [...SHARED, "stage"],
+  report: [...SHARED, "stage", "blocks"],
   ...Object.fromEntries(FEATURES.map((room) => [room, [...SHARED, "stage"]])),
+  boards: [...SHARED, "stage", "blocks"],
 };
 const rooms = Object.entries(BELOW).map(([room, below]) => ({
   files: [`assets/${room}/**/*.mjs`],

@@ -9,8 +9,9 @@ from core.workspace import WorkspaceError, shared_workspace
 from webapp import jobs
 from webapp.jobs import changes, following, job_bar
 from webapp.shell import access, compression, frame, messages, playback, state
+from webapp.shell.assets import PARTS, VENDOR, assets_folder
 from webapp.shell.feature import features
-from webapp.shell.loading import VENDOR, LoadingDash
+from webapp.shell.loading import LoadingDash
 from webapp.shell.uploads import Limits, upload_blueprint
 from webapp.stage import player
 from webapp.stage import routes as stage_routes
@@ -26,8 +27,8 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> Loadi
         __name__,
         title="Motionscape",
         update_title="",
-        assets_folder=str(_assets()),
-        assets_path_ignore=[VENDOR],
+        assets_folder=str(assets_folder()),
+        assets_path_ignore=[VENDOR, PARTS],
         serve_locally=True,
         suppress_callback_exceptions=True,
         background_callback_manager=jobs.background_manager(workspace.path),
@@ -54,12 +55,6 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> Loadi
     for feature in features():
         feature.register(app, workspace)
     return app
-
-
-def _assets() -> Path:
-    """The bundled front end: in a wheel it lies in the package, in a checkout beside it."""
-    packaged = Path(__file__).parent / "assets"
-    return packaged if packaged.is_dir() else Path(__file__).parents[1] / "assets" / "bundle"
 
 
 __all__ = ["WorkspaceError", "create_app"]

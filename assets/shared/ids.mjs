@@ -118,6 +118,7 @@
  * @property {string} [up] of the page grammar
  * @property {string} [alt] of the page grammar
  * @property {string} [counts] of the page grammar
+ * @property {string} [board] of the page boards
  */
 
 export const LOADING = "loading";

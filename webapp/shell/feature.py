@@ -8,7 +8,7 @@ them. Nothing heavy is imported here: the command line must start quickly.
 from __future__ import annotations
 
 import argparse
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from importlib import import_module
 from types import MappingProxyType
@@ -111,6 +111,26 @@ class Shown(NamedTuple):
 
 
 @dataclass(frozen=True)
+class Block:
+    """A part of a board or a report: some of what a page shows, as data that ``assets/blocks/KIND.mjs`` draws.
+
+    label, symbol: in the list of blocks to add. content: (workspace, data set, view, options) -> what is drawn, as
+    JSON, or None where the result behind it has not been computed; raises MotionscapeError in plain words.
+    method: name of the settings that the content depends on (see ``Feature.methods``), "" where on none.
+    segments: what is played of a content, most important first, as (clip, start, end).
+    options: keys that ``content`` reads, each with what it means. size: columns (of 12) and rows it begins with.
+    """
+
+    label: str
+    symbol: str
+    content: Callable[[Workspace, Dataset, Mapping[str, str], Mapping[str, str]], dict[str, Any] | None]
+    method: str = ""
+    segments: Callable[[Mapping[str, Any]], Iterable[tuple[str, int, int]]] = lambda content: ()
+    options: Mapping[str, str] = field(default_factory=lambda: NOTHING)
+    size: tuple[int, int] = (6, 5)
+
+
+@dataclass(frozen=True)
 class Feature:
     """A page and all that belongs to it.
 
@@ -127,6 +147,7 @@ class Feature:
     plays: what the Stage plays for such a selection, None where nothing does. missing: what such a selection names
     that is not there, as a sentence. replay_on: stores whose change makes the selection play again.
     motion_kinds: made-up motion: kind -> opener of the data set ``~kind~...`` (see ``shell/virtual.py``).
+    blocks: what boards and reports can show of it, by kind.
     """
 
     path: str
@@ -149,6 +170,7 @@ class Feature:
     missing: Callable[[Workspace, Shown], str | None] = lambda workspace, shown: None
     replay_on: tuple[str, ...] = ()
     motion_kinds: Mapping[str, Callable[[Workspace, str], Dataset]] = field(default_factory=lambda: NOTHING)
+    blocks: Mapping[str, Block] = field(default_factory=lambda: NOTHING)
 
 
 def register(feature: Feature) -> None:
@@ -164,6 +186,11 @@ def unregister(path: str) -> None:
 def features() -> tuple[Feature, ...]:
     """All features, in the order of the navigation."""
     return tuple(_features.values())
+
+
+def blocks() -> dict[str, Block]:
+    """The blocks of all features, by kind."""
+    return {kind: block for feature in features() for kind, block in feature.blocks.items()}
 
 
 _features: dict[str, Feature] = {}

@@ -19,6 +19,7 @@ from flask import request
 from plotly.utils import PlotlyJSONEncoder
 
 from webapp.shell import links
+from webapp.shell.assets import VENDOR
 from webapp.shell.names import FIRST_DEPENDENCIES, FIRST_LAYOUT, LOADING
 from webapp.shell.state import Values
 from webapp.shell.stores import CheckedDash
@@ -28,7 +29,6 @@ LATER = {  # namespace of a library -> its components that pages use
     "dash_ag_grid": ("AgGrid",),
     "dash_cytoscape": ("Cytoscape",),
 }
-VENDOR = "vendor"  # folder of the app's assets whose scripts are not part of every page
 PLOTLY = f"{VENDOR}/plotly-cartesian.min.js"  # of plotly.js only what draws charts with axes: assets/build.mjs
 _SUITES = "_dash-component-suites/"
 _CHUNKS = {"table": "dash_ag_grid/async-community.js", "chart": "dash/dcc/async-graph.js"}

@@ -208,6 +208,12 @@ def frame_icon(dataset: Dataset, clip: str, frame: int, scheme: str = "light") -
     return icon_svg(positions[0], body, measured.radius, ICON_COLOURS[scheme])
 
 
+def page_icon(dataset: Dataset, clip: str, frame: int, title: str = "") -> str:
+    """Icon of one frame for a drawing within a page, in whose colours it stands: SVG text."""
+    positions, body, measured = drawn_positions(dataset.clip(clip), frame, frame + 1)
+    return icon_svg(positions[0], body, measured.radius, _VARIABLES, title)
+
+
 def icon_data_uri(dataset: Dataset, segment: Segment, scheme: str = "light") -> str:
     """Icon of a segment's middle frame as a ``data:`` URI, as Cytoscape wants it; ``scheme``: "light" or "dark"."""
     return data_uri(frame_icon(dataset, segment.clip, (segment.start + segment.end) // 2, scheme))

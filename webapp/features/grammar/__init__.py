@@ -1,7 +1,7 @@
 """Grammar: the actions of the recordings, what follows what, and new motion that keeps to it."""
 
 from webapp.features.grammar import names
-from webapp.shell.feature import Command, Feature, SelectionKind, later, link_keys
+from webapp.shell.feature import Block, Command, Feature, SelectionKind, later, link_keys
 
 FEATURE = Feature(
     path="grammar",
@@ -35,5 +35,15 @@ FEATURE = Feature(
     motion_kinds={
         "derive": later("webapp.features.grammar.compositions:open_derivation"),
         "bakeoff": later("webapp.features.grammar.bakeoffs:open_bakeoff"),
+    },
+    blocks={
+        "actions": Block(
+            "Action string",
+            "branches",
+            later("webapp.features.grammar.blocks:action_string"),
+            "grammar",
+            later("webapp.features.grammar.blocks:segments"),
+            size=(12, 5),
+        )
     },
 )

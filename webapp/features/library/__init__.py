@@ -1,9 +1,10 @@
 """Library: datasets, clips, the import report, labels, and what is brought in or taken out as files."""
 
 from webapp.features.library import names
-from webapp.shell.feature import Command, Feature, later, link_keys
+from webapp.shell.feature import Block, Command, Feature, later, link_keys
 
 _ARGUMENTS = "webapp.features.library.arguments"
+_BLOCKS = "webapp.features.library.blocks"
 _COMMANDS = "webapp.features.library.commands"
 
 FEATURE = Feature(
@@ -41,5 +42,12 @@ FEATURE = Feature(
             later(f"{_ARGUMENTS}:export"),
             later("webapp.features.library.export_commands:export"),
         ),
+    },
+    blocks={
+        "overview": Block(
+            "Clips and facts", "library", later(f"{_BLOCKS}:overview"), segments=later(f"{_BLOCKS}:overview_segments"),
+            size=(7, 6),
+        ),
+        "tracks": Block("Labels and motifs over time", "library", later(f"{_BLOCKS}:tracks"), "motifs", size=(12, 5)),
     },
 )

@@ -1,10 +1,11 @@
 """Motifs: the motif graph and all that is made of it: walks, blends, comparisons, compression, reports."""
 
 from webapp.features.motifs import names
-from webapp.shell.feature import Command, Feature, SelectionKind, later, link_keys
+from webapp.shell.feature import Block, Command, Feature, SelectionKind, later, link_keys
 from webapp.shell.names import MOTIF_METHOD
 
 _ARGUMENTS = "webapp.features.motifs.arguments"
+_BLOCKS = "webapp.features.motifs.blocks"
 _RECIPES = "webapp.features.motifs.recipes"
 
 FEATURE = Feature(
@@ -55,6 +56,22 @@ FEATURE = Feature(
     plays=later("webapp.features.motifs.playing:plays"),
     missing=later("webapp.features.motifs.playing:missing"),
     replay_on=(MOTIF_METHOD.result_key,),
+    blocks={
+        "graph": Block(
+            "Motif graph", "graph", later(f"{_BLOCKS}:graph"), "motifs", later(f"{_BLOCKS}:segments"), size=(7, 8)
+        ),
+        "matrix": Block(
+            "Transition matrix", "table", later(f"{_BLOCKS}:matrix"), "motifs", later(f"{_BLOCKS}:segments"), size=(5, 8)
+        ),
+        "motifs": Block(
+            "Table of motifs", "table", later(f"{_BLOCKS}:motif_table"), "motifs", later(f"{_BLOCKS}:segments"),
+            size=(7, 6),
+        ),
+        "numbers": Block(
+            "Big numbers", "pulse", later(f"{_BLOCKS}:numbers"), "motifs", size=(12, 2),
+            options={"figures": "which, such as: coverage, n_motifs"},
+        ),
+    },
     motion_kinds={
         "walk": later("webapp.features.motifs.walks:open_walk"),
         "blend": later("webapp.features.motifs.mixtures:open_blend"),

@@ -1,7 +1,7 @@
 """Map: all postures on one plane, and searches by postures and paths."""
 
 from webapp.features.motion_map import names
-from webapp.shell.feature import Command, Feature, later, link_keys
+from webapp.shell.feature import Block, Command, Feature, later, link_keys
 
 FEATURE = Feature(
     path="map",
@@ -22,4 +22,14 @@ FEATURE = Feature(
         )
     },
     recipes={"map": later("webapp.shell.recipes:command")},
+    blocks={
+        "map": Block(
+            "Motion map",
+            "map",
+            later("webapp.features.motion_map.blocks:motion_map"),
+            "map",
+            later("webapp.features.motion_map.blocks:segments"),
+            size=(5, 8),
+        )
+    },
 )

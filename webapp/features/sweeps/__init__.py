@@ -1,7 +1,7 @@
 """Sweeps: motif graphs over ranges of two settings, as charts, with a suggestion."""
 
 from webapp.features.sweeps import names
-from webapp.shell.feature import Command, Feature, later, link_keys
+from webapp.shell.feature import Block, Command, Feature, later, link_keys
 
 FEATURE = Feature(
     path="sweeps",
@@ -18,4 +18,5 @@ FEATURE = Feature(
             later("webapp.features.sweeps.commands:sweep"),
         )
     },
+    blocks={"sweep": Block("Sweep chart", "sweep", later("webapp.features.sweeps.blocks:sweep_chart"), size=(6, 6))},
 )

@@ -1,0 +1,123 @@
+// What blocks draw and what they may ask of the page around them.
+import type { Figure } from "../stage/figure.mjs";
+import type { Item } from "../stage/types.d.ts";
+import type { Selection } from "../shared/types.d.ts";
+export type { Figure, Item, Selection };
+
+/** A stretch of a clip: its name, first frame and the one after the last. */
+export type Segment = [string, number, number];
+
+/** What plays for a selection where the page plays by itself. */
+export interface Playing {
+  title: string;
+  items: Item[];
+}
+
+/** The page around a block. */
+export interface Context {
+  /** Choose something: everything that shows it lights up, and it plays. */
+  select(selection: Selection, playing?: Playing): void;
+  /** Figures for these items, in their order; those that are not there are left out. */
+  figures(items: Item[]): Promise<Figure[]>;
+  dark(): boolean;
+}
+
+/** A drawn block. */
+export interface Drawn {
+  /** Show what is selected. */
+  light?(selection: Selection): void;
+  /** The page is light or dark now. */
+  recolour?(): void;
+  close?(): void;
+}
+
+export type Draw<Content = any> = (place: HTMLElement, content: Content, context: Context) => Drawn;
+
+export interface MotifContent {
+  id: number;
+  name: string;
+  colour: string;
+  count: number;
+  seconds: number;
+  medoid: Segment;
+  motions: Segment[];
+  warps: number[][];
+  label?: string;
+  note?: string;
+  clips?: number;
+  strip?: string;
+}
+
+export interface GraphMotif extends MotifContent {
+  part: string;
+  place: [number, number];
+  size: [number, number];
+  icon: string;
+}
+
+export interface GraphContent {
+  motifs: GraphMotif[];
+  edges: [number, number, number, number][];
+}
+
+export interface MatrixContent {
+  motifs: MotifContent[];
+  cells: [number, number, number][];
+}
+
+export interface MapContent {
+  grid: [number, number];
+  heights: number[];
+  seconds: number[];
+  parents: number[];
+  sides: string[];
+  roles: string[];
+  postures: string;
+  icons: { light: string; dark: string };
+  passes: Segment[][];
+}
+
+export interface OverviewContent {
+  facts: [string, string][];
+  clips: { name: string; seconds: number; frames: number; fps: number; labels: string; verdict: string; strip: string }[];
+  more: number;
+}
+
+export interface TracksContent {
+  rows: { clip: string; brief: string; fps: number; seconds: number; motions: number[][]; labels: number[][] }[];
+  motifs: Record<string, { name: string; colour: string; motions: number }>;
+  actions: string[];
+  colours: string[];
+}
+
+export interface ActionsContent {
+  actions: { id: number; name: string; short: string; colour: string; ink: string; count: number; segments: Segment[] }[];
+  rows: { clip: string; brief: string; fps: number; seconds: number; pieces: number[][]; cuts: number[] }[];
+}
+
+export interface SweepContent {
+  x: { name: string; values: string[] };
+  series: string[];
+  measures: [string, string, string, number][];
+  figures: Record<string, ([number, number, number] | null)[][]>;
+  ready: [number, number];
+}
+
+/** A coloured stretch of a row, in seconds. */
+export interface Stretch {
+  start: number;
+  end: number;
+  colour: string;
+  ink?: string;
+  text: string;
+  tip: string;
+  key: string;
+  choose(): void;
+}
+
+export interface Track {
+  clip: string;
+  brief: string;
+  seconds: number;
+  lanes: Stretch[][];
+}

@@ -1,0 +1,114 @@
+"""A report holds what its blocks show and its motion, asks no network, and lets nothing of people's texts run."""
+
+from __future__ import annotations
+
+import base64
+import json
+import re
+import zlib
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from core import analyses
+from core.errors import AnalysisError
+from core.mocap.clip import Label
+from core.workspace import Workspace
+from tests.webapp.generated import walkers
+from webapp.cli.main import main
+from webapp.features.boards import printing
+from webapp.features.boards.parts import OVERVIEW, Part
+from webapp.features.boards.report import MOST_BYTES, make_report
+from webapp.features.boards.text import to_html
+from webapp.shell.feature import blocks
+
+EVIL = "</script><img src=x onerror=alert(1)>"
+
+
+@pytest.fixture(scope="module")
+def workspace(tmp_path_factory):
+    found = Workspace(tmp_path_factory.mktemp("workspace"))
+    dataset = walkers(("a", "b"))
+    found.add_dataset("walks", replace(dataset, labels=(Label("a", 0, 40, EVIL),)))
+    for method in ("motifs", "map"):
+        analyses.run(found, analyses.Request("walks", method))
+    return found
+
+
+@pytest.fixture(scope="module")
+def made(workspace):
+    return make_report(workspace, "walks")
+
+
+def part_of(html: str, name: str) -> str:
+    return re.search(rf'<script type="[^"]+" data-part="{name}">(.*?)</script>', html, re.DOTALL)[1]
+
+
+def test_it_holds_its_blocks_and_says_what_it_leaves_out(made):
+    report = json.loads(part_of(made.html, "report"))
+    kinds = [part["kind"] for part in report["parts"]]
+    assert kinds == ["numbers", "graph", "map", "matrix", "tracks", "motifs", "overview"]
+    assert len(made.left_out) == 2 and "Action string: not computed" in made.left_out[0]
+    assert made.size == len(made.html.encode()) < MOST_BYTES
+
+
+def test_its_motion_is_there_and_its_error_is_stated(made):
+    report = json.loads(part_of(made.html, "report"))
+    numbers = np.frombuffer(zlib.decompress(base64.b64decode(part_of(made.html, "motion"))), "<i2")
+    wanted = sum(p["frames"] * 3 * len(report["motion"]["bodies"][p["clip"]]["joints"]) for p in report["motion"]["pieces"])
+    assert len(numbers) == wanted > 0
+    assert re.search(r"at most 0\.\d mm", made.motion) and made.motion in made.html
+
+
+def test_it_names_no_address_and_forbids_all(made):
+    assert "default-src 'none'" in made.html and "connect-src" not in made.html
+    addresses = set(re.findall(r"https?://[^\s\"'<>)\\]+", made.html)) - {"http://www.w3.org/2000/svg"}
+    assert {a for a in addresses if not a.startswith("http://www.w3.org/")} == set()
+    assert not re.search(r"<(?:link|iframe|img|object)\b", made.html)
+
+
+def test_texts_of_people_stay_texts(made):
+    assert EVIL not in made.html
+    assert made.html.count("</script>") == 3
+    assert any(EVIL in action for part in json.loads(part_of(made.html, "report"))["parts"] for action in part["content"].get("actions", []))
+
+
+def test_markdown_lets_no_html_and_no_picture_through():
+    html = to_html("# Big\n\n<b onclick=x>bold</b> ![p](http://x.example/p.png) [a](javascript:alert(1)) [b](https://x.example)")
+    assert "<h1>Big</h1>" in html and "<b" not in html and "<img" not in html and "href=\"javascript" not in html
+    assert '<a href="https://x.example">b</a>' in html
+
+
+def test_what_cannot_be_shown_is_said(workspace):
+    made = make_report(workspace, "walks", [Part("nonsense"), Part("text", options={"markdown": "*yes*"})])
+    assert "no block of the kind" in made.left_out[0] and "<em>yes</em>" in json.loads(part_of(made.html, "report"))["parts"][0]["content"]["html"]
+    assert made.motion == "It holds no motion."
+
+
+def test_every_block_of_the_overview_is_declared():
+    assert {part.kind for part in OVERVIEW} <= set(blocks())
+
+
+def test_the_command_writes_it(workspace, tmp_path, capsys):
+    out = tmp_path / "report.html"
+    assert main(["report", f"{workspace.path}/walks", "--out", str(out)]) == 0
+    said = capsys.readouterr()
+    assert re.search(r"\d\.\d MB", said.out) and "left out: Action string" in said.err
+    assert out.read_text(encoding="utf-8").startswith("<!doctype html>")
+
+
+@pytest.mark.parametrize(
+    ("source", "out", "words"),
+    [("walks", "report.docx", ".html or .pdf"), ("nobody", "r.html", "nobody"), ("../elsewhere", "r.html", "import it first")],
+)
+def test_the_command_says_what_is_wrong(workspace, tmp_path, capsys, source, out, words):
+    assert main(["report", f"{workspace.path}/{source}", "--out", str(tmp_path / out)]) == 2
+    assert words in capsys.readouterr().err
+    assert not (tmp_path / out).exists()
+
+
+def test_a_pdf_needs_a_browser_and_says_so(monkeypatch):
+    monkeypatch.setenv(printing.BROWSER, "/nowhere/chromium")
+    with pytest.raises(AnalysisError, match="Install one, name it in MOTIONSCAPE_BROWSER, or write the report as .html"):
+        printing.find_browser()

@@ -1,0 +1,24 @@
+"""Boards: what a team looks at together, and reports of it as single files."""
+
+from webapp.features.boards import names
+from webapp.shell.feature import Block, Command, Feature, later, link_keys
+
+_ARGUMENTS = "webapp.features.boards.arguments"
+_COMMANDS = "webapp.features.boards.commands"
+
+FEATURE = Feature(
+    path="boards",
+    label="Boards",
+    symbol="board",
+    page=later("webapp.features.boards.layout:page"),
+    register=later("webapp.features.boards.callbacks:register"),
+    keys=link_keys(names.View),
+    commands={
+        "report": Command(
+            "Write a dataset or a board as one HTML file or PDF that needs no server.",
+            later(f"{_ARGUMENTS}:report"),
+            later(f"{_COMMANDS}:report"),
+        ),
+    },
+    blocks={"text": Block("Text", "edit", later("webapp.features.boards.text:content"), options={"markdown": "the text"}, size=(4, 3))},
+)

@@ -1,0 +1,55 @@
+"""What boards and reports show of a sweep: its figures over the settings."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from core.errors import ParameterError
+from core.mocap.dataset import Dataset
+from core.parameters import write_value
+from core.workspace import Workspace
+from webapp.features.sweeps import reading
+from webapp.features.sweeps.figures.measures import MEASURES, axis_name
+
+SHOWN = ("explained", "coverage", "n_motifs", "mean_motions", "error_ratio", "purity", "f1_majority")
+
+
+def sweep_chart(
+    workspace: Workspace, dataset: Dataset, view: Mapping[str, str], options: Mapping[str, str]
+) -> dict[str, Any] | None:
+    """``x``: name and values of the first axis; ``series``: values of the second, or one empty text; ``measures``:
+    key, name, unit, digits; ``figures``: by measure, a row a series of [median, least, most], null where not computed."""
+    try:
+        sweep = reading.sweep_of(reading.form_of(dataset, view), view)
+    except ParameterError:
+        return None
+    table = reading.table_of(workspace, dataset, sweep)
+    if not table.n_ready:
+        return None
+    names = list(table.axes)
+    measures = [key for key in SHOWN if table.has(key)]
+    return {
+        "x": {"name": axis_name(names[0]), "values": [write_value(value) for value in table.axes[names[0]]]},
+        "series": [f"{axis_name(names[1])} {write_value(value)}" for value in table.axes[names[1]]]
+        if len(names) > 1
+        else [""],
+        "measures": [[key, MEASURES[key].name, MEASURES[key].unit, MEASURES[key].digits] for key in measures],
+        "figures": {key: _rows(table.of(key) * MEASURES[key].factor, len(names) > 1) for key in measures},
+        "ready": [table.n_ready, len(table.figures)],
+    }
+
+
+def _rows(values: np.ndarray, two: bool) -> list[list[list[float] | None]]:
+    """values: ``(n_first, n_second or none, n_seeds)``; a row a value of the second axis."""
+    cells = values if two else values[:, None]
+    return [[_spread(cells[x, y]) for x in range(cells.shape[0])] for y in range(cells.shape[1])]
+
+
+def _spread(seeds: np.ndarray) -> list[float] | None:
+    there = seeds[np.isfinite(seeds)]
+    if not len(there):
+        return None
+    return [round(float(value), 4) for value in (np.median(there), there.min(), there.max())]
