@@ -1,8 +1,9 @@
 // A report: blocks that can be explored and a small player beside them, from one file without a server.
-import { drawBlock } from "../blocks/blocks.mjs";
 import { Player } from "../blocks/player.mjs";
+import { drawBlock } from "../blocks/registry.mjs";
 import { element, targetOf, within } from "../shared/dom.mjs";
 import { clock, plural } from "../shared/words.mjs";
+import "./blocks.mjs";
 import { PackedMotion } from "./packed_motion.mjs";
 /** @import { Context, Drawn, Playing } from "../blocks/types.d.ts" */
 /** @import { Report } from "./types.d.ts" */

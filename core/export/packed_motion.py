@@ -139,7 +139,8 @@ def _quantised(dataset: Dataset, piece: Piece) -> np.ndarray:
     clip, start, end = piece.segment
     positions, _, _ = drawn_positions(dataset.clip(clip), start, end, piece.step)
     units = np.round((positions.astype(np.float64) - np.array(piece.origin)) / piece.unit)
-    return np.clip(units, -_FULLEST, _FULLEST).astype("<i2")
+    quantised: np.ndarray = np.clip(units, -_FULLEST, _FULLEST).astype("<i2")
+    return quantised
 
 
 def _differences(numbers: np.ndarray) -> np.ndarray:
@@ -147,7 +148,8 @@ def _differences(numbers: np.ndarray) -> np.ndarray:
     columns = numbers.reshape(len(numbers), -1).T
     for _ in range(2):
         columns = np.diff(columns, axis=1, prepend=np.zeros((len(columns), 1), np.int16))
-    return np.ascontiguousarray(columns, "<i2")
+    ready: np.ndarray = np.ascontiguousarray(columns, "<i2")
+    return ready
 
 
 def _errors(dataset: Dataset, pieces: Sequence[Piece], numbers: Sequence[np.ndarray]) -> tuple[float, float]:

@@ -10,7 +10,10 @@ from playwright.sync_api import Browser, Page, expect
 
 from core import analyses
 from core.workspace import Workspace
+from tests.browser.app import demo_workspace, workspace
 from webapp.features.boards.report import make_report
+
+__all__ = ["demo_workspace", "workspace"]
 
 
 @pytest.fixture

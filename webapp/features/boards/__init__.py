@@ -20,5 +20,9 @@ FEATURE = Feature(
             later(f"{_COMMANDS}:report"),
         ),
     },
-    blocks={"text": Block("Text", "edit", later("webapp.features.boards.text:content"), options={"markdown": "the text"}, size=(4, 3))},
+    blocks={
+        "text": Block(
+            "Text", "edit", later("webapp.features.boards.text:content"), options={"markdown": "the text"}, size=(4, 3)
+        )
+    },
 )

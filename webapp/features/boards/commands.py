@@ -45,7 +45,9 @@ def report(arguments: Namespace) -> int:
 def _dataset(source: str) -> tuple[Workspace, str]:
     named = named_dataset(source)
     if named is None:
-        raise WorkspaceError(f"{source}: a report is made of a dataset of a workspace, WORKSPACE/NAME; import it first.")
+        raise WorkspaceError(
+            f"{source}: a report is made of a dataset of a workspace, WORKSPACE/NAME; import it first."
+        )
     return named
 
 

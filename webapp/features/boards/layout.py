@@ -10,4 +10,7 @@ from webapp.features.boards import names
 
 def page() -> Component:
     """A place that assets/boards fills."""
-    return html.Div([html.H1("Boards"), html.Div(id=names.BOARDS_PLACE)], className="page")
+    words = "A report of a dataset as one file: motionscape report WORKSPACE/NAME --out report.html"
+    return html.Div(
+        [html.H1("Boards"), html.P(words, className="muted"), html.Div(id=names.BOARDS_PLACE)], className="page"
+    )

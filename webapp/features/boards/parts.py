@@ -27,11 +27,20 @@ class Part:
 
 OVERVIEW = (
     Part("numbers", columns=12),
-    Part("graph", "Motif graph", "Click a box to see its motions. Drag to move, buttons or + and − to zoom.", columns=12),
-    Part("map", "Motion map", "Every place is a posture: point at it to see it, click to see motion that passes.", columns=6),
+    Part(
+        "graph", "Motif graph", "Click a box to see its motions. Drag to move, buttons or + and − to zoom.", columns=12
+    ),
+    Part(
+        "map",
+        "Motion map",
+        "Every place is a posture: point at it to see it, click to see motion that passes.",
+        columns=6,
+    ),
     Part("matrix", "What follows what", "Rows lead to columns; the darker, the more often.", columns=6),
     Part("tracks", "Labels and motifs over time", columns=12),
-    Part("actions", "Actions over time", "Each clip as a string of the actions that the grammar is made of.", columns=12),
+    Part(
+        "actions", "Actions over time", "Each clip as a string of the actions that the grammar is made of.", columns=12
+    ),
     Part("sweep", "Sweep of settings", columns=12),
     Part("motifs", "Motifs", columns=12),
     Part("overview", "Clips", columns=12),

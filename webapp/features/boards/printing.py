@@ -43,7 +43,11 @@ def write_pdf(html: str, out: Path) -> None:
         page, pdf = Path(folder, "report.html"), Path(folder, "report.pdf")
         page.write_text(html, encoding="utf-8")
         options = ["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-extensions"]
-        options += [f"--user-data-dir={Path(folder, 'profile')}", "--no-pdf-header-footer", "--virtual-time-budget=8000"]
+        options += [
+            f"--user-data-dir={Path(folder, 'profile')}",
+            "--no-pdf-header-footer",
+            "--virtual-time-budget=8000",
+        ]
         try:
             done = subprocess.run(
                 [browser, *options, f"--print-to-pdf={pdf}", page.as_uri()],

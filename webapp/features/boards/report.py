@@ -49,7 +49,7 @@ def make_report(
         report("drawing", k / len(parts))
         filled.append(fill(workspace, dataset, part))
     shown = [one for one in filled if one.content is not None]
-    content = {
+    content: dict[str, Any] = {
         "title": title or f"{name}: overview",
         "dataset": name,
         "made": time.strftime("%Y-%m-%d %H:%M"),
@@ -80,7 +80,9 @@ def motion_words(packed: PackedMotion) -> str:
         "recorded"
     )
     if steps != [1]:
-        words += f", and between those frames, which are joined by straight lines, at most {1000 * packed.between:.0f} mm"
+        words += (
+            f", and between those frames, which are joined by straight lines, at most {1000 * packed.between:.0f} mm"
+        )
     words += "."
     if packed.left_out:
         words += f" {len(packed.left_out):,} stretches of motion found no room and do not play."
@@ -91,9 +93,7 @@ def _bodies(dataset: Dataset, packed: PackedMotion) -> dict[str, Any]:
     bodies = {}
     for clip in (dataset.clip(name) for name in dict.fromkeys(p.segment.clip for p in packed.pieces)):
         _, body, measured = drawn_positions(clip, 0, 1)
-        bodies[clip.name] = motion_header(
-            Interval(dataset, clip, 0, clip.n_frames), 1, clip.n_frames, body, measured
-        )
+        bodies[clip.name] = motion_header(Interval(dataset, clip, 0, clip.n_frames), 1, clip.n_frames, body, measured)
     return bodies
 
 
@@ -119,9 +119,13 @@ def _page(content: dict[str, Any], motion: str, words: str) -> str:
 </head>
 <body>
 <main class="report">
-<header class="report-top"><h1>{title}</h1><span class="muted">{made}</span><button class="report-scheme" type="button">Dark</button></header>
+<header class="report-top">
+<h1>{title}</h1><span class="muted">{made}</span><button class="report-scheme" type="button">Dark</button>
+</header>
 <div class="report-blocks"></div>
-<footer class="report-foot"><p>{escape(words)}</p><p>Made by Motionscape {escape(content["version"])}. This file needs no network.</p></footer>
+<footer class="report-foot">
+<p>{escape(words)}</p><p>Made by Motionscape {escape(content["version"])}. This file needs no network.</p>
+</footer>
 </main>
 <aside class="report-player" aria-label="Player"></aside>
 <script type="application/json" data-part="report">{_in_script(content)}</script>
@@ -134,7 +138,7 @@ def _page(content: dict[str, Any], motion: str, words: str) -> str:
 
 def _in_script(content: dict[str, Any]) -> str:
     """JSON that cannot end the script that it stands in."""
-    text = json.dumps(content | ({} if "motion" in content else {"motion": {}}), ensure_ascii=False, separators=(",", ":"))
+    text = json.dumps(content, ensure_ascii=False, separators=(",", ":"))
     return text.replace("<", "\\u003c")
 
 

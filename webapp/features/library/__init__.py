@@ -45,7 +45,10 @@ FEATURE = Feature(
     },
     blocks={
         "overview": Block(
-            "Clips and facts", "library", later(f"{_BLOCKS}:overview"), segments=later(f"{_BLOCKS}:overview_segments"),
+            "Clips and facts",
+            "library",
+            later(f"{_BLOCKS}:overview"),
+            segments=later(f"{_BLOCKS}:overview_segments"),
             size=(7, 6),
         ),
         "tracks": Block("Labels and motifs over time", "library", later(f"{_BLOCKS}:tracks"), "motifs", size=(12, 5)),

@@ -61,14 +61,27 @@ FEATURE = Feature(
             "Motif graph", "graph", later(f"{_BLOCKS}:graph"), "motifs", later(f"{_BLOCKS}:segments"), size=(7, 8)
         ),
         "matrix": Block(
-            "Transition matrix", "table", later(f"{_BLOCKS}:matrix"), "motifs", later(f"{_BLOCKS}:segments"), size=(5, 8)
+            "Transition matrix",
+            "table",
+            later(f"{_BLOCKS}:matrix"),
+            "motifs",
+            later(f"{_BLOCKS}:segments"),
+            size=(5, 8),
         ),
         "motifs": Block(
-            "Table of motifs", "table", later(f"{_BLOCKS}:motif_table"), "motifs", later(f"{_BLOCKS}:segments"),
+            "Table of motifs",
+            "table",
+            later(f"{_BLOCKS}:motif_table"),
+            "motifs",
+            later(f"{_BLOCKS}:segments"),
             size=(7, 6),
         ),
         "numbers": Block(
-            "Big numbers", "pulse", later(f"{_BLOCKS}:numbers"), "motifs", size=(12, 2),
+            "Big numbers",
+            "pulse",
+            later(f"{_BLOCKS}:numbers"),
+            "motifs",
+            size=(12, 2),
             options={"figures": "which, such as: coverage, n_motifs"},
         ),
     },

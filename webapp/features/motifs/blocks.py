@@ -146,5 +146,3 @@ def _motions(motif: Motif) -> dict[str, Any]:
 def _icon(dataset: Dataset, motif: Motif) -> str:
     clip, start, end = motif.segments[motif.medoid]
     return page_icon(dataset, clip, (start + end) // 2)
-
-

@@ -21,7 +21,7 @@ def sweep_chart(
     workspace: Workspace, dataset: Dataset, view: Mapping[str, str], options: Mapping[str, str]
 ) -> dict[str, Any] | None:
     """``x``: name and values of the first axis; ``series``: values of the second, or one empty text; ``measures``:
-    key, name, unit, digits; ``figures``: by measure, a row a series of [median, least, most], null where not computed."""
+    key, name, unit, digits; ``figures``: by measure, a row a series of [median, least, most], null where missing."""
     try:
         sweep = reading.sweep_of(reading.form_of(dataset, view), view)
     except ParameterError:

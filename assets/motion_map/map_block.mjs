@@ -1,10 +1,10 @@
 // The motion map: ridges as shades, postures on its regions; a node shows its posture, and plays what passes it.
 import { element, svgElement } from "../shared/dom.mjs";
 import { clamp } from "../shared/numbers.mjs";
-import { panZoom } from "./pan_zoom.mjs";
-import { drawPosture, readPostures } from "./posture.mjs";
-import { hideTip, showTip } from "./tip.mjs";
-/** @import { Draw, MapContent } from "./types.d.ts" */
+import { panZoom } from "../blocks/pan_zoom.mjs";
+import { drawPosture, readPostures } from "./posture_block.mjs";
+import { hideTip, showTip } from "../blocks/tip.mjs";
+/** @import { Draw, MapContent } from "../blocks/types.d.ts" */
 
 /** @type {Draw<MapContent>} */
 export function drawMap(place, content, context) {

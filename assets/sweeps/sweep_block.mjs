@@ -1,7 +1,7 @@
 // A sweep: one figure at a time over the first setting, a line for each value of the second.
 import { element, svgElement } from "../shared/dom.mjs";
-import { tipOn } from "./tip.mjs";
-/** @import { Draw, SweepContent } from "./types.d.ts" */
+import { tipOn } from "../blocks/tip.mjs";
+/** @import { Draw, SweepContent } from "../blocks/types.d.ts" */
 
 const SERIES = ["#3b6abf", "#d2762b", "#3a9b7a", "#a45fc0", "#c2486a", "#7f8a2e", "#2f95b0", "#8c6d53"];
 const [WIDTH, HEIGHT, LEFT, RIGHT, TOP, BOTTOM] = [640, 300, 52, 12, 12, 44];

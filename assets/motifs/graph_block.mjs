@@ -1,9 +1,10 @@
 // The motif graph: boxes wide for long motions and high for many, arrows for what follows what.
 import { element, svgElement, withAttributes } from "../shared/dom.mjs";
-import { choose, factsOf, motifsIn } from "./motifs.mjs";
-import { panZoom } from "./pan_zoom.mjs";
-import { asButton, tipOn } from "./tip.mjs";
-/** @import { Context, Draw, GraphContent, GraphMotif } from "./types.d.ts" */
+import { motifsIn } from "../blocks/selection.mjs";
+import { choose, factsOf } from "./motif_blocks.mjs";
+import { panZoom } from "../blocks/pan_zoom.mjs";
+import { asButton, tipOn } from "../blocks/tip.mjs";
+/** @import { Context, Draw, GraphContent, GraphMotif } from "../blocks/types.d.ts" */
 
 const AIR = 46;
 

@@ -1,6 +1,6 @@
 // A posture of the motion map as a small drawing: joints in millimetres around the pelvis, on a body that faces +z.
 import { svgElement } from "../shared/dom.mjs";
-/** @import { MapContent } from "./types.d.ts" */
+/** @import { MapContent } from "../blocks/types.d.ts" */
 
 const [YAW, PITCH] = [(35 * Math.PI) / 180, (8 * Math.PI) / 180];
 

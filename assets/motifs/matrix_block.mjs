@@ -1,8 +1,9 @@
 // What follows what, as a table of squares: rows lead to columns.
 import { element, svgElement } from "../shared/dom.mjs";
-import { choose, motifsIn } from "./motifs.mjs";
-import { asButton, tipOn } from "./tip.mjs";
-/** @import { Draw, MatrixContent } from "./types.d.ts" */
+import { motifsIn } from "../blocks/selection.mjs";
+import { asButton, tipOn } from "../blocks/tip.mjs";
+import { choose } from "./motif_blocks.mjs";
+/** @import { Draw, MatrixContent } from "../blocks/types.d.ts" */
 
 /** @type {Draw<MatrixContent>} */
 export function drawMatrix(place, { motifs, cells }, context) {

@@ -1,0 +1,52 @@
+// Clips as rows of coloured stretches over time.
+import { element, svgElement } from "../shared/dom.mjs";
+import { clock } from "../shared/words.mjs";
+import { asButton, tipOn } from "./tip.mjs";
+/** @import { Stretch, Track } from "./types.d.ts" */
+
+const [LANE, GAP] = [14, 3];
+
+/** What colours mean. @param {string[]} names @param {string[]} colours */
+export function legend(names, colours) {
+  return element("div", "block-legend", ...names.map((name, k) => {
+    const key = element("span", "block-key", name);
+    key.style.setProperty("--colour", colours[k]);
+    return key;
+  }));
+}
+
+/**
+ * Rows with names; gives what lights stretches by their keys, and a row.
+ * @param {HTMLElement} place
+ * @param {Track[]} tracks
+ */
+export function drawRows(place, tracks) {
+  const longest = Math.max(...tracks.map(({ seconds }) => seconds), 1e-9);
+  /** @type {[Stretch, SVGElement][]} */
+  const drawn = [];
+  const rows = tracks.map((track) => {
+    const height = Math.max(track.lanes.length, 1) * (LANE + GAP);
+    const svg = svgElement("svg", { class: "block-track", viewBox: `0 0 1000 ${height}`, height, preserveAspectRatio: "none" });
+    track.lanes.forEach((lane, row) => {
+      for (const stretch of lane) {
+        const [x, width] = [(1000 * stretch.start) / longest, (1000 * (stretch.end - stretch.start)) / longest];
+        const node = svgElement("rect", { x, y: row * (LANE + GAP), width: Math.max(width - 0.6, 0.8), height: LANE, fill: stretch.colour, class: "block-stretch" });
+        tipOn(node, () => [stretch.tip]);
+        asButton(node, stretch.tip, stretch.choose);
+        node.setAttribute("tabindex", "-1");
+        drawn.push([stretch, node]);
+        svg.append(node);
+      }
+    });
+    const name = element("span", "block-row-name ellipsis", track.brief);
+    name.title = track.clip;
+    return { clip: track.clip, node: element("div", "block-row", name, svg, element("span", "block-row-end number", clock(track.seconds))) };
+  });
+  place.append(element("div", "block-rows", ...rows.map(({ node }) => node)));
+  /** @param {Set<string>} keys @param {string | undefined} clip */
+  return (keys, clip) => {
+    const some = drawn.some(([{ key }]) => keys.has(key));
+    for (const [{ key }, node] of drawn) node.classList.toggle("faint", some && !keys.has(key));
+    for (const row of rows) row.node.classList.toggle("chosen", row.clip === clip);
+  };
+}
