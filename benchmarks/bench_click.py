@@ -25,7 +25,7 @@ COMMAND = "python -m benchmarks.bench_click"
 VIEW = {"width": 1280, "height": 800}
 CLICKS = 12  # motifs of the most motions, each clicked once a row of the table
 PAUSE = 1500  # milliseconds between clicks
-RESTS = {"pointer rests .3 s before the click": 300, "click at once": 0}
+RESTS = {"pointer rests .3 s before the click": 300, "click without a pause": 0}
 
 # "released" is marked before any listener of the app hears of the click, "moving" at the first frame whose time runs.
 WATCH = """() => {

@@ -21,7 +21,7 @@ SHARES = (0.05, 0.1, 0.2, 0.4)
 
 
 def by_ways(result: Compression) -> list[str]:
-    """The data set: size at each tolerance, a row a way."""
+    """The data set: size at each tolerance, a row for each way."""
     lines = ["| way \\ mean error of every part at most | " + " | ".join(f"{t:g} cm" for t in TOLERANCES) + " |"]
     lines.append("|---" * (len(TOLERANCES) + 1) + "|")
     for way, name in WAYS.items():
@@ -31,7 +31,7 @@ def by_ways(result: Compression) -> list[str]:
 
 
 def by_shares(curves: Curves, number: str) -> list[str]:
-    """One motif: error at each size, a row a method."""
+    """One motif: error at each size, a row for each method."""
     lines = [
         f"| motif {number}, {curves.motions} motions \\ size | " + " | ".join(f"{100 * s:.0f} %" for s in SHARES) + " |"
     ]

@@ -193,8 +193,8 @@ def main() -> str:
         f"`python -m benchmarks grammar`. Sessions of the demo with seeds {SEEDS[0]} to {SEEDS[-1]}, labels as "
         f"terminals (at least {distinct} different actions a session, routines of {np.mean(lengths):.0f} actions on "
         f"average, {pairs} different pairs of neighbours in the first of 20 minutes). {HELD} held-out routines each, "
-        f"{SHUFFLES} random orders of each, and every routine with two neighbours swapped; such as are routines again "
-        "do not count as accepted. Mean over eight seeds, lowest and highest in brackets.",
+        f"{SHUFFLES} random orders of each, and every routine with two neighbours swapped; orders that are routines "
+        "themselves do not count as accepted. Mean over eight seeds, lowest and highest in brackets.",
         labelled_table(),
         "Terminals found in the motion (the session and as much held-out motion segmented together, as many terminals "
         "as actions, the grammar learned from the session alone; an action several times in a row counts once; "

@@ -172,7 +172,7 @@ def main() -> str:
         "",
         "Keys: the icons nearest to three postures (at a sixth, half and five sixths of the way the joints travel) "
         f"of one labelled instance; T grows by {STEP} m until there are {FIRST} hits outside that instance. Right: "
-        f"{INSIDE:.0%} of a hit lies in another instance. {SEEDS} map seeds, each with another instance to ask with. "
+        f"{INSIDE:.0%} of a hit lies in another instance. {SEEDS} map seeds, each searched with another instance. "
         f"Tasks with the right action in the first {FIRST} hits, median over seeds: {'; '.join(summaries)}.",
         "",
         "| collection | grid | find | in the first five | median place | right of five | share of time | T, median |",

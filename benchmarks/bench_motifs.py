@@ -169,7 +169,7 @@ def quality() -> list[str]:
 
 
 def leave_one_out(dataset, judge: Judge) -> list[str]:
-    """Parameters chosen on four clips (most f1_majority at purity .975 or more), judged on the fifth."""
+    """Parameters chosen on four clips (most f1_majority at purity .975 or more), tested on the fifth."""
     poses, figures = pose_features(dataset), {}
     for strictness, tightness in GRID:
         parameters = MotifParameters(strictness=strictness, tightness=tightness)
@@ -188,7 +188,7 @@ def leave_one_out(dataset, judge: Judge) -> list[str]:
     rows.append(f"| mean | | {' | '.join(f'{v:.3f}' for v in np.mean(held_out, axis=0))} |")
     return [
         "Leave one clip out: strictness and tightness chosen by the labels of four clips (most f1_majority at a purity "
-        "of .975 or more), judged on the fifth; medians of 8 seeds. The F1 figures count actions over that clip alone.",
+        "of .975 or more), tested on the fifth; medians of 8 seeds. The F1 figures count actions over that clip alone.",
         "",
         "| held out | strictness, tightness | " + " | ".join(FIGURES[:-1]) + " |",
         "|---" * (len(FIGURES) + 1) + "|",

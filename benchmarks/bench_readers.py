@@ -139,7 +139,8 @@ def amc_row(folder: Path) -> str:
     start = time.process_time()
     frames = sum(read_amc(path, read_asf(find_skeleton(path, borrowed))).n_frames for path in files)
     seconds = time.process_time() - start
-    return f"ASF/AMC (no peer here): {len(files)} files, {frames} frames in {seconds:.2f} s of CPU time."
+    counts = f"{len(files)} files, {frames} frames"
+    return f"ASF/AMC (no other reader to compare with): {counts} in {seconds:.2f} s of CPU time."
 
 
 def main(data: Path | None = None) -> str:

@@ -111,15 +111,17 @@ def latency(millions: float) -> str:
     kept = sum(m.samples.nbytes for m in index.engine._resampled.values()) / len(index.engine._resampled) / 1e6
     more = sum(m.samples.nbytes for m in cut.engine._resampled.values()) / len(cut.engine._resampled) / 1e6
     return (
-        f"{frames / 1e6:.2f} million made-up frames at 60 a second ({len(store.codes) / 1e6:.2f} million looked at, at "
-        f"30), engine bounded-edit, milliseconds a query; the first query with other weights reads all clips anew.\n\n"
+        f"{frames / 1e6:.2f} million made-up frames at 60 a second ({len(store.codes) / 1e6:.2f} million analysed, at "
+        f"30), engine bounded-edit, milliseconds for each query; "
+        f"the first query with other weights prepares all clips again.\n\n"
         "| clips | query | first | median | 95 % | median of CPU time |\n|---|---|---|---|---|---|\n"
         + "\n".join(lines)
         + f"\n\nThe index takes {size:.0f} MB, {size / frames * 1e6:.0f} MB a million frames "
-        f"({store.codes.shape[1]} bytes a frame looked at, so {store.codes.shape[1]:.0f} MB where recordings have 30 a "
+        f"({store.codes.shape[1]} bytes for each analysed frame, so {store.codes.shape[1]:.0f} MB where recordings "
+        f"have 30 a "
         f"second). In memory, each of the last three settings of weights keeps {kept:.0f} MB ({more:.0f} MB for the "
-        "short clips) of clips read along their way. What takes longest is the edit distance for clips, and for "
-        "intervals the distance of every fourth frame to eight of the query."
+        "short clips) of clips prepared for these weights. Most of the time goes into the edit distance for clips, and "
+        "for intervals into the distance of every fourth frame to eight of the query."
     )
 
 

@@ -158,8 +158,8 @@ def main() -> str:
         "## Motion map",
         "",
         f"Samples from {source}: joints relative to the root, facing one way, in CMU's unit ({UNIT} m). 20000: all "
-        "frames, and some again with noise of .05; 436: thinned as in the 2004 paper. Sigma: what the "
-        "neighbourhood has in the last epoch, in nodes (XPySom with std_coeff = 1). "
+        "frames, and some again with noise of .05; 436: thinned as in the 2004 paper. Sigma: width of the "
+        "neighbourhood in the last epoch, in nodes (XPySom with std_coeff = 1). "
         "Processor seconds, both errors over all samples; ratio = time / XPySom's. Topographic error: the second "
         "best node is none of the eight around the best.",
         "",

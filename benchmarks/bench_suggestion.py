@@ -94,8 +94,9 @@ def main() -> str:
             "",
             "Sweeps over the paper's ranges (6 x 5 settings, 8 seeds). F1 of the suggested setting beside the best and "
             "the median of the 30 (medians over seeds); chord knee: the setting on the error-coverage front furthest "
-            "from the line between its ends. Behind: how much F1 the suggestion loses to the best, with so many seeds. "
-            "The rule was made on the exercise clips. `python -m benchmarks.bench_suggestion`",
+            "from the line between its ends. Behind: the F1 of the best setting minus that of the suggestion, "
+            "with this many seeds. "
+            "The rule was developed on the exercise clips. `python -m benchmarks.bench_suggestion`",
             "",
             "| " + " | ".join(head) + " |",
             "|---" * len(head) + "|",

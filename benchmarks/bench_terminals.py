@@ -49,7 +49,7 @@ def optimisers() -> Iterator[str]:
     """Rows: the same poses and objective, ours and the paper's way on three grids."""
     yield from [
         "The same poses, limits, weight and number of terminals for all; processor seconds of the search alone. Paper: "
-        "100 segmentations, 500 generations on a grid of so many seconds, then 1000 slides and resizes.",
+        "100 segmentations, 500 generations on a grid of the given seconds, then 1000 moves and changes of length.",
         "",
         "| recordings | search | F | R | E' | segments | seconds | F / ours | seconds / ours |",
         "|---|---|---|---|---|---|---|---|---|",

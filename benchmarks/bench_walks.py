@@ -144,8 +144,8 @@ def main() -> str:
         "## Walks",
         "",
         f"{WALKS} random walks of about {SECONDS:g} s each; blends along whole motifs, jumps from dead ends bridged. "
-        "Foot skate in cm a second of contact, speeds in m/s. Recordings slide by themselves: the feet of real people "
-        "shuffle and pivot. Bare cuts: the fastest joint if the same motions were cut instead of blended. "
+        "Foot skate in cm per second of contact, speeds in m/s. Recordings slide by themselves: the feet of real "
+        "people shuffle and pivot. Bare cuts: the fastest joint if the same motions were cut instead of blended. "
         "`python -m benchmarks.bench_walks`",
     ]
     sets = [

@@ -4,7 +4,7 @@ usage: check_docstrings.py PACKAGE_FOLDER...
 
 Rules: every public module, class and function has a docstring; one that takes or returns a numpy array names a shape
 (something like ``(n_frames, 3)``) in it or in its class or module; one that raises by itself says so ("Raises",
-"Error"). Exit 1 lists what is missing, one line a finding.
+"Error"). Exit 1 lists what is missing, a line for each finding.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ Function = ast.FunctionDef | ast.AsyncFunctionDef
 
 
 def findings(path: Path) -> Iterator[str]:
-    """One line a rule broken in the file at ``path``."""
+    """A line for each rule broken in the file at ``path``."""
     tree = ast.parse(path.read_text(encoding="utf-8"))
     module = ast.get_docstring(tree) or ""
     if not module:

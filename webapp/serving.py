@@ -24,7 +24,7 @@ def serve(arguments: Namespace) -> int:
     """Shows a workspace in the browser until interrupted. Raises WorkspaceError (folder, port or address unusable)."""
     workspace = shared_workspace(arguments.workspace)
     token = token_for(arguments.host)
-    server = listen(arguments.host, arguments.port)  # first, so that a port in use is reported before anything slow
+    server = listen(arguments.host, arguments.port)  # before anything slow, so that a port in use is reported early
     try:
         return _serve(workspace, arguments, token, server)
     finally:

@@ -1705,7 +1705,7 @@
       this.cursor = within(holder, ".ms-band-cursor");
     }
     /**
-     * One row a visible figure that has spans, along the Stage's time.
+     * A row for each visible figure that has spans, along the Stage's time.
      * @param {Figure[]} figures
      * @param {number} duration
      */
@@ -4608,7 +4608,7 @@
       }
       return clientside.no_update;
     },
-    // What was chosen above the chart, into the view; what a clip offers of itself is no choice.
+    // Puts what was chosen above the chart into the view; what the server preselects is no choice.
     /**
      * @param {string} chart
      * @param {string} kind

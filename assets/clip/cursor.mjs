@@ -19,7 +19,7 @@ export const at = { shown: null, frame: null, hover: null, items: [], pending: n
 const part = (name) => allWithin(document, `#${ids.CLIP_BOX} .clip-${name}`)[0];
 
 /** @type {Plot | null} */
-let measured = null; // asking the browser for places sixty times a second would make it lay out the page as often
+let measured = null; // cached, because reading positions makes the browser lay out the page
 const forget = () => { measured = null; };
 
 /** Where the chart's axes lie within the box, in pixels; null while nothing is drawn. */
@@ -104,7 +104,7 @@ let later = 0;
 const DIGITS = { "°": 1, " m/s": 2 };
 
 /**
- * Values of all lines at the pointer, else at the cursor; twenty times a second are plenty to read.
+ * Values of all lines at the pointer, else at the cursor; at most twenty times a second.
  * @param {Plot} plot
  */
 function tell(plot) {
@@ -137,7 +137,7 @@ function valueAt(plot, line, k, frame) {
 const CHART_KEYS = ["chart", "angles", "joints", "rig", "channels"];
 
 /**
- * Lines thinned for the chart lack values: those come once as plain numbers.
+ * Fetches the values of lines that were thinned for the chart.
  * @param {View | null} view
  */
 async function fetchValues(view) {
@@ -159,7 +159,7 @@ async function fetchValues(view) {
 }
 
 /**
- * Go to a frame of the clip that is shown, on the Stage; what plays something else is made to play the clip first.
+ * Go to a frame of the clip that is shown, on the Stage; the Stage is made to play the clip first where it plays something else.
  * @param {number} frame
  */
 export function seekFrame(frame) {
@@ -244,7 +244,7 @@ register("clip", {
     }
     return clientside.no_update;
   },
-  // What was chosen above the chart, into the view; what a clip offers of itself is no choice.
+  // Puts what was chosen above the chart into the view; what the server preselects is no choice.
   /**
    * @param {string} chart
    * @param {string} kind

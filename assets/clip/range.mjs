@@ -9,7 +9,7 @@ import * as ids from "./ids.mjs";
 import { spanWithin } from "./zoom.mjs";
 /** @import { Plot, Range, Spot } from "./types.d.ts" */
 
-const CLOSE = 4; // pixels that a click may wander
+const CLOSE = 4; // pixels that the pointer may move during a click
 /** The chart's box around the target of an event. @param {EventTarget | null} target */
 const box = (target) => closest({ target }, `#${ids.CLIP_BOX}`);
 /** What is pressed now. @type {Spot & { id: number, grip: boolean, moved: boolean } | null} */
@@ -134,7 +134,7 @@ function clickPath({ plot, x, y }) {
 let settling = 0;
 let moving = 0;
 /** @type {[number, number] | null} */
-let wanted = null; // however fast the wheel turns, the chart is drawn once a frame
+let wanted = null; // the chart is drawn at most once a frame
 
 async function move() {
   const plot = chartPlot();

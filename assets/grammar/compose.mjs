@@ -1,4 +1,4 @@
-/* A new routine: what the link says of it, what the server made of that, and how it plays. */
+/* A new routine: its keys in the link, the answer of the server, and how it plays. */
 import { changeView, clientside, setStore } from "../shared/dash.mjs";
 import { allWithin, closest, element, find, need, setLink, within } from "../shared/dom.mjs";
 import { SELECTION } from "../shared/ids.mjs";
@@ -19,14 +19,14 @@ const KEYS = ["sentence", "pick", "up"];
 const HISTORY = "motionscape-routines";
 
 let on = false;
-/** The server's last word; empty until there is one. @type {Composition} */
+/** The server's last answer; empty until there is one. @type {Composition} */
 let now = /** @type {any} */ ({});
 /** @type {View} */
 let view = {};
 let played = "";
 let lit = -1;
 /** @type {Past} */
-let past = { key: "", list: [], at: -1 }; // routines one has seen, for undo and redo
+let past = { key: "", list: [], at: -1 }; // routines seen before, for undo and redo
 
 /** @param {RoutineKeys | null} shown */
 const keysOf = (shown) => Object.fromEntries(KEYS.filter((key) => shown?.[key]).map((key) => [key, shown?.[key]]));

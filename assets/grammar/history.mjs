@@ -1,4 +1,4 @@
-// Routines one has seen, for undo and redo.
+// Routines seen before, for undo and redo.
 
 const MOST = 100;
 

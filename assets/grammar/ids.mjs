@@ -52,7 +52,7 @@
  */
 
 /**
- * A phrase and all ways to say it.
+ * A phrase and all that may stand for it.
  * @typedef {object} Phrase
  * @property {string} id
  * @property {string} name
@@ -71,7 +71,7 @@
  */
 
 /**
- * A result: all that is drawn of it but trees and new routines.
+ * What is drawn of a result, except trees and new routines.
  * @typedef {object} GrammarData
  * @property {string} key
  * @property {string} dataset

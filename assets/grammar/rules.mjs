@@ -5,7 +5,7 @@ import * as ids from "./ids.mjs";
 import { actionChip, isFresh, state } from "./state.mjs";
 /** @import { GrammarData, Phrase, Way } from "./types.d.ts" */
 
-const FIRST = 8; // ways shown before one asks for more
+const FIRST = 8; // ways shown at first
 const open = new Set();
 
 /** @param {string} id */

@@ -1,4 +1,4 @@
-/* Every recording as a string of actions along time, a row a clip; the cursor of what plays stands in it. */
+/* Every recording as a string of actions along time, a row for each clip, with a cursor at what plays. */
 import { allWithin, around, childrenOf, closest, element, find } from "../shared/dom.mjs";
 import { clock } from "../shared/words.mjs";
 import { player } from "../stage/player.mjs";
@@ -114,7 +114,7 @@ document.addEventListener("keydown", (event) => {
   next()?.focus();
 });
 
-// Long recordings: the same rows, wider; what stood in the middle stays there.
+// Zoom: the rows get wider, and what was in the middle stays there.
 const LARGEST = 32;
 document.addEventListener("click", (event) => {
   const button = closest(event, ".string-zoom");
@@ -129,7 +129,7 @@ document.addEventListener("click", (event) => {
 });
 
 /**
- * The cursor of a single motion stays in sight: the page of time turns when it leaves.
+ * Scrolls on when the cursor of a single motion leaves the visible part.
  * @param {HTMLElement} box
  * @param {HTMLElement} line
  */

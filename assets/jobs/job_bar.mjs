@@ -1,4 +1,4 @@
-/* The rows of the job bar. Plain elements changed in place: a row that comes anew with every percent would take a click
+/* The rows of the job bar. Elements are changed in place: a row that is replaced with every percent would lose a click
    that has begun, and the keyboard's focus, away with it. */
 import { clientside, register } from "../shared/dash.mjs";
 import { allWithin, childrenOf, element, icon, need, within } from "../shared/dom.mjs";

@@ -3,7 +3,7 @@
 /** @import { StoreId } from "../shared/ids.mjs" */
 
 /**
- * The tab, and the files of the report, that one looks at.
+ * The tab that is open, and the files of the report that are listed.
  * @typedef {object} View
  * @property {string} [tab]
  * @property {string} [files]

@@ -150,7 +150,7 @@ function reset(discard) {
   if (node) node.textContent = "";
 }
 
-/* ---- listening: the elements come and go, so listen on the document ---- */
+/* ---- listeners, on the document because the elements come and go ---- */
 /** @param {DragEvent} event */
 const carriesFiles = (event) => event.dataTransfer && [...event.dataTransfer.types].includes("Files");
 let depth = 0;

@@ -1,4 +1,4 @@
-/* The blend space of a motif: what is chosen and its weights, in the link and on the Stage. blend_controls.mjs draws. */
+/* The blend space of a motif: the chosen motions and their weights, in the link and on the Stage. blend_controls.mjs draws the controls. */
 import { changeView, clientside, register, setStore } from "../shared/dash.mjs";
 import { closest, find, need, within } from "../shared/dom.mjs";
 import { SELECTION } from "../shared/ids.mjs";
@@ -18,7 +18,7 @@ const SOURCE = { light: "#9aa5b4", dark: "#7c8797" };
 /** The mixture that is shown; null where there is none. @type {Mixture} */
 let now = /** @type {any} */ (null);
 /** @type {string | undefined} */
-let seen; // what was shown last: the link's weights are those of the motif that is shown first
+let seen; // what was shown last; the link's weights belong to the motif that is shown first
 let writing = 0;
 
 /** @param {number} motion */
@@ -27,7 +27,7 @@ const motionOf = (motion) => /** @type {BlendMotion} */ (now.data.bodies[now.bod
 /** Shares of the chosen motions. */
 const shares = () => sharesOf(now.values);
 
-/** Weights as the link has them; nothing for what one sees at first. */
+/** Weights as the link has them; empty for the initial ones. */
 function linkText() {
   const { data, body, chosen, values } = now;
   const first = body === 0 && chosen.join() === data.bodies[0].chosen.join() && values.every((v) => v === values[0]);
@@ -91,7 +91,7 @@ function write() {
   }, WAIT);
 }
 
-/** Weights changed by hand: numbers follow at once, the Stage as fast as it can, the link when the hand rests. */
+/** Weights were changed by hand: numbers follow immediately, the Stage as fast as it can, the link after a pause. */
 function changed() {
   updateControls(now, shares());
   play();
@@ -198,7 +198,7 @@ function begin(data, view, selection, linked) {
   start(0);
   if (linked && view.weights) read(view.weights);
   else if (view.weights) changeView({ weights: "" });
-  const stills = !seen && new URLSearchParams(location.search).get("layout") === "pose"; // so says the link
+  const stills = !seen && new URLSearchParams(location.search).get("layout") === "pose"; // as in the link
   show(stills || (selection && selection.motion !== undefined));
   if (stills) player.show(data.middles);
   within(document, "[data-blend='sources']").setAttribute("aria-pressed", "false");

@@ -1,4 +1,4 @@
-/* The controls of a blend space: a triangle for three motions, a slider each for two or more than three. */
+/* The controls of a blend space: a triangle for three motions, otherwise a slider for each. */
 import { allWithin, element, find, within, svgElement, withAttributes } from "../shared/dom.mjs";
 import { percent } from "../shared/words.mjs";
 import * as ids from "./ids.mjs";

@@ -1,4 +1,4 @@
-/* Two results side by side: bars and ribbons, drawn for the width there is; table cells for changes and shares. */
+/* Two results side by side: bars and ribbons, as wide as the page; table cells for changes and shares. */
 import { changeView, clientside, register, setStore } from "../shared/dash.mjs";
 import { allWithin, find, svgElement } from "../shared/dom.mjs";
 import { cellRenderers, reactElement } from "../shared/grid.mjs";
@@ -33,7 +33,7 @@ function choose(a, b) {
 }
 
 /**
- * What a bar stands for: its own motif here, or for one of the other the motif here that shares most with it.
+ * The motif of this result that a bar stands for: its own, or the one that shares most with it.
  * @param {Bar} bar
  */
 function here(bar) {

@@ -13,7 +13,7 @@ const ID = ids.MOTIF_GRAPH;
 /** Pixels that an arrow key moves the graph. @type {Record<string, [number, number]>} */
 const STEPS = { ArrowLeft: [60, 0], ArrowRight: [-60, 0], ArrowUp: [0, 60], ArrowDown: [0, -60] };
 
-// Cytoscape leaves itself on its container; it comes a little after the component does
+// Cytoscape is a property of its container, set a little after the component is drawn
 /** @param {number} [tries] */
 export async function graphReady(tries = 100) {
   for (let i = 0; i < tries; i++) {
@@ -77,7 +77,7 @@ function watch(cy) {
     readable(cy);
     ahead.leave();
   });
-  // the end of a tap comes before the tap, and that before all that Dash does with it
+  // "tapend" comes before "tap", and so before Dash's callbacks
   /** @type {GraphEvent | null} */
   let pressed = null;
   cy.on("tapstart", "node, edge", (event) => {
@@ -108,8 +108,8 @@ function readable(cy) {
   });
 }
 
-// A canvas draws a vector image anew at every repaint, a hundred of them take a quarter of a second: make them pixels
-// once. They get short addresses: with each change of a style Cytoscape reads every letter of an image's address.
+// A canvas redraws vector images at every repaint (a quarter of a second for a hundred), so they are made bitmaps once.
+// Their addresses are short, because Cytoscape reads the whole address of an image with each change of a style.
 const SHARPNESS = 3;
 const drawn = new Map();
 /** @param {string} address @param {number} width @param {number} height */
@@ -154,7 +154,7 @@ register("graph", {
     if (walking.on) return clientside.no_update;
     const which = clientside.callback_context.triggered.map((item) => item.prop_id).join(" ");
     const mine = ++taps;
-    await ahead.settled(); // first the Stage, then all else that follows from a selection
+    await ahead.settled(); // the Stage first, then everything else that depends on the selection
     if (mine !== taps) return clientside.no_update;
     if (which.includes("tapNodeData") && node) setStore(SELECTION, { motif: node.motif });
     else if (which.includes("tapEdgeData") && edge) setStore(SELECTION, { edge: edge.edge });

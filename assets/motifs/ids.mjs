@@ -31,7 +31,7 @@
  */
 
 /**
- * The motions of what is selected; nothing where nothing is.
+ * The motions of what is selected; empty where nothing is.
  * @typedef {object} Motions
  * @property {string} [name]
  * @property {Array<MotionRow>} [rows]

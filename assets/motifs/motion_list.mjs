@@ -1,4 +1,4 @@
-/* The motions of what is selected: plain elements, because each Dash component costs the browser milliseconds to take in. */
+/* The motions of what is selected: plain elements, because each Dash component takes the browser milliseconds. */
 import { clientside, register } from "../shared/dash.mjs";
 import { childrenOf, element, find, icon } from "../shared/dom.mjs";
 import { SELECTION } from "../shared/ids.mjs";
@@ -26,7 +26,7 @@ register("motions", {
   /** @param {{ name?: string, rows?: MotionRow[], more?: number } | null} motions */
   list(motions) {
     const box = find(ids.MOTION_LIST);
-    if (!box) return clientside.no_update; // it has gone with its page
+    if (!box) return clientside.no_update; // its page is gone
     const { name = "", rows = [], more = 0 } = motions || {};
     const same = box.dataset.name === name;
     const top = same ? box.scrollTop : 0;

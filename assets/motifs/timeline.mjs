@@ -1,4 +1,4 @@
-/* The timeline of all clips: labels above, motifs below, one row a clip. Plain elements; rows out of sight cost nothing. */
+/* The timeline of all clips: a row for each clip, labels above motifs. Rows out of sight are not drawn. */
 import { clientside, register } from "../shared/dash.mjs";
 import { allWithin, around, childrenOf, closest, element, find, need } from "../shared/dom.mjs";
 import { drawings } from "../shared/downloads.mjs";
@@ -135,7 +135,7 @@ function move(event) {
 }
 document.addEventListener("keydown", move);
 
-// The cursor of what plays stands in the row of its clip.
+// The cursor of what plays, in the row of its clip.
 /** @type {HTMLElement[]} */
 let shown = [];
 function cursor() {

@@ -1,4 +1,4 @@
-/* A walk through the motif graph: what the link says of it, what the server made of that, and how it plays.
+/* A walk through the motif graph: its keys in the link, the answer of the server, and how it plays.
    walk_path.mjs draws the path, walk_graph.mjs marks the graph. */
 import { changeView, clientside, register, setStore } from "../shared/dash.mjs";
 import { allWithin, closest, find, need, setLink, targetOf } from "../shared/dom.mjs";
@@ -21,7 +21,7 @@ const OURS = "~walk~";
 const LONGEST = 300; // letters of a path that a link can hold
 const BEFORE = 0.5; // seconds played before a motif that was just added
 
-/** The server's last word; empty until there is one. @type {Walk} */
+/** The server's last answer; empty until there is one. @type {Walk} */
 let now = /** @type {any} */ ({});
 /** @type {View} */
 let view = {};
@@ -35,7 +35,7 @@ const keysOf = (shown) => Object.fromEntries(KEYS.filter((key) => shown?.[key]).
 const same = (a, b) => KEYS.every((key) => (a?.[key] || "") === (b?.[key] || ""));
 const onStage = () => Boolean(player.frameOf(0)?.dataset?.startsWith(OURS));
 
-/** The motifs as one sees them: of the walk, or of the path that cannot be walked. */
+/** The motifs that are shown: of the walk, or of a path that cannot be walked. */
 const motifs = () => now.path || [];
 
 /** @param {number[]} path @param {View} [more] */
@@ -73,7 +73,7 @@ async function play(data, fromEnd) {
 }
 
 /**
- * Another walk of the same length in time: kept feet or sliding ones, seen at the same moment.
+ * Another walk of the same length in time: with feet kept or sliding, shown at the same moment.
  * @param {Walk} data
  */
 const swap = (data) => {
@@ -131,7 +131,7 @@ function show() {
   markWalk(now, walking.on, steps);
 }
 
-/** The lists of all motifs, filled once a graph. */
+/** The lists of all motifs, filled once for each graph. */
 function lists() {
   for (const [id, first] of [[ids.WALK_ADD, "a motif …"], [ids.WALK_FROM, "motif"], [ids.WALK_TO, "motif"]]) {
     const list = need(id);

@@ -25,7 +25,7 @@ const further = ([source, target]) => ({
 
 let turn = 0;
 /**
- * Mark what the server said of the walk; nothing where walks are not the matter.
+ * Mark the walk in the graph, or nothing where no walk is made.
  * @param {Partial<Walk>} data
  * @param {boolean} on
  * @param {WalkSteps} steps

@@ -66,7 +66,7 @@ function chip(motif, at, data, actions) {
 }
 
 /**
- * Dragging: the chip that is held goes where it is let go.
+ * Dragging: a chip is moved to where it is dropped.
  * @param {HTMLElement} list
  */
 function watch(list) {
@@ -125,7 +125,7 @@ export function lightVisit(list, visit) {
     box.classList.toggle("lit", here);
     if (here) box.setAttribute("aria-current", "true");
     else box.removeAttribute("aria-current");
-    // the list scrolls by itself, never the page
+    // only the list scrolls, not the page
     if (here) {
       const [outer, inner] = [list.getBoundingClientRect(), box.getBoundingClientRect()];
       if (inner.top < outer.top || inner.bottom > outer.bottom) list.scrollTop += inner.top - outer.top - 4;

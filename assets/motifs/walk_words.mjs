@@ -1,4 +1,4 @@
-// What the graph lets one walk, in words; and paths with a gap mended.
+// Sentences about the ways of a graph, and paths whose gap is filled.
 /** @import { Walk } from "./types.d.ts" */
 
 const MOST_NAMED = 12; // dead ends that are listed by number

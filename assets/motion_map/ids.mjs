@@ -17,7 +17,7 @@
  */
 
 /**
- * What is said of a node beside its posture.
+ * What the page tells of each node beside its posture.
  * @typedef {object} Facts
  * @property {Array<string>} names
  * @property {Array<Array<[number, number]>>} labels

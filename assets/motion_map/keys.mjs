@@ -10,7 +10,7 @@ import { editPosture } from "./posture_editor.mjs";
 /** @import { Selection } from "../shared/types.d.ts" */
 
 const MOST_ROWS = 60;
-const AT_ONCE = 12; // rows: more cannot be seen without scrolling, so they may come a moment later
+const AT_ONCE = 12; // rows: the others cannot be seen without scrolling and are drawn a moment later
 /** @param {string} label @param {string} symbol @param {() => void} action @param {string} [className] */
 const button = (label, symbol, action, className = "map-tool") => {
   const made = element("button", className);

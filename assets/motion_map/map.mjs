@@ -1,4 +1,4 @@
-/* The Map page: what is chosen on the map, from the link and back into it; everything a click changes is changed here. */
+/* The Map page: what is chosen on the map, from the link and back into it; all changes by clicks are made here. */
 import { changeView, clientside, notify, register, setStore } from "../shared/dash.mjs";
 import { childrenOf, closest, find, need } from "../shared/dom.mjs";
 import { STAGE_REQUEST } from "../shared/ids.mjs";
@@ -240,7 +240,7 @@ register("map", {
     if (!map) return clientside.no_update;
     Object.assign(state, { map, known, facts: known.facts });
     if (!mount()) return clientside.no_update;
-    state.overlay.map = map; // it may not lie over the heatmap yet
+    state.overlay.map = map; // the overlay may not be over the heatmap yet
     state.overlay.cursor = -1;
     drawPreview(map, -1);
     state.shownOn = null;

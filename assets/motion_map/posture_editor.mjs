@@ -13,7 +13,7 @@ import { state } from "./state.mjs";
 const AXES = { front: [[1, 0, 0], [0, -1, 0]], side: [[0, 0, 1], [0, -1, 0]], top: [[1, 0, 0], [0, 0, 1]] };
 const BOX = [-1, -1.05, 2, 2.1];
 /**
- * The posture under the hand, the one it was, and what becomes of it.
+ * The posture that is edited, the original, and what is done with the result.
  * @type {{ map: MapData, posture: Posture, start: Posture, key: number, joint: number, change: (keys: number[]) => void, node: number, distance: number }}
  */
 let edited;

@@ -188,7 +188,7 @@ export const drawBody = () => {
   }
   const pieces = (now.found && now.found.pieces) || [];
   if (pieces.length < 2) mode = "weights";
-  else if (pieces.length !== Number(box.dataset.pieces || 0)) mode = "pieces"; // a new piece wants its parts
+  else if (pieces.length !== Number(box.dataset.pieces || 0)) mode = "pieces"; // a new piece needs its parts
   box.dataset.pieces = String(pieces.length);
   const text = now.view.parts || "";
   if (!raw || (text !== drawn && !waiting)) {
@@ -215,7 +215,7 @@ export const lightPart = (leaf) => {
   for (const one of allWithin(document, ".search-page [data-part]")) one.classList.toggle("lit", one.dataset.part === leaf);
 };
 
-// ---- what one does to it ----
+// ---- clicks and keys ----
 const LIMBS = ["head_torso", "left_arm_hand", "right_arm_hand", "left_leg_foot", "right_leg_foot"];
 /** @param {string} leaf */
 const limbOf = (leaf) => now.body.nodes[LIMBS.find((node) => now.body.nodes[node].includes(leaf)) ?? ""];
@@ -228,7 +228,7 @@ function assign(leaves) {
   const has = leaves.every((leaf) => taker.leaves.includes(leaf));
   for (const piece of pieces) piece.leaves = piece.leaves.filter((leaf) => !leaves.includes(leaf));
   if (!has) taker.leaves = now.body.leaves.filter((leaf) => taker.leaves.includes(leaf) || leaves.includes(leaf));
-  if (pieces.every((piece) => !piece.leaves.length)) return; // something must be left to look for
+  if (pieces.every((piece) => !piece.leaves.length)) return; // at least one part must be left
   if (pieces.some((piece) => !piece.leaves.length)) now.active = 0;
   searchFor(pieces);
 }

@@ -3,7 +3,7 @@
 /** @import { StoreId } from "../shared/ids.mjs" */
 
 /**
- * What is searched for (see searching.py), the hit that is chosen, and what one looks at.
+ * What is searched for (see searching.py), the hit that is chosen, and the view.
  * @typedef {object} View
  * @property {string} [query]
  * @property {string} [parts]
@@ -169,7 +169,7 @@
  */
 
 /**
- * Something that is to be done for the study: one of these.
+ * A task for the server, one of these.
  * @typedef {object} Wish
  * @property {string} [build]
  * @property {number} [draw]

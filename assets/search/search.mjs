@@ -41,7 +41,7 @@ register("search", {
   },
 });
 
-// "More like this", wherever it stands: data-similar holds {clip, start, end} and, where it is another, the dataset
+// "More like this" on any page: data-similar holds {clip, start, end} and, where it is another, the dataset
 document.addEventListener("click", (event) => {
   const button = closest(event, "[data-similar]");
   if (!button || button.disabled) return;

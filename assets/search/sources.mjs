@@ -1,4 +1,4 @@
-/* Where the query comes from: what one does to its pieces, and ranges that are dragged on their pictures. */
+/* Where the query comes from: changes of its pieces, and ranges that are dragged on their pictures. */
 import { notify } from "../shared/dash.mjs";
 import { allWithin, around, childrenOf, closest, element, find, hasClass, need, targetOf } from "../shared/dom.mjs";
 import { player } from "../stage/player.mjs";

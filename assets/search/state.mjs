@@ -6,7 +6,7 @@ import { changeView } from "../shared/dash.mjs";
 /** A part of the state that is null until the page has it; who uses it before has to ask. @type {any} */
 const none = null;
 
-/** What is shown now; the parts of the page read it and never keep a copy. `active`: the piece that takes the parts one clicks. */
+/** What is shown now; the parts of the page read it and never keep a copy. `active`: the piece whose parts are clicked. */
 export const now = {
   found: /** @type {Found} */ (none),
   view: /** @type {View} */ ({}),
@@ -22,7 +22,7 @@ export const now = {
 };
 
 /**
- * Change what is searched for; a hit of another search is none of this one.
+ * Change what is searched for; the chosen hit is dropped, since it belongs to the search before.
  * @param {Record<string, string>} values
  */
 export const changeSearch = (values) => changeView({ hit: "", ...values });

@@ -1,4 +1,4 @@
-/* Do people agree? Pairs and duels on the Stage, answered by keys; nothing here knows which engine found what. */
+/* Do people agree? Pairs and duels on the Stage, answered by keys; the browser does not know which engine found what. */
 import { changeView, clientside, register, setStore } from "../shared/dash.mjs";
 import { childrenOf, closest, element, find, icon, need, targetOf } from "../shared/dom.mjs";
 import { SELECTION, STAGE_REQUEST } from "../shared/ids.mjs";
@@ -180,13 +180,13 @@ function step(by) {
   draw();
 }
 
-// Answers given here: data that was on its way meanwhile does not know them yet.
+// Answers given here, which data from the server may not contain yet.
 const given = new Map();
 /** @param {Question} row */
 const nameOf = (row) => JSON.stringify([person.name || person.id, row.query, row.hit, row.left, row.right]);
 
 /**
- * Where to go on: at the question one was at, where the order is the same, else at the first without an answer.
+ * The question to continue with: the one shown before where the order is the same, else the first without an answer.
  * @param {number} number
  * @param {Question[]} before
  * @param {Question[]} all

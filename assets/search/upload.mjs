@@ -1,4 +1,4 @@
-/* A recording of one's own as the query: sent by PUT to the upload route, read by a job. */
+/* An uploaded recording as the query: sent by PUT to the upload route, read by a job. */
 import { setStore } from "../shared/dash.mjs";
 import { allWithin, element, find, within } from "../shared/dom.mjs";
 import * as ids from "./ids.mjs";

@@ -1,9 +1,9 @@
-// Elements of the page: found, made, and asked for by events.
+// Finds and makes elements of the page.
 
 /** @typedef {Node | string | number | null | undefined} Child */
 
 /**
- * What is found in the page counts as an input field, the element with most members: who looks for one knows what it is.
+ * Elements that are found have the type of input fields, which have most members: the caller knows what it looks for.
  * @typedef {HTMLInputElement} Found
  */
 

@@ -25,7 +25,7 @@ const cell = (value) => {
 const plain = (values) => (values && values._inputArray) || values || [];
 
 /**
- * A row a point: name of the series, x, y and, where there is one, z.
+ * A row for each point: name of the series, x, y and, where there is one, z.
  * @param {any} plot
  */
 function table(plot) {

@@ -38,7 +38,7 @@ export class SpanBands {
   }
 
   /**
-   * One row a visible figure that has spans, along the Stage's time.
+   * A row for each visible figure that has spans, along the Stage's time.
    * @param {Figure[]} figures
    * @param {number} duration
    */

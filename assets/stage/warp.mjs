@@ -1,4 +1,4 @@
-// The warp strip: one row a motion, along the medoid's time; colour tells where it is slower or faster than the medoid.
+// The warp strip: a row for each motion, along the medoid's time; colour tells where it is slower or faster than the medoid.
 import { context2d, within } from "../shared/dom.mjs";
 import { css, mix } from "./colours.mjs";
 /** @import { Figure } from "./figure.mjs" */

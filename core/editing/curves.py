@@ -180,7 +180,7 @@ def speed(places: np.ndarray, fps: float) -> np.ndarray:
 
 
 def csv_blocks(clip: Clip, curves: Sequence[Curve], start: int = 0, end: int | None = None) -> Iterator[str]:
-    """A table of curves as CSV text, piece by piece: a header with units, then a row a frame from ``start`` to ``end``.
+    """A table of curves as CSV text, in pieces: a header with units, then a row for each frame of ``[start, end)``.
 
     The first columns are the frame of the clip and its time in seconds. Raises ParameterError where these are out of
     range.

@@ -1,4 +1,4 @@
-"""All that a data set's frames can be described by, in one table: one row a frame, at one frame rate."""
+"""All that a data set's frames can be described by, in one table: a row for each frame, at one frame rate."""
 
 from __future__ import annotations
 

@@ -296,7 +296,7 @@ class Matcher:
         )
 
     def block(self, begin: int, end: int, rule: Rule) -> Matches:
-        """Matches of all seeds that start at letters [begin, end); pointers: one row a seed of these, (n_seeds +
+        """Matches of all seeds that start at letters [begin, end); pointers: a row for each seed of these, (n_seeds +
         1,)."""
         a, rule = self.adjacency, _typed(rule)
         spans, values = _match_block(begin, end, self.text, a.distances, a.costs, rule, self.pointers, self.places)

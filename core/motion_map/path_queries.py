@@ -55,7 +55,7 @@ def even_steps(points: Sequence[Sequence[float]], step: float = 1.0) -> np.ndarr
 
 
 def follow(runs: Runs, ny: int, path: np.ndarray) -> list[PathHit]:
-    """Stretches of runs that follow ``path`` ``(m, 2)``, one point a node, best first; no two share an end or a start.
+    """Stretches of runs along ``path`` ``(m, 2)``, a point for each node, best first; no two share an end or a start.
 
     ny: nodes down, as runs count nodes row by row.
     """

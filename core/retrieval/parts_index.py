@@ -156,7 +156,7 @@ class Parts:
         return type(self)(store, nodes, self.settings)
 
     def diagnostics(self) -> tuple[NodeReport, ...]:
-        """The paper's Tables 1 and 2 for this index, a row a node, leaves last."""
+        """The paper's Tables 1 and 2 for this index, a row for each node, leaves last."""
         return tuple(index.report() for index in self.nodes.values())
 
     def query_lists(self, query: Query, weights: Mapping[str, float]) -> QueryLists:

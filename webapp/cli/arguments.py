@@ -1,6 +1,6 @@
 """Arguments that several commands share; those of one command stand in the folder of its feature.
 
-Only light modules are imported here, so that ``--help`` answers at once.
+Only light modules are imported here, so that ``--help`` is fast.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """The command ``motionscape``: reads the arguments, runs one command, turns errors into one clear line.
 
-Exit codes: 0 success, 2 wrong usage or unreadable input, 130 interrupted, 1 a fault of ours. Only light modules are
-imported here: each command imports what it needs when it runs, so that ``--help`` answers at once.
+Exit codes: 0 success, 2 wrong usage or unreadable input, 130 interrupted, 1 a bug. Only light modules are
+imported here: each command imports what it needs when it runs, so that ``--help`` is fast.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ DEBUG = "MOTIONSCAPE_DEBUG"  # set it to see tracebacks
 
 
 class Parser(argparse.ArgumentParser):
-    """Says what is wrong in one line."""
+    """A parser whose errors are one line."""
 
     def error(self, message: str) -> NoReturn:
         """Ends with exit code 2 after one line on stderr."""
@@ -37,7 +37,7 @@ def main(line: Sequence[str] | None = None) -> int:
         arguments = _parser(line).parse_args(line)
         name += f" {arguments.command}"
         return commands()[arguments.command].run(arguments)
-    except BrokenPipeError:  # the reader of our output (head, less) has seen enough
+    except BrokenPipeError:  # the program that reads the output (head, less) has ended
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except (KeyboardInterrupt, Exception) as error:

@@ -1,4 +1,4 @@
-"""What a command that writes one result does: check, then open or compute."""
+"""Checks the arguments of a command that writes one result, then opens or computes it."""
 
 from __future__ import annotations
 

@@ -60,7 +60,7 @@ def check_made(path: Path, parts: Path | None) -> None:
 
 
 def made_lines(made: Made, out: Path, parts: Path | None) -> Iterator[str]:
-    """What a command says of motion that it made."""
+    """The summary that a command prints of motion that it made."""
     yield f"{made.clip.seconds:.1f} s, {made.clip.n_frames} frames, {len(made.seams)} blends"
     skate, speeds = made.skate, made.speeds
     yield (

@@ -1,6 +1,6 @@
 """Changes of a dataset (recordings or labels added, clips removed): started as jobs, announced when done, undone.
 
-Their stores belong to the frame of the app, so the notice appears, and its Undo works, on whatever page is open then.
+Their stores belong to the frame of the app, so the notice appears on any page.
 """
 
 from __future__ import annotations
@@ -96,7 +96,7 @@ def change_notice(workspace: Workspace, job: Job) -> dict:
     name = into or name
     try:
         report, undo = workspace.report(name), workspace.last_version(name)
-    except WorkspaceError:  # renamed or deleted since
+    except WorkspaceError:  # renamed or deleted meanwhile
         return notice(job.title, "It is done.")
     if method == "remove":
         title, words = "Removed", f"{_count(len(json.loads(job.request['parameters']['clips'])), 'clip')} from {name}."

@@ -1,4 +1,4 @@
-"""A background callback that waits for a job which the browser started, so that its end is noticed at once."""
+"""A background callback that waits for a job which the browser started, so that its end is noticed immediately."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
-"""The bar of jobs: what runs in this workspace, how far it is, and how to stop or repeat it.
+"""The bar of jobs: what runs in this workspace, its progress, and buttons to stop or repeat it.
 
-ONE interval polls the job table for the whole app: fast while something runs, slowly otherwise. The
+One interval polls the job table for the whole app: fast while something runs, slowly otherwise. The
 same poll brings the revision of the dataset list and of finished jobs, so a second tab, a second person and a
 restarted server all show the current state.
 """
@@ -75,7 +75,7 @@ def layout() -> Component:
             html.Div(id=names.JOB_LIST, role="status", **attributes(aria_live="polite", aria_label="Jobs")),
             dcc.Store(id=names.JOBS_SHOWN),  # the rows; assets/jobs/job_bar.mjs draws them
             dcc.Interval(id=names.JOB_TICK, interval=FAST),
-            dcc.Store(id=names.JOB_POKE),  # written when a job was just asked for: look now
+            dcc.Store(id=names.JOB_POKE),  # written when a job was started: the bar then updates immediately
             dcc.Store(id=names.JOB_ACTION),  # {"action": "cancel" | "retry" | "dismiss", "job": id}
             dcc.Store(id=names.JOBS_SEEN, data={}),
             dcc.Store(id=names.JOBS_DISMISSED, data=[], storage_type="session"),
@@ -108,7 +108,7 @@ def rows(jobs: Sequence[Job]) -> list[dict]:
 
 
 def stage_words(job: Job) -> str:
-    """What a living job is doing, in words."""
+    """The stage of a queued or running job, in words."""
     if job.cancelling:
         return "stopping"
     if job.state == "queued":

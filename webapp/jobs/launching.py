@@ -185,12 +185,12 @@ def _compute(workspace: Workspace, job_id: int) -> None:
 
     job = workspace.jobs.get(job_id)
     if job is not None and job.state == "running":
-        with contextlib.suppress(AnalysisError, Cancelled):  # both stand in the table
+        with contextlib.suppress(AnalysisError, Cancelled):  # the table has both states
             execute(workspace, job)
 
 
 def _leave_with_parent(parent: int) -> None:
-    """Ends this process when its worker is gone, since nobody would record its end."""
+    """Ends this process when its worker is gone, because no one would record the result."""
     while os.getppid() == parent:
         time.sleep(0.5)
     os._exit(1)
@@ -221,7 +221,7 @@ def main(arguments: list[str]) -> None:
     if options[:1] == ["--job"]:
         threading.Thread(target=_leave_with_parent, args=(os.getppid(),), daemon=True).start()
         if hasattr(os, "nice"):
-            os.nice(5)  # the server has priority, so that the Stage stays fluid
+            os.nice(5)  # lower priority than the server, so that the Stage stays smooth
     from core.workspace import Workspace
 
     workspace = Workspace(path)

@@ -12,7 +12,7 @@ class JobRow(TypedDict):
     id: int
     title: str
     stage: NotRequired[str]
-    percent: NotRequired[int | None]  # None where nobody knows how long it takes
+    percent: NotRequired[int | None]  # None where the duration is unknown
     stopping: NotRequired[bool]
     error: NotRequired[str]
 
@@ -52,12 +52,12 @@ class Undo(TypedDict, total=False):
 JOB_LIST = Id("job-list")
 JOB_TICK = Id("job-tick")
 JOBS_SHOWN = Store("jobs-shown", list[JobRow])
-JOB_POKE = Store("job-poke", float)  # a job was started or stopped: look now
+JOB_POKE = Store("job-poke", float)  # a job was started or stopped: the bar updates immediately
 JOB_ACTION = Store("job-action", JobAction)
 JOBS_SEEN = Store("jobs-seen", JobMarks)
 JOBS_DISMISSED = Store("jobs-dismissed", Annotated[list[int], Most(100)])
 JOBS_FINISHED = Store("jobs-finished", str)  # changes when a job ends: results may have appeared
 
 CHANGE_STARTED = Store("change-started", ChangeStarted)
-CHANGES = Store("changes", Annotated[list[int], Most(1000)])  # jobs of changes whose end has not been told
+CHANGES = Store("changes", Annotated[list[int], Most(1000)])  # jobs of changes whose end has not been announced
 UNDO = Store("undo", Undo)

@@ -1,4 +1,4 @@
-"""Access to the app: a token or a check of the host's name, and headers that keep browsers to this host."""
+"""Access to the app: a token, or a check of the host name, and security headers."""
 
 from __future__ import annotations
 
@@ -34,8 +34,8 @@ def protect(server: Flask, token: str | None) -> None:
     """Sends security headers with every answer and, with a ``token``, admits only browsers that have it.
 
     The token comes once as ``?token=...``, becomes a cookie, and is taken out of the address. Without a token only
-    requests to this machine's own names, or to one of MOTIONSCAPE_HOSTS, are answered: a foreign site may let its name
-    lead to this machine (DNS rebinding), but the browser still says which name it asked for.
+    requests to this machine's own names, or to one of MOTIONSCAPE_HOSTS, are answered: another site may point its name
+    at this machine (DNS rebinding), and the Host header tells which name the browser used.
     """
 
     @server.after_request
@@ -59,7 +59,7 @@ def known_hosts() -> frozenset[str]:
 
 
 def host_name(address: str) -> str:
-    """The name in ``name[:port]``, in lower case and without brackets; empty where it is no such thing."""
+    """The name in ``name[:port]``, in lower case and without brackets; empty where it is not of this form."""
     parts = re.fullmatch(r"(?:\[([0-9a-f:.]+)\]|([^\s:@/\[\]]+))(?::\d*)?", address.strip().lower())
     return (parts[1] or parts[2]).rstrip(".") if parts else ""
 

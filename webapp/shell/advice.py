@@ -1,4 +1,4 @@
-"""Advice added to messages of core where they are read: core knows neither options nor buttons."""
+"""Adds advice to messages of ``core``, which knows neither the options of commands nor the buttons of pages."""
 
 from __future__ import annotations
 

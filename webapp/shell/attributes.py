@@ -6,5 +6,5 @@ from typing import Any
 
 
 def attributes(**values: str | float) -> dict[str, Any]:
-    """``attributes(aria_label="Pages")`` is ``{"aria-label": "Pages"}``, to be handed on with ``**`` to a component."""
+    """``attributes(aria_label="Pages")`` is ``{"aria-label": "Pages"}``: pass it to a component with ``**``."""
     return {name.replace("_", "-"): value for name, value in values.items()}

@@ -1,4 +1,4 @@
-"""Buttons that write into a store straight away in the browser (assets/shell/selecting.mjs), without a callback each.
+"""Buttons that write into a store in the browser (assets/shell/selecting.mjs), without a callback for each.
 
 Lists are redrawn often and hold many buttons; one listener on the document serves them all, and server callbacks
 take the store as their only input.
@@ -24,9 +24,9 @@ def similar(clip: str, start: int, end: int) -> dict[str, Any]:
 def sends(
     store: str, value: Mapping[str, object], *, every_time: bool = False, page: str | None = None
 ) -> dict[str, Any]:
-    """Attributes for a button: a click puts ``value`` into ``store``; ``every_time``: also when it is there already;
+    """Attributes for a button: a click puts ``value`` into ``store``, and goes to ``page`` where one is given.
 
-    ``page``: and goes to that page.
+    every_time: callbacks run also when the store holds the value already.
     """
     attributes = {"data-store": store, "data-value": json.dumps(value)}
     return attributes | ({"data-stamp": "yes"} if every_time else {}) | ({"data-page": f"/{page}"} if page else {})

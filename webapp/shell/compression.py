@@ -1,4 +1,4 @@
-"""Text leaves the server compressed, and browsers keep files whose address names their content for good.
+"""Compresses text, and lets browsers keep files for good whose address identifies their content.
 
 A file is compressed when it is first sent and kept in memory after that; pages and answers of callbacks, which differ
 each time, are compressed quickly. Motion (floating-point numbers) is sent as it is: it hardly gets smaller.
@@ -14,7 +14,7 @@ from dash.fingerprint import check_fingerprint
 from flask import Flask, Response, request
 
 FOR_GOOD = "private, max-age=31536000, immutable"
-LEAST = 1000  # bytes; less is not worth a header
+LEAST = 1000  # bytes; smaller answers are sent as they are
 KEPT_FILES = 128
 COMPRESSED_TYPES = frozenset(
     {
@@ -56,7 +56,7 @@ def best_encoding() -> str | None:
 
 
 def _names_content(response: Response) -> bool:
-    """Whether another content of the requested file would have another address."""
+    """Whether the address of the requested file identifies its content."""
     if request.path.startswith(SUITES):
         return check_fingerprint(request.path)[1]
     try:
@@ -67,7 +67,7 @@ def _names_content(response: Response) -> bool:
 
 
 def _encode(response: Response, encoding: str, is_file: bool) -> None:
-    response.direct_passthrough = False  # a file: its content, not its handle
+    response.direct_passthrough = False  # read a file's content
     content = response.get_data()
     if len(content) < LEAST:
         return

@@ -1,8 +1,8 @@
-"""What a feature brings to the app, and the features there are.
+"""What a feature is, and the list of all features.
 
 A feature is one page with all that belongs to it: a folder of ``webapp/features`` whose ``__init__`` defines a
-:class:`Feature`. The shell, the Stage and the command line ask the features by way of this module and import none of
-them. Nothing heavy is imported here: the command line must start quickly.
+:class:`Feature`. The shell, the Stage and the command line use features through this module and import none of
+them. Nothing heavy is imported here, so that the command line starts quickly.
 """
 
 from __future__ import annotations
@@ -80,7 +80,7 @@ class LinkKeys:
 
 @dataclass(frozen=True)
 class LinkKey:
-    """What is special about a key of a link, as an annotation in the page's ``View``: see :class:`LinkKeys`."""
+    """What is special about a key of a link, as an annotation in the page's ``View``; see :class:`LinkKeys`."""
 
     of_dataset: bool = False
     free_text: bool = False
@@ -135,13 +135,13 @@ class Feature:
     """A page and all that belongs to it.
 
     path: of the page in the address. label, symbol: its entry in the navigation.
-    page: makes the page before it knows what there is to show. register: adds its callbacks to the app.
+    page: makes the page before any data is loaded. register: adds its callbacks to the app.
     shows: what it begins with, of "table", "chart" and "graph": their libraries are fetched with the page (loading.py).
     first_values: what the page shows of a dataset and a view (data of the stores), for the HTML that the browser gets
     first: id of a component -> its properties. Callbacks that fill the same places must then leave them as they are.
     keys: of its links. methods: name of the settings in the link -> the method they belong to; ``<name>-<parameter>``.
     on_every_page: those of these names whose settings stand in the links of all pages, as ``<parameter>`` alone.
-    routes: the blueprints it serves. stores: components that stay when one goes to another page.
+    routes: the blueprints it serves. stores: components that stay when another page is opened.
     commands: its commands. recipes: method -> the commands that compute a result again.
     selections: what can be selected on it; clip_colours: values of "as" in the selection of a clip that it answers.
     plays: what the Stage plays for such a selection, None where nothing does. missing: what such a selection names

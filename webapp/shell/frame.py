@@ -15,7 +15,7 @@ from webapp.shell.icons import icon
 
 
 def layout(stage: Component, job_bar: Component, stores: Sequence[Component]) -> Component:
-    """Everything that stays when one goes to another page.
+    """Everything that stays when another page is opened.
 
     stage: the one persistent player. stores: those of the jobs and the features.
     """
@@ -51,7 +51,7 @@ def layout(stage: Component, job_bar: Component, stores: Sequence[Component]) ->
 
 
 def _stores() -> list[Component]:
-    """State that names what one sees: ids only, and all of it is in the URL."""
+    """The stores that say what is shown, by ids; all of it is in the URL."""
     return [
         dcc.Location(id=names.URL, refresh=False),
         dcc.Store(id=names.DATASET),  # its name

@@ -1,7 +1,7 @@
 """Links to what is shown: pure functions between a URL and a :class:`View`.
 
-A link may come from an e-mail that broke it, from an older version, or from someone's imagination. Parsing never
-raises: what cannot be understood is left out and named in the list of problems.
+A link may be damaged, from an older version, or made up. Parsing never raises: what cannot be understood is left out
+and listed among the problems.
 """
 
 from __future__ import annotations
@@ -28,8 +28,8 @@ class View:
     {"action": int[, "segment": int]} (of the Grammar page),
     {"clip": name[, "start": frame, "end": frame][, "as": "actions"]} (frames of the clip's own rate, end exclusive;
     as: coloured by its actions).
-    ``stage`` is the Stage's own business (moment, camera ...), ``view`` the page's and the settings (see view_keys):
-    short strings handed back as they came.
+    ``stage`` is the state of the Stage (moment, camera ...), ``view`` what the page shows, and the settings (see
+    view_keys): short texts that are passed on unchanged.
     """
 
     page: str = "library"
@@ -56,7 +56,7 @@ def _settings_keys(feature: Feature) -> Iterator[str]:
 
 
 def keys_of_dataset() -> list[str]:
-    """Keys of all pages that mean nothing any more with another data set."""
+    """Keys of all pages that are dropped when another data set is chosen."""
     return [key for feature in features() for key in feature.keys.of_dataset]
 
 

@@ -61,7 +61,7 @@ def notice(title: str, message: str | Component, colour: str = "accent", **more:
 
 
 def empty_state(symbol: str, title: str, hint: str, *actions: Component) -> Component:
-    """What stands where there is nothing yet: what is missing, and what to do about it."""
+    """Shown in place of a result that does not exist yet: what is missing, and what to do."""
     return html.Div(
         className="empty-state",
         children=[
@@ -74,6 +74,6 @@ def empty_state(symbol: str, title: str, hint: str, *actions: Component) -> Comp
 
 
 def unknown_page() -> Component:
-    """The page for a URL that names none."""
+    """The page for a URL that names no page."""
     link = dcc.Link("Go to the library", href="/library", className="text-link")
     return empty_state("compass", "There is no such page", "The link may be old or mistyped.", link)

@@ -101,7 +101,7 @@ LOADING = Id("loading")
 FIRST_LAYOUT = Id("first-layout")
 FIRST_DEPENDENCIES = Id("first-dependencies")
 
-MOTIF_METHOD = MethodNames("motifs")  # other pages show something of the motif graph, too
+MOTIF_METHOD = MethodNames("motifs")  # here, because other pages show the motif graph as well
 
 MANTINE = Id("mantine")
 SHELL = Id("shell")
@@ -130,7 +130,7 @@ STAGE_RESTORE = Store("stage-restore", dict[str, str])  # moment and camera that
 STAGE_REQUEST = Store("stage-request", StageRequest)
 THEME = Store("theme", Literal["light", "dark"])
 
-# marks of what the server has: pages look again when they change
+# they change when the server has something new, and pages then update
 REVISION = Store("revision", Name)  # of the list of data sets
 JOB_STARTED = Store("job-started", int)
 JOB_ENDED = Store("job-ended", str)

@@ -1,4 +1,4 @@
-"""The motif graph that a view shows, which most pages ask for: the graph, its motifs, and what people said of them."""
+"""The motif graph that a view shows, which most pages ask for: the graph, its motifs, and people's notes on them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ MOTIFS = "motifs"  # the name of their settings in links
 
 
 def motif_graph(workspace: Workspace, dataset: str | None, view: Mapping[str, Any] | None) -> MotifGraph | None:
-    """The graph if it has been computed; kept in memory, so that a click costs no reading."""
+    """The graph if it has been computed; kept in memory, so that it is not read again for every click."""
     return settings.result_of(workspace, MOTIFS, dataset, view)
 
 
@@ -46,7 +46,7 @@ def find_motif(graph: MotifGraph, number: Any) -> Motif | None:
 
 
 def find_motifs(graph: MotifGraph, selection: Mapping[str, Any]) -> list[Motif]:
-    """The motifs that a selection names, one or several; those that are not there left out."""
+    """The motifs that a selection names, one or several; without those that do not exist."""
     numbers = set(str(selection.get("motifs", selection.get("motif", ""))).split("-"))
     return [motif for motif in graph.motifs if str(motif.id) in numbers]
 

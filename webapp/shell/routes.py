@@ -1,4 +1,4 @@
-"""Reads and checks requests for motions and their pictures, and answers so that browsers can keep the answer."""
+"""Reads and checks requests for motions and pictures, and sends answers that browsers can cache."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ class BadRequest(MotionscapeError):
 
 
 class Interval(NamedTuple):
-    """The requested frames ``[start, end)`` of ``clip``, interval."""
+    """The requested frames ``[start, end)`` of a clip."""
 
     dataset: Dataset
     clip: Clip
@@ -104,7 +104,7 @@ def content_key(interval: Interval, kind: str, details: tuple) -> str:
 
 
 def names_content(interval: Interval, version: str) -> bool:
-    """Whether ``version`` (at least 8 letters of the fingerprint) says which content was meant."""
+    """Whether ``version`` is the beginning (at least 8 letters) of the dataset's fingerprint."""
     return len(version) >= 8 and interval.dataset.fingerprint.startswith(version)
 
 
@@ -170,5 +170,5 @@ def answer_errors(blueprint: Blueprint) -> None:
 
 
 def bug_message(where: str, error: Exception) -> str:
-    """Logs a bug because of which motion cannot be shown; returns the message for people."""
+    """Logs a bug that kept a motion from being sent; returns the message for people."""
     return f"This motion cannot be shown: something went wrong on the server (error {log_bug(where, error)})."

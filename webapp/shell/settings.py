@@ -1,8 +1,8 @@
-"""Settings: what people tell a method, kept in the link beside what a page shows.
+"""The settings of methods, kept in the link beside what a page shows.
 
 All settings stand in the store "view" as text, defaults left out: ``map-grid`` is the grid of the map. So they are in
-the link, and stay while one goes from page to page. A feature names the methods of its page (``Feature.methods``);
-most have one, called like the page. Where other pages show the result too, the settings stand in the links of all
+the link, and stay when another page is opened. A feature names the methods of its page (``Feature.methods``);
+most have one, with the name of the page. Where other pages show the result too, the settings stand in the links of all
 pages, under the names of the parameters alone (``Feature.on_every_page``): ``kappa`` of the motifs.
 """
 
@@ -147,9 +147,9 @@ def latest_job(workspace: Workspace, name: str, dataset: str | None, view: Mappi
 
 
 def earlier(workspace: Workspace, name: str, dataset: str | None) -> list[tuple[Job, dict[str, str]]]:
-    """Finished jobs of the method on the content of ``dataset``, newest first, one a result that this version can open,
+    """Finished jobs of the method on ``dataset`` with their settings (see not_default), newest first.
 
-    each with its settings (see not_default).
+    Each result is listed once, and only where this version can open it.
     """
     try:
         fingerprint = workspace.info(dataset).fingerprint if dataset else None
@@ -190,7 +190,7 @@ def _problem(name: str, values: Mapping[str, Any]) -> str:
 
 
 def _going_together(name: str, values: Mapping[str, Any]) -> dict[str, Any]:
-    """These values without the last one that keeps the method from taking them; none where no single one does."""
+    """The values without the last one whose absence makes them valid; empty where no single one does."""
     for left_out in reversed(list(values)):
         others = {parameter: value for parameter, value in values.items() if parameter != left_out}
         if not _problem(name, others):

@@ -2,7 +2,7 @@
 
 A shape is ``None``, ``bool``, ``int``, ``float``, ``str``, ``Any``, ``Literal[...]``, a union, ``list[shape]``,
 ``tuple[shape, ...]``, ``dict[str, shape]``, a ``TypedDict``, or ``Annotated[shape, Most(n)]`` for text and lists of at
-most n letters or parts. Keys that a ``TypedDict`` does not name are let through: nobody reads them.
+most n letters or parts. Keys that a ``TypedDict`` does not name are ignored.
 """
 
 from __future__ import annotations
@@ -15,7 +15,7 @@ from types import NoneType, UnionType
 from typing import Annotated, Any, Literal, NotRequired, Required, Union, get_args, get_origin, get_type_hints
 
 MOST_LETTERS = 100_000  # of text without a Most of its own
-_LARGEST = 2**53  # whole numbers beyond are not exact in a browser
+_LARGEST = 2**53  # JavaScript cannot represent larger whole numbers exactly
 _WORDS = {NoneType: "nothing", bool: "true or false", int: "a whole number", float: "a number", str: "text"}
 
 

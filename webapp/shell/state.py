@@ -85,7 +85,7 @@ def register_pages(app: dash.Dash, pages: Mapping[str, Component]) -> None:
 
 
 def register(app: dash.Dash, workspace: Workspace) -> None:
-    """Links open what they name, the address follows what is shown, and datasets can be chosen."""
+    """Registers the callbacks that open links, keep the address up to date, and choose datasets."""
 
     @app.callback(
         Output(names.DATASET, "data"),

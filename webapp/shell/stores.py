@@ -1,7 +1,7 @@
-"""What stores hold when a callback gets them: only what their declared shape allows.
+"""Checks what callbacks get from stores against the declared shapes.
 
-Stores live in the browser, where anybody can put anything into them. A value that is not of the store's shape is left
-out: the callback gets None, as from an empty store, and a notice says so.
+Stores live in the browser, so they can hold anything. In place of a value that does not fit the store's shape the
+callback gets None, as from an empty store, and a notice is shown.
 """
 
 from __future__ import annotations

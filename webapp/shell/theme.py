@@ -27,7 +27,7 @@ MANTINE = {
     },
 }
 
-# what cannot follow CSS because it is drawn on a canvas
+# for what is drawn on a canvas, where CSS does not apply
 CANVAS = {
     "light": {
         "surface": "#ffffff", "page": "#f6f7f9", "text": "#1f2733", "muted": "#66707f", "line": "#a9b4c2",

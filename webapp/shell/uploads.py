@@ -1,4 +1,4 @@
-"""Uploads: one PUT a file, streamed to disk. What becomes of the files is a job's business, not this route's."""
+"""Uploads: one PUT a file, streamed to disk. A job imports the files afterwards."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from core.workspace import Workspace, WorkspaceError
 from core.workspace.uploads import MAX_BYTES, MAX_FILES
 
 SUFFIXES = (".bvh", ".bvh.gz", ".amc", ".amc.gz", ".asf", ".asf.gz", ".csv", ".zip")
-HEADER = "X-Motionscape"  # a page of another origin cannot send it without asking first
+HEADER = "X-Motionscape"  # pages of another origin cannot send this header without permission
 _CHUNK = 1 << 18
 _DRAIN = 1 << 24
 
@@ -47,7 +47,7 @@ def megabytes(n_bytes: float) -> str:
 
 
 def upload_blueprint(workspace: Workspace, limits: Limits) -> Blueprint:
-    """The routes: POST makes an upload, PUT adds a file to it, DELETE gives it up. Answers are JSON."""
+    """The routes: POST makes an upload, PUT adds a file to it, DELETE cancels it. Answers are JSON."""
     routes = Blueprint("uploads", __name__, url_prefix="/api/uploads")
 
     @routes.before_request

@@ -1,8 +1,8 @@
 """Motion that is in no data set, under names like data sets have: ``~walk~<key>``, ``~blend~<key>~3~0.5,0.5``.
 
 The Stage, the filmstrips and the exports take segments of clips of a data set. A feature that makes motion names its
-kinds (``Feature.motion_kinds``), and what it makes is played, drawn and exported like any recording. A name tells the
-whole content: the same name, the same motion.
+kinds (``Feature.motion_kinds``), and what it makes is played, drawn and exported like any recording. A name
+determines the content: equal names mean equal motion.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""The Stage as a Dash layout: a canvas and its controls. All of it is driven by the modules of ``assets/stage``.
+"""The Stage as a Dash layout: a canvas and its controls. The modules of ``assets/stage`` run it.
 
 Views hand it segments by writing ``dcc.Store("stage-request")``. What a request holds, and what the Stage offers in
 the browser (assets/stage/player.mjs, the events ``stage-state`` and ``stage-frame``), is in docs/reference/stage.md.

@@ -1,4 +1,4 @@
-"""``GET /api/stage/<page>?<what a link says>``: what the Stage would play for a link, before anybody follows it.
+"""``GET /api/stage/<page>?<what a link says>``: what the Stage would play for a link.
 
 The browser asks for it when the pointer rests on a motif, so that a click finds its motions already there
 (assets/stage/ahead.mjs). The callback in webapp/shell/playback.py gives the same answer a round trip later.

@@ -1,4 +1,4 @@
-"""Names of clips in little room, as assets/stage/names.mjs has them."""
+"""Short names of clips, as assets/stage/names.mjs makes them."""
 
 from __future__ import annotations
 

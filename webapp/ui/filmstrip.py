@@ -19,7 +19,7 @@ from core.mocap.dataset import Dataset
 from core.mocap.posture_drawing import DrawnBody, drawn_positions, facing
 
 STRIP_HEIGHT = 100.0  # units of the drawing for a body of average height, and a little air
-MOST_FRAMES = 600  # among which poses are chosen
+MOST_FRAMES = 600  # of which key poses are chosen
 VIEW_YAW, VIEW_PITCH = math.radians(35), math.radians(8)
 ICON_COLOURS = {
     "light": {"left": "#2a78d0", "right": "#e0701a", "centre": "#6d7686"},
@@ -47,7 +47,7 @@ def key_frames(positions: np.ndarray, n_poses: int) -> np.ndarray:
     """Frames that divide the path of the joints evenly, first and last among them: at most ``n_poses``, ascending.
 
     positions: ``(n_frames, joints, 3)``. The path is the mean distance of the joints, relative to the root, plus a
-    third of the root's own: a pause gets no pose of its own, a kick gets several.
+    third of the root's own: so a pause gets no pose, and a kick several.
     """
     n_poses = min(n_poses, len(positions))
     steps = np.diff(np.asarray(positions, np.float64), axis=0)
@@ -61,7 +61,7 @@ def key_frames(positions: np.ndarray, n_poses: int) -> np.ndarray:
 def turn_to_viewer(positions: np.ndarray, body: DrawnBody) -> np.ndarray:
     """Poses ``(n, joints, 3)`` seen from the front left of the first: x to the right, y up, z to the viewer, metres.
 
-    Roots stand over x = 0; heights are kept, so a jump stays a jump.
+    Roots are moved to x = 0; heights stay as they are.
     """
     forward = facing(positions[:1], body)[0]
     yaw = VIEW_YAW - (math.atan2(forward[0], forward[2]) if forward.any() else 0.0)

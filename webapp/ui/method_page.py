@@ -1,9 +1,9 @@
 """A page that shows the result of one method: its settings, the button that computes, progress, and what is there.
 
-A page P has in its layout :func:`settings_fold` and :func:`status_place`; :func:`register` gives them life. From then
-on the store ``P-settings`` says when the settings changed (``{"P-grid": "31x31"}``, defaults left out), and
-``P-result-key`` holds the key of the result that they stand for, None where it has not been computed. These two stand
-in the frame of the app (:func:`stores`) where other pages show the result too.
+A page P has :func:`settings_fold` and :func:`status_place` in its layout, and calls :func:`register`. The store
+``P-settings`` then holds the settings (``{"P-grid": "31x31"}``, defaults left out), and ``P-result-key`` the key of
+their result, None where it has not been computed. Both stores stand in the frame of the app (:func:`stores`) where
+other pages show the result too.
 """
 
 from __future__ import annotations
@@ -70,7 +70,7 @@ def run_button(method: MethodPage) -> Component:
 
 
 def settings_fold(method: MethodPage) -> Component:
-    """The settings, folded away: what differs from the defaults stands in the line that is seen."""
+    """The settings, folded; the line that is always visible lists those that differ from the defaults."""
     head = [html.Span("Settings", className="settings-title"), html.Span(id=method.names.summary, className="muted")]
     return dmc.Accordion(
         id=method.names.fold,
@@ -85,13 +85,13 @@ def settings_fold(method: MethodPage) -> Component:
 
 
 def status_place(method: MethodPage) -> Component:
-    """Progress, an ending, or what to do, in place of a result that is not there; and the page's stores."""
+    """The place of the message shown while there is no result (see :func:`status`), and the page's stores."""
     page_stores = [dcc.Store(id=store) for store in (method.names.status_of, method.names.again)]
     return html.Div([html.Div(id=method.names.status), *page_stores, *([] if method.everywhere else stores(method))])
 
 
 def stores(method: MethodPage) -> list[Component]:
-    """What other pages know of the settings and the result: for the frame of the app, where ``method.everywhere``."""
+    """The stores of the settings and the result key; in the frame of the app where ``method.everywhere``."""
     return [dcc.Store(id=store) for store in (method.names.settings, method.names.result_key)]
 
 
@@ -156,9 +156,9 @@ def _run(app: Dash, workspace: Workspace, method: MethodPage) -> None:
 
 
 def ask(workspace: Workspace, page: str, dataset: str | None, values: Mapping[str, object]) -> None:
-    """Shows the result with these settings: starts the job where it is not there, and writes the settings into the
+    """Starts the job of a result unless it exists, and writes its settings into the link, which shows it.
 
-    link. To be called in a callback. Raises ParameterError, WorkspaceError in plain words.
+    To be called in a callback. Raises ParameterError, WorkspaceError in plain words.
     """
     if not dataset:
         raise WorkspaceError("Choose a dataset first; the library has none yet.")

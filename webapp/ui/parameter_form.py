@@ -1,4 +1,4 @@
-"""A form for the parameters of any method, made from their own descriptions."""
+"""A form for the parameters of any method, made from their descriptions."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from webapp.shell.identifiers import Pattern
 
 
 def parameter_form(parameters: Sequence[Parameter], values: Mapping[str, Any], control: Pattern) -> Component:
-    """One control a parameter, its id ``control(name)``; the advanced ones folded away."""
+    """A control for each parameter, with the id ``control(name)``; advanced ones are folded."""
     folded = [_control(p, values, control) for p in parameters if p.advanced]
     plain = [_control(p, values, control) for p in parameters if not p.advanced]
     parts: list[Component] = [html.Div(plain, className="form-grid")]

@@ -114,7 +114,7 @@ def strip_address(dataset: str, segment: Segment, n_poses: int = 6, fingerprint:
 
 
 def motif_rows(graph: Any, dataset: Dataset, notes: Mapping[int, MotifNote] = MappingProxyType({})) -> list[Row]:
-    """One row a motif: how often, how long, in how many clips, and the label that covers most of it."""
+    """A row for each motif: how often, how long, in how many clips, and the label that covers most of it."""
     by_clip = labels_by_clip(dataset)
     rates = {clip.name: clip.fps for clip in dataset.clips}
     rows = []
@@ -138,7 +138,7 @@ def motif_rows(graph: Any, dataset: Dataset, notes: Mapping[int, MotifNote] = Ma
 
 
 def motions_csv(dataset: Dataset, graph: Any, notes: Mapping[int, MotifNote] = MappingProxyType({})) -> str:
-    """One line a motion: its motif, what people call it, its frames (end exclusive), seconds and main label."""
+    """A line for each motion: motif, its name, frames (end exclusive), seconds and main label."""
     by_clip = labels_by_clip(dataset)
     text = io.StringIO()
     lines = csv.writer(text, lineterminator="\n")

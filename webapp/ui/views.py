@@ -1,4 +1,4 @@
-"""Views of a page of which people see one at a time: a control chooses, and the choice is in the link.
+"""Views that share a place on a page, one visible at a time; the choice is in the link.
 
 The browser shows and hides them without the server (assets/shell/views.mjs).
 """

@@ -1,4 +1,4 @@
-"""Edits of the clip that is shown: chosen in a dialog, run as a job, announced like all changes of a dataset."""
+"""Edits of the clip that is shown: chosen in a dialog and run as a job, like other changes of a dataset."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ from webapp.shell.messages import notice
 from webapp.shell.names import NOTICES, SELECTION
 from webapp.shell.results import MOTIFS
 
-ACTIONS = {  # name: what the menu says, what the dialog says, what its button says
+ACTIONS = {  # name: texts of the menu, of the dialog and of its button
     "trim": ("Make the selected range a clip", "A new clip of the selected frames.", "Make the clip"),
     "mirror": (
         "Mirror left and right",

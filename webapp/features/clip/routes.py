@@ -17,7 +17,7 @@ from webapp.features.clip import clips
 from webapp.shell.routes import BadRequest, OpenDataset, answer_errors, cached_response, find_interval
 from webapp.shell.virtual import opener
 
-COLUMNS = {  # of a table: what they are called in the address, and for people
+COLUMNS = {  # of a table: names in the address and on the page
     "angles": "Joint angles (deg)",
     "channels": "File channels (deg)",
     "speeds": "Speeds (m/s)",

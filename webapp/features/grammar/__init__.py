@@ -1,4 +1,4 @@
-"""Grammar: the actions of the recordings, what follows what, and new motion that keeps to it."""
+"""Grammar: the actions of the recordings, the rules of what follows what, and new motion that obeys them."""
 
 from webapp.features.grammar import names
 from webapp.shell.feature import Block, Command, Feature, SelectionKind, later, link_keys

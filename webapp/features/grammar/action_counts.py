@@ -30,7 +30,7 @@ def counts_change(text: str | None) -> str:
 
 
 def table_parameters(view: View) -> TableParameters:
-    """The numbers a view asks for, all else as its settings say. Raises ParameterError."""
+    """The numbers a view asks for, and its other settings. Raises ParameterError."""
     base = dict(analyses.normalise(settings.request_of(grammars.PAGE, "", view)).parameters)
     base.pop("n_terminals")
     numbers = ",".join(counts_text(view).replace(",", " ").split())

@@ -1,4 +1,4 @@
-"""The actions as cards, and the occurrences of the chosen one: played by a click, named in a field."""
+"""The actions as cards, and the occurrences of the chosen one: which a click plays and a field names."""
 
 from __future__ import annotations
 
@@ -76,7 +76,7 @@ def _one() -> list[Component]:
                 ),
                 html.Div(id=names.ACTION_NAME_STATUS, className="muted notes-status", role="status"),
                 html.Div(id=names.OCCURRENCES, className="occurrences"),
-                dcc.Store(id=names.ACTION_NAMED),  # the action that the field speaks of
+                dcc.Store(id=names.ACTION_NAMED),  # the action that the field names
             ],
         ),
     ]

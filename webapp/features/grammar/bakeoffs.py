@@ -1,6 +1,6 @@
 """The comparison of four ways to make motion, in the app: its request, its motions, and how the Stage plays them.
 
-``~bakeoff~KEY`` holds a clip a way that made one, named as the way; KEY is that of the result.
+``~bakeoff~KEY`` holds a clip for each way that made one, with the name of the way; KEY is that of the result.
 """
 
 from __future__ import annotations

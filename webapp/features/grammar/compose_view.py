@@ -1,4 +1,4 @@
-"""New routines that keep to the rules: by chance, then part by part as one likes (assets/grammar/compose.mjs draws)."""
+"""New routines: random ones, whose parts can then be changed (drawn by assets/grammar/compose.mjs)."""
 
 from __future__ import annotations
 

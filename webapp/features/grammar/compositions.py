@@ -1,4 +1,4 @@
-"""New routines in the app: how a link describes one, its tree and motion, alternatives for a part of it.
+"""New routines in the app: their links, trees and motion, and alternatives for their parts.
 
 A link says ``sentence=random:SEED:MOST`` (by chance, at most so many actions) or the routine's rule indices,
 ``sentence=0.3.1`` (SYN 5.1); ``pick`` is the number of the chosen action and ``up`` how many phrases further out the
@@ -118,7 +118,7 @@ def derive_request(learned: LearnedGrammar, dataset: str, view: View, tree: Node
 
 
 def shown_routine(learned: LearnedGrammar, derivation: Derivation, key: str, notes: actions.Notes) -> dict[str, Any]:
-    """The motion: its actions and their times, its measures, and where it is played and saved from."""
+    """The motion: its actions and their times, its quality, and the name of its data set."""
     return {
         "name": virtual_name(DERIVE, key),
         "clip": derivation.clip.name,
@@ -136,7 +136,7 @@ def shown_routine(learned: LearnedGrammar, derivation: Derivation, key: str, not
 
 
 def bands(derivation: Derivation, notes: actions.Notes) -> list[Colour]:
-    """Coloured spans for the Stage, one an action."""
+    """Coloured spans for the Stage, one for each action."""
     return [
         {
             "start": start,
@@ -150,10 +150,7 @@ def bands(derivation: Derivation, notes: actions.Notes) -> list[Colour]:
 
 
 def chosen_part(learned: LearnedGrammar, tree: Node, view: View) -> dict[str, Any] | None:
-    """The part that the link chooses: see the keys below; None where there is none.
-
-    ways: rules for it; varies: whether it, or a part of it, can go in another way.
-    """
+    """The part that the link chooses (see ``names.Part``); None where there is none."""
     picked = _number(view, "pick")
     if picked is None or not 0 <= picked < tree.end:
         return None

@@ -1,4 +1,4 @@
-"""Grammars in the app: how a link names one, its result, and the names that people give to its actions."""
+"""Grammars in the app: their results, and the names that people give to their actions."""
 
 from __future__ import annotations
 
@@ -90,10 +90,7 @@ def routines(result: LearnedGrammar) -> list[Routine]:
 
 
 def routine_data(dataset: Dataset, routine: Routine) -> dict[str, Any]:
-    """A routine as assets/grammar/routines.mjs lists it: {clip, seconds: [start, end], actions, leaves: [[start, end]]}
-
-    (leaves in frames of the clip's own rate).
-    """
+    """A routine as the page lists it; see ``names.Routine``."""
     fps = dataset.clip(routine.span.clip).fps
     return {
         "clip": routine.span.clip,

@@ -61,7 +61,7 @@ def result(tiles: Sequence[tuple[str, str, str]]) -> Component:
             html.Div(
                 [
                     html.H2("Recordings"),
-                    html.Span("a colour an action, ▾ where a routine begins", className="muted"),
+                    html.Span("a colour for each action, ▾ where a routine begins", className="muted"),
                     html.Div(className="spacer"),
                     _zoom("minus", "Show more time", "out"),
                     _zoom("plus", "Show less time, larger", "in"),

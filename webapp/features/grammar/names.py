@@ -60,7 +60,7 @@ class Way(TypedDict):
 
 
 class Phrase(TypedDict):
-    """A phrase and all ways to say it."""
+    """A phrase and all that may stand for it."""
 
     id: str
     name: str
@@ -79,12 +79,12 @@ class Routine(TypedDict):
 
 
 class GrammarData(TypedDict):
-    """A result: all that is drawn of it but trees and new routines."""
+    """What is drawn of a result, except trees and new routines."""
 
     key: Name
     dataset: Name
     version: str
-    names: str  # changes whenever an action is called something else
+    names: str  # changes whenever an action gets another name
     actions: list[Action]
     rows: list[Row]
     rules: list[Phrase]
@@ -108,7 +108,7 @@ class Part(TypedDict):
     end: int
     name: str
     ways: int  # rules for it
-    varies: bool  # it, or a part of it, can go in another way
+    varies: bool  # there is another way for it or for a part of it
     larger: bool
     smaller: bool
 
@@ -191,7 +191,7 @@ ACTION_COUNT = Id("action-count")
 ACTION_ALL = Id("action-all")
 ACTION_NAME = Id("action-name")
 ACTION_NAME_STATUS = Id("action-name-status")
-ACTION_NAMED = Store("action-named", int)  # the action that the field speaks of
+ACTION_NAMED = Store("action-named", int)  # the action that the field names
 OCCURRENCES = Id("occurrences")
 
 ROUTINE_LIST = Id("routine-list")

@@ -1,8 +1,9 @@
-"""Downloads of grammars: ``GET /api/grammar.json``, ``grammar-actions.csv``, ``grammar-rules.csv`` and
+"""Downloads of grammars.
 
-``grammar-tree.svg``, each with ``?dataset=...&grammar-n_terminals=...`` (a tree: ``&routine=N`` of the recordings, or
-``&sentence=CODE`` of a new one), ``GET /api/derivation/<key>.json``: where every frame of a new routine comes from, and
-``GET /api/bakeoff/<key>.json``: the comparison of four ways.
+``GET /api/grammar.json``, ``grammar-actions.csv``, ``grammar-rules.csv`` and ``grammar-tree.svg``, each with
+``?dataset=...&grammar-n_terminals=...`` (a tree: ``&routine=N`` of the recordings, or ``&sentence=CODE`` of a new one).
+``GET /api/derivation/<key>.json``: where every frame of a new routine comes from. ``GET /api/bakeoff/<key>.json``: the
+comparison of four ways.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Library: datasets, clips, the import report, labels, and what is brought in or taken out as files."""
+"""Library: datasets, clips, the import report, labels, and import and export of files."""
 
 from webapp.features.library import names
 from webapp.shell.feature import Block, Command, Feature, later, link_keys

@@ -25,7 +25,7 @@ from webapp.shell.uploads import SUFFIXES, Limits
 
 NEW = "new"
 INTO = "into:"  # and the name of the dataset
-HIDDEN = {"display": "none"}  # not by a class: the dialog's focus trap looks at styles only
+HIDDEN = {"display": "none"}  # by a style, because the dialog's focus trap ignores classes
 
 
 def dialog(limits: Limits) -> Component:

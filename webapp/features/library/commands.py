@@ -15,7 +15,7 @@ from core.workspace import Workspace, WorkspaceError, clean_name
 from webapp.cli.progress_bar import progress_bar
 from webapp.shell.advice import on_the_command_line
 
-SHOWN = 20  # bad files that an import names
+SHOWN = 20  # most unreadable files that an import lists
 
 
 def import_(arguments: Namespace) -> int:
@@ -52,7 +52,7 @@ def import_(arguments: Namespace) -> int:
 
 
 def inspect(arguments: Namespace) -> int:
-    """One line a file: its verdict and why; 2 if any is unreadable. With ``--json`` one object with the same."""
+    """A line for each file: verdict and reason, or with ``--json`` one object; exit code 2 if any is unreadable."""
     with progress_bar(arguments.quiet or not arguments.json) as report:
         verdicts = []
         for file in _verdicts(arguments, report):

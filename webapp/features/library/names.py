@@ -7,7 +7,7 @@ from webapp.shell.names import Name
 
 
 class View(TypedDict, total=False):
-    """The tab, and the files of the report, that one looks at."""
+    """The tab that is open, and the files of the report that are listed."""
 
     tab: str
     files: str

@@ -1,4 +1,4 @@
-"""The blend space of a motif: weights over its motions, played as one drags (assets/motifs/blend.mjs plays)."""
+"""The blend space of a motif: weights over its motions; assets/motifs/blend.mjs plays the mixture while one drags."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def _button(label: str, action: str, tip: str, toggle: bool = False) -> Componen
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """What can be mixed comes from the server once a motif; the rest happens in the browser."""
+    """Registers the callback that sends what can be mixed of a motif; the rest happens in the browser."""
 
     @app.callback(
         Output(names.BLEND_DATA, "data"),

@@ -91,7 +91,7 @@ def _browse(app: Dash, workspace: Workspace) -> None:
             tables.motif_columns(dataset),
             tables.motif_rows(graph, dataset, results.motif_notes(workspace, name, view)),
         )
-        # what is done to the table has its outputs beside it: where there is no table, Dash does not ask for it
+        # these outputs are beside the table: without a table, Dash does not call them
         beside = [dcc.Store(id=name) for name in (names.MOTIFS_MARKED, names.MOTIFS_SEARCHED, names.STABILITY_LISTED)]
         return [tables.grid(names.MOTIF_TABLE, columns, rows, "All motifs"), *beside]
 

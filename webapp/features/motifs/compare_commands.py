@@ -1,4 +1,4 @@
-"""The commands ``compare`` and ``stability``: motif graphs held against one another."""
+"""The commands ``compare`` and ``stability``: comparisons of motif graphs."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from webapp.features.motifs.figures.compare import WORDS, sentence
 
 
 def compare_files(arguments: Namespace) -> int:
-    """Compares two motifs.json files: prints what changed, a line a motif, and writes ``--out`` where it is given."""
+    """Compares two motifs.json files: prints the change of each motif, and writes ``--out`` where it is given."""
     if arguments.out is not None and arguments.out.is_dir():
         raise WorkspaceError(f"{arguments.out} is a folder; --out names the file to write.")
     comparison = compare(*(read_result(path, "motifs", from_json) for path in (arguments.first, arguments.second)))

@@ -134,7 +134,7 @@ def _choose(app: Dash, workspace: Workspace) -> None:
     )
     def choose(value, view, name):
         if not value or not name or value == (view or {}).get("other"):
-            return no_update  # what the link said
+            return no_update  # the link's value
         _start(workspace, name, value)
         return {"other": value, "gained": ""}
 
@@ -265,7 +265,7 @@ def _play(app: Dash, workspace: Workspace) -> None:
             return no_update  # the blend side plays its mixture, playback.py the rest
         try:
             dataset, compared = workspace.open(name), _compared(workspace, name, view)
-            if compared is None:  # the other is not there yet
+            if compared is None:  # the other result does not exist yet
                 graph = results.motif_graph(workspace, name, view)
                 return stage_request(dataset, graph, selection) or no_update
             return figure.pair_request(dataset, *compared, selection, view.get("gained", "")) or no_update
@@ -276,7 +276,7 @@ def _play(app: Dash, workspace: Workspace) -> None:
 
 
 def _again(workspace: Workspace, name: str, view: Mapping[str, str]) -> list[Component]:
-    """Buttons that copy what gives the comparison again."""
+    """Buttons that copy recipes for the comparison."""
     both = [settings.request_of(results.MOTIFS, name, shown) for shown in (view, read_other(view["other"]))]
     commands = {
         "Copy as commands": compare_commands(workspace.path, *both),

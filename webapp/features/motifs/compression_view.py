@@ -1,4 +1,4 @@
-"""Compression: size against error of the chosen motif and of the whole data set; what comes back plays on the Stage."""
+"""Compression: size against error of the chosen motif and of the data set; compressed motions play on the Stage."""
 
 from __future__ import annotations
 
@@ -170,7 +170,7 @@ def _chart(app: Dash, workspace: Workspace) -> None:
         if curves is None:
             return "This motif", words, "hidden", _NO_CHART, [], None, now
         same, steps = before and before[:2] == now[:2], _steps(curves)
-        requested = (view or {}).get("step") if not before else None  # what the link says
+        requested = (view or {}).get("step") if not before else None  # the link's value
         chosen = requested if any(requested == one["value"] for group in steps for one in group["items"]) else None
         figure = motif_chart(curves, measure, scheme)
         return f"Motif {number}", words, "", figure, steps, no_update if same else chosen, now
@@ -258,7 +258,7 @@ def read_step(value: str) -> tuple[str, Step]:
 
 
 def rebuilt_request(key: str, number: Any, method: str, step: Step, motion: int, scheme: str | None) -> dict[str, Any]:
-    """What the Stage plays: a motion as it comes back, over the motion as it was."""
+    """What the Stage plays: a motion after compression, over the original."""
     name = mixtures.rebuilt_name(key, number, method, step)
     grey = "#7c8797" if scheme == "dark" else "#9aa5b4"
     items = [

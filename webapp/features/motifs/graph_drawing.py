@@ -1,4 +1,4 @@
-"""The motif graph as Cytoscape draws it, kept by result: placing the boxes and drawing the icons is the slow part."""
+"""The motif graph as Cytoscape draws it, cached for each result, because layout and icons take time."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from webapp.ui.filmstrip import icon_data_uri
 
 
 def graph_elements(dataset: Dataset, key: str, graph: MotifGraph) -> list[dict[str, Any]]:
-    """Cytoscape elements, placed and drawn once a result: the layout and the icons are the slow part of showing it."""
+    """The Cytoscape elements of a graph, with positions and icons; cached for each result."""
 
     def draw() -> list[dict[str, Any]]:
         icons = graph_figure.icon_addresses(graph, lambda segment, scheme: icon_data_uri(dataset, segment, scheme))

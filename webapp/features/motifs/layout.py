@@ -45,12 +45,12 @@ METHOD = MethodPage(
     run_symbol="spark",
     everywhere=True,
 )
-MANY_TO_FILTER = 20  # successions, from which on it helps to hide the rare ones
+MANY_TO_FILTER = 20  # edges, from which on rare ones can be hidden
 MOST_ROWS = 60  # motions or transitions listed at once
 
 
 def stores() -> list[Component]:
-    """For the frame of the app: the graph that is shown stays known on other pages."""
+    """The stores in the frame of the app, by which other pages know the graph."""
     return [*method_page.stores(METHOD), dcc.Store(id=names.GRAPH_TOOL)]
 
 
@@ -183,7 +183,7 @@ def _tool(symbol: str, label: str, value: dict[str, str]) -> Component:
 
 
 def download_menu(graph: MotifGraph, query: str, copies: Sequence[Component]) -> list[Component]:
-    """Downloads of the graph, whose link is ``query``, and menu items that copy what gives it again."""
+    """Downloads of the graph, whose link is ``query``, and menu items that copy recipes for it."""
     if not graph.motifs:
         return []
     items = [

@@ -38,7 +38,7 @@ class MotionRow(TypedDict):
 
 
 class Motions(TypedDict, total=False):
-    """The motions of what is selected; nothing where nothing is."""
+    """The motions of what is selected; empty where nothing is."""
 
     name: str
     rows: list[MotionRow]
@@ -321,7 +321,7 @@ NOTES_NAME = Id("notes-name")
 NOTES_TAGS = Id("notes-tags")
 NOTES_TEXT = Id("notes-text")
 NOTES_STATUS = Id("notes-status")
-NOTES_MOTIF = Store("notes-motif", int)  # the motif that the form speaks of
+NOTES_MOTIF = Store("notes-motif", int)  # the motif of the form
 NOTES_NAMES = Store("notes-names", dict[str, tuple[str, list[str], str]])  # motif -> name, tags, note
 NOTES_DRAWN = Store("notes-drawn", Any)
 

@@ -1,4 +1,4 @@
-"""What people say of a motif: its name, tags and a note; saved as one leaves a field."""
+"""People's notes on a motif: its name, tags and a note, saved when a field loses the focus."""
 
 from __future__ import annotations
 

@@ -34,7 +34,7 @@ class OnDemand(NamedTuple):
     hint: str
     button: str
     refused: str  # "Cannot make the report"
-    frame: Callable[[Component], Any]  # round what stands there until there is a result
+    frame: Callable[[Component], Any]  # around the message shown until there is a result
 
     def request(self, dataset: str, view: Mapping[str, Any] | None) -> analyses.Request:
         """The request for it, on the motif graph that ``view`` shows."""

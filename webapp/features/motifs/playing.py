@@ -20,7 +20,7 @@ AROUND = 1.0  # seconds of motion before and after a transition
 
 
 def plays(workspace: Workspace, dataset: Dataset, shown: Shown) -> StageRequest | None:
-    """What plays for a selection of this page; None where there is nothing, or where a view plays it in its own way."""
+    """What plays for a selection of this page; None where there is nothing, or where a view plays it itself."""
     if "motif" in shown.selection and "motion" not in shown.selection and (comparing(shown.view) or mixing(shown.view)):
         return None  # the comparison plays both results (compare_view.py), the mixture itself (assets/motifs/blend)
     graph = motif_graph(workspace, shown.dataset, shown.view)

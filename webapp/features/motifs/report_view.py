@@ -1,4 +1,4 @@
-"""The coverage report: what is there twice, what only once, and which clips to keep."""
+"""The coverage report: near-duplicates, rare postures, and which clips to keep."""
 
 from __future__ import annotations
 

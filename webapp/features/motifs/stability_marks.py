@@ -95,7 +95,7 @@ def _number(name: str, label: str, low: float, high: float, step: float) -> Comp
 
 
 def legend() -> Component:
-    """What the rings mean, and how the chosen motif fared; with the stores of this part."""
+    """What the rings mean, and the stability of the chosen motif; with the stores of this part."""
     ends = [
         html.Span("0 %"),
         html.Span(className="stability-scale", style={"--low": LOW, "--high": HIGH}),
@@ -207,7 +207,7 @@ def status(
     query: str,
     copied: Mapping[str, str] = MappingProxyType({}),
 ) -> Component | None:
-    """One line: how far it is, or what came of it; copied: what gives it again, to copy, by what the buttons say."""
+    """A line with the progress or the result; copied: label of a button -> the recipe that it copies."""
     if stability is not None:
         mean = f"{stability.overall.mean():.0%}" if len(stability.motifs) else "–"
         summary = f"Mean stability {mean}, over {len(stability.repeats)} repeats. "

@@ -24,9 +24,9 @@ def write(repetitions: float, noise_degrees: float) -> str:
 
 
 def request(dataset: str, view: Mapping[str, Any] | None, text: str | None) -> analyses.Request:
-    """The request for the stability of the motifs that ``view`` shows; what makes no sense in ``text`` (see write) is
+    """The request for the stability of the motifs that ``view`` shows.
 
-    left at its default.
+    text: see :func:`write`; values that make no sense are left at their defaults.
     """
     known = {parameter.name: parameter for parameter in analyses.parameters(METHOD)}
     values = dict(settings.request_of(results.MOTIFS, dataset, view).parameters)

@@ -1,4 +1,4 @@
-"""The timeline: one row a clip, its labels and its motifs; a click on a block plays it."""
+"""The timeline: a row for each clip with its labels and motifs; a click on a block plays it."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def layout() -> Component:
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """Data from the server once a result; the drawing is the browser's."""
+    """Registers the callback that sends the data of a result; the browser draws it."""
 
     @app.callback(
         Output(names.TIMELINE_DATA, "data"),

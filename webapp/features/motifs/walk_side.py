@@ -17,11 +17,11 @@ from webapp.shell.attributes import attributes
 from webapp.shell.icons import icon
 from webapp.shell.names import DATASET, MOTIF_METHOD, SELECTION, VIEW
 
-MOST_SECONDS = 300  # of a random walk that one asks for here
+MOST_SECONDS = 300  # longest random walk
 
 
 def layout() -> Component:
-    """The controls; what they stand for comes with the walk."""
+    """The controls; their content comes with the walk."""
     return html.Div(
         className="walk-side",
         children=[

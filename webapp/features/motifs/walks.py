@@ -67,7 +67,7 @@ def walk_data(
 ) -> dict[str, Any]:
     """All that assets/motifs/walk.mjs shows: the ways of the graph, and the walk or why there is none.
 
-    names: what people called motifs.
+    names: people's names of motifs.
     """
     link_values = link_keys_of(view)
     data = {"key": graph_key, "inputs": link_values, "dataset": dataset.name, "motifs": _motifs(graph, names)}
@@ -101,7 +101,7 @@ def ways_data(ways: Ways) -> dict[str, Any]:
 
 
 def shown_walk(walk: Walk, key: str, names: Mapping[int, str]) -> dict[str, Any]:
-    """The walk itself: its path, when which motif is on, its meters and where it is played and saved from."""
+    """The walk itself: its path, the frames of each motif, its quality, and the name of its data set."""
     return {
         "name": virtual_name(WALK, key),
         "path": list(walk.path),
@@ -133,7 +133,7 @@ def visit_spans(walk: Walk) -> list[list[int]]:
 
 
 def bands(walk: Walk, names: Mapping[int, str]) -> list[dict[str, Any]]:
-    """Coloured spans for the Stage: one a stretch of a motif; transitions stay plain."""
+    """Coloured spans for the Stage, one for each stretch of a motif; transitions have none."""
     runs = []
     for motif, group in groupby(walk.parts, key=lambda part: part.motif):
         parts = list(group)
@@ -149,7 +149,7 @@ def _motifs(graph: MotifGraph, names: Mapping[int, str]) -> list[dict[str, Any]]
 
 
 def _ways(dataset: Dataset, graph: MotifGraph, graph_key: str, further: bool) -> Ways:
-    """Kept, because further links take a moment to find."""
+    """The ways of a graph, cached because further links take a moment to find."""
     return _recent_ways.get_or_compute((graph_key, further), lambda: open_ways(dataset, graph, further))
 
 

@@ -1,4 +1,4 @@
-"""The Map page's callbacks: what only the server knows; keys, reach and hits are those of assets/motion_map/map.mjs."""
+"""The Map page's callbacks; keys, reach and hits are handled in the browser (assets/motion_map/map.mjs)."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ BELOW = (("hits", "Hits"), ("labels", "Labels"), ("clips", "Clips"), ("region", 
 
 
 def page() -> Component:
-    """The page before it knows what there is to show."""
+    """The page before any data is loaded."""
     return html.Div(
         className="map-page",
         children=[

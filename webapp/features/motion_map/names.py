@@ -22,7 +22,7 @@ class View(TypedDict, total=False):
 
 
 class Facts(TypedDict):
-    """What is said of a node beside its posture."""
+    """What the page tells of each node beside its posture."""
 
     names: list[str]  # of labels
     labels: list[list[tuple[int, float]]]  # per node: number of the label and seconds, most first

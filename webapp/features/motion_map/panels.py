@@ -90,7 +90,7 @@ def clip_columns() -> list[dict[str, Any]]:
 
 
 def clip_rows(motion_map: MotionMap, dataset: Dataset) -> list[dict[str, Any]]:
-    """A row a clip: length, how much of the map it visits, and how badly it fits."""
+    """A row for each clip: length, how much of the map it visits, and how badly it fits."""
     seconds = layers.seconds_of_clips(motion_map)
     rows = []
     for k, clip in enumerate(motion_map.clips):

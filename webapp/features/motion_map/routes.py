@@ -3,8 +3,8 @@
 ``GET /api/map/<key>.bin``: ``uint32`` header length, JSON header (padded with spaces to 4 bytes), then little-endian
 arrays one after another: weights float32 ``(nx, ny, 3 n_joints)``; of the runs clip, start, end, node int32 and
 distance, ahead, aside float32, each ``(n_runs,)`` (see core.motion_map.key_poses.Runs).
-``GET /api/map/<key>/paths?dataset=&clip=&start=&end=&clip=...``: where segments go over the map.
-``GET /api/map/<key>/drawn?path=x-y,x-y,...``: stretches whose way over the map follows a drawn path.
+``GET /api/map/<key>/paths?dataset=&clip=&start=&end=&clip=...``: the paths of segments over the map.
+``GET /api/map/<key>/drawn?path=x-y,x-y,...``: stretches whose path over the map is like a drawn one.
 ``GET /api/map/<key>/node?dataset=&clip=&frame=``: the node nearest to one frame of any clip.
 ``GET /api/map/<key>.json`` and ``.csv``: downloads.
 """
@@ -142,7 +142,7 @@ def packed(motion_map: MotionMap) -> bytes:
 
 
 def nodes_csv(motion_map: MotionMap) -> str:
-    """A row an analysis frame: clip, its frame at the clip's own rate, seconds, node and region."""
+    """A row for each analysis frame: clip, its frame at the clip's own rate, seconds, node and region."""
     nodes, starts = frame_nodes(motion_map)
     regions, ny = motion_map.regions.ravel(), motion_map.grid[1]
     text = io.StringIO()

@@ -1,4 +1,4 @@
-"""Search: motions like a query, and what people and labels say of what is found."""
+"""Search: motions like a query, judged by people and by labels."""
 
 from webapp.features.search import names
 from webapp.shell.feature import Command, Feature, later, link_keys

@@ -1,4 +1,4 @@
-"""What ``motionscape search`` takes beside the parameters of the index."""
+"""Arguments of ``motionscape search`` beside the parameters of the index."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def search(parser: argparse.ArgumentParser) -> None:
 
 
 def query_arguments(parser: argparse.ArgumentParser) -> None:
-    """The options that say what is searched for, by which parts, and how much is listed."""
+    """Options of the query, the parts of the body and the number of hits."""
     stretch = "CLIP[:START-END]"
     parser.add_argument("--query", metavar=stretch, help="what to search for: a clip, a stretch of one, or a file")
     parser.add_argument("--lower", metavar=stretch, help="take the legs from here and the rest from --query")

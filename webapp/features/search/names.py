@@ -11,7 +11,7 @@ _TEXT = LinkKey(of_dataset=True, free_text=True)
 
 
 class View(TypedDict, total=False):
-    """What is searched for (see searching.py), the hit that is chosen, and what one looks at."""
+    """What is searched for (see searching.py), the hit that is chosen, and the view."""
 
     query: Annotated[str, _TEXT]
     parts: str
@@ -177,7 +177,7 @@ class ReceivedAnswers(TypedDict, total=False):
 
 
 class Wish(TypedDict, total=False):
-    """Something that is to be done for the study: one of these."""
+    """A task for the server, one of these."""
 
     build: str  # the index of an engine
     draw: int  # queries, with this seed

@@ -2,8 +2,8 @@
 
 One piece is ``[part+part:]clip:start-end[:dataset]``, pieces are joined by commas: the parts of the body it gives (all
 where none is named), the clip, its frames at its own rate (end exclusive), and the data set where it is another than
-the one searched, which may be made-up motion (shell/virtual.py). Characters of names that mean something else in a
-link are written ``~`` and two hexadecimal digits a byte.
+the one searched, which may be made-up motion (shell/virtual.py). Characters of names that have a meaning in a
+link are escaped: ``~`` and two hexadecimal digits for each byte.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Do people agree? Pairs to be rated, hits to be compared, and what the answers say (PCR section 5.3)."""
+"""Do people agree? Pairs to be rated, hits to be compared, and the results (PCR section 5.3)."""
 
 from __future__ import annotations
 

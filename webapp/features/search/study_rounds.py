@@ -1,7 +1,7 @@
 """The study of PCR section 5.3 as a tool: the pairs that people see, and how their answers are kept.
 
-A query's first hits of every engine whose index is there are shown beside the query. Nobody learns which engine found
-what: the browser gets motions without names, and the engines are looked up again when an answer comes.
+A query's first hits of every engine whose index is there are shown beside the query. People do not see which engine
+found what: the browser gets motions without names, and the server looks the engines up when an answer comes.
 """
 
 from __future__ import annotations
@@ -123,9 +123,9 @@ def keep_vote(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | 
 
 
 def draw_queries(dataset: Dataset, seed: int, n: int = DRAWN) -> list[Segment]:
-    """Queries drawn by chance: labelled stretches of different actions where there are labels, else short clips or
+    """Random queries: labelled stretches of different actions where there are labels, else clips or parts of long ones.
 
-    stretches of long ones.
+    n: how many, fewer where there are not as many.
     """
     chance = random.Random(seed)
     by_action: dict[str, list[Segment]] = {}

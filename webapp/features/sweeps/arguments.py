@@ -17,6 +17,8 @@ def sweep(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("source", metavar="SOURCE", help=SOURCE_HELP)
     of_method(parser, "motifs", many=True)
     parser.add_argument("--seeds", type=whole, default=1, metavar="N", help="seeds at every point (default 1)")
-    parser.add_argument("--out", type=Path, required=True, metavar="sweep.csv", help="file to write, a row a point")
+    parser.add_argument(
+        "--out", type=Path, required=True, metavar="sweep.csv", help="file to write (a row for each point)"
+    )
     parser.add_argument("--plot", type=Path, metavar="DIR", help="write charts (SVG) into this folder as well")
     common(parser)

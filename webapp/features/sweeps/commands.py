@@ -65,7 +65,7 @@ def sweep_parameters(arguments: Namespace) -> SweepParameters:
 
 
 def rows_as_csv(points: tuple[MotifParameters, ...], figures: list[Figures], axes: list[str]) -> str:
-    """A row a point: kappa (the number used for auto), rho, seed, its figures, then what else is swept."""
+    """A row for each point: kappa (the number used for auto), rho, seed, its figures, then what else is swept."""
     scores = [name for name in SCORES if any(name in entry for entry in figures)]
     more = [name for name in axes if name not in _FIRST]
     text = io.StringIO()

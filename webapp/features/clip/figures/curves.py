@@ -28,7 +28,7 @@ AROUND = 0.5  # visible spans drawn beyond either end, so that panning and zoomi
 PANEL, ROW, GAP, TOP, BOTTOM, LEFT, RIGHT = 132, 20, 24, 22, 40, 78, 12  # pixels
 DASHES = ("solid", "6px,3px", "1.5px,3px", "9px,3px,2px,3px")
 AXES = {"X": "#d9534f", "Y": "#3a9b5c", "Z": "#4a7cd8"}  # the colours 3D programs give to axes
-SIDE_COLOURS = {  # those of the Stage's figures
+SIDE_COLOURS = {  # as the Stage colours its figures
     "light": {"left": "#2a78d0", "right": "#e0701a", "centre": "#6d7686"},
     "dark": {"left": "#5aa9f5", "right": "#f2994a", "centre": "#a9b3c4"},
 }
@@ -115,7 +115,7 @@ def _angle_line(curve: Curve, group: Sequence[Curve], scheme: str) -> Line:
     side, names = side_of(curve.part), list(dict.fromkeys(c.name for c in group))
     nth = names.index(curve.name)
     positive = next(c.positive for c in JOINTS[curve.part].channels if c.name == curve.name)
-    if side == "centre":  # no other side to tell apart: a colour for each angle
+    if side == "centre":  # on one side only: a colour for each angle
         return Line(curve, f"{joint_words(curve.part)} {curve.name}", positive, theme.COMPONENTS[nth], "solid")
     label = f"{joint_words(curve.part)} {curve.name}"
     return Line(curve, label, positive, SIDE_COLOURS[scheme][side], DASHES[nth % len(DASHES)])

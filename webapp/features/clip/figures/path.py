@@ -1,4 +1,4 @@
-"""The path of a clip seen from above: the way of the pelvis, its direction, and where the feet stand."""
+"""The path of a clip seen from above: the path of the pelvis, its direction, and the footprints."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from webapp.features.clip.figures.curves import SIDE_COLOURS, Document
 from webapp.shell import theme
 
 MOST_POINTS = 2400
-ARROWS = 14  # marks of direction, evenly along the way
+ARROWS = 14  # arrows of direction, evenly along the path
 HEIGHT = 470
 
 
@@ -117,7 +117,7 @@ def _footprints(curves: ClipCurves, scheme: str) -> list[Document]:
 
 
 def _arrows(ground: np.ndarray, colours: dict[str, str]) -> Document:
-    """Arrow heads along the way, none where the body stays."""
+    """Arrow heads along the path, none where the body stands still."""
     way = np.r_[0, np.cumsum(np.linalg.norm(np.diff(ground, axis=0), axis=1))]
     at = np.searchsorted(way, (np.arange(ARROWS) + 0.5) / ARROWS * way[-1]) if way[-1] > 0.4 else np.arange(0)
     at = np.unique(np.clip(at, 1, len(ground) - 1)) if len(ground) > 1 else np.arange(0)

@@ -46,9 +46,7 @@ def tones(actions: int) -> dict[int, str]:
 def actions_data(
     dataset: Dataset, segments: Sequence[Sequence[Segment]], medoids: Sequence[Segment], notes: Notes
 ) -> list[dict[str, Any]]:
-    """One entry an action, in order: id, name, short, named, hint (the label of most of it), colour, ink, count,
-
-    seconds (mean), clips, label, strip, icon.
+    """An entry for each action, in order; see ``names.Action``.
 
     segments: those of each action; medoids: the most typical one of each.
     """
@@ -89,9 +87,9 @@ def icon_address(dataset: Dataset, segment: Segment, scheme: str = "") -> str:
 def string_rows(
     dataset: Dataset, segments: Sequence[Sequence[Segment]], cuts: Mapping[str, Sequence[int]]
 ) -> list[dict[str, Any]]:
-    """One row a clip, in seconds: {clip, brief, fps, seconds, pieces: [[start, end, action, number]], cuts, labels}.
+    """A row for each clip, in seconds; see ``names.Row``.
 
-    number: which of the action's segments it is. cuts: frames at which a sentence begins, by clip.
+    cuts: clip -> frames at which a sentence begins.
     """
     pieces: dict[str, list[list[float]]] = {clip.name: [] for clip in dataset.clips}
     rates = {clip.name: clip.fps for clip in dataset.clips}
@@ -129,7 +127,7 @@ def spans(segments: Sequence[Sequence[Segment]], notes: Notes, within: Segment) 
 
 
 def segments_csv(dataset: Dataset, segments: Sequence[Sequence[Segment]], notes: Notes) -> str:
-    """One line a segment: its action, what people call it, its frames (end exclusive), seconds and main label."""
+    """A line for each segment: action, its name, frames (end exclusive), seconds and main label."""
     by_clip = labels_by_clip(dataset)
     text = io.StringIO()
     lines = csv.writer(text, lineterminator="\n")

@@ -16,7 +16,7 @@ from webapp.ui.tables import NUMBER, WRAPPED, Row, column, decimals
 if TYPE_CHECKING:
     from core.synthesis.bakeoff import Contender
 
-NAMES = {  # of the contenders in core/synthesis/bakeoff.py
+NAMES = {  # of the ways in core/synthesis/bakeoff.py
     "grammar": "These rules",
     "state machine": "Only what follows next",
     "sequitur": "Only what is repeated",
@@ -31,7 +31,7 @@ HELP = {
 
 
 class Measure(NamedTuple):
-    """A figure of the contenders: its field, name, unit (% or what stands behind the number), and what it says."""
+    """A figure of the contenders: its field, name, unit (% or what stands behind the number), and what it means."""
 
     field: str
     name: str
@@ -81,7 +81,7 @@ def columns() -> list[dict[str, Any]]:
 
 
 def rows(contenders: Sequence[Contender]) -> list[Row]:
-    """One row a contender."""
+    """A row for each way."""
     return [
         {
             "key": c.name,
@@ -95,7 +95,7 @@ def rows(contenders: Sequence[Contender]) -> list[Row]:
 
 
 def chart(contenders: Sequence[Contender], scheme: str | None) -> go.Figure:
-    """Six small bar charts, a colour a contender; marks show what a bar is to be compared with."""
+    """Six small bar charts, a colour for each way; marks show the values to compare the bars with."""
     titles = [title for _, _, title in _PLOTS]
     figure = make_subplots(rows=2, cols=3, subplot_titles=titles, vertical_spacing=0.16, horizontal_spacing=0.09)
     ink = theme.CANVAS[scheme if scheme in theme.CANVAS else "light"]["text"]

@@ -36,7 +36,7 @@ def placed(root: Node) -> list[Placed]:
 
 def _place(node: Node, path: tuple[int, ...]) -> Iterator[Placed]:
     if node.end == node.start:
-        return  # a part that may be left out, and is
+        return  # an optional part that is left out
     yield Placed(node, path, _MARGIN + (LEAF + GAP) * (node.start + node.end) / 2, len(path))
     for number, child in enumerate(node.children):
         yield from _place(child, (*path, number))
@@ -53,7 +53,7 @@ def tree_svg(
     picked: int | None = None,
     title: str = "How it is built",
 ) -> str:
-    """SVG text of a tree over the actions [0, n). names: what a box says. tones: action -> its colour.
+    """SVG text of a tree over the actions [0, n). names: the text of each box. tones: action -> its colour.
 
     pictures: address of a posture for every action, in order, or none.
 

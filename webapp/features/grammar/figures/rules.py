@@ -25,7 +25,7 @@ def phrase_names(ways: Iterable[Rule], start: str) -> dict[str, str]:
 
 
 def rules_data(ways: Sequence[Rule], start: str) -> list[dict[str, Any]]:
-    """One entry a phrase, the routine first, then the most used: {id, name, seen, cyclic, ways: [{parts, count}]}.
+    """An entry for each phrase, the routine first, then the most used; see ``names.Phrase``.
 
     parts: actions as numbers, phrases as their ids; ways by how often they are taken. cyclic: the phrase can occur
     inside itself.
@@ -48,7 +48,7 @@ def rules_data(ways: Sequence[Rule], start: str) -> list[dict[str, Any]]:
 
 
 def rules_csv(ways: Sequence[Rule], start: str, actions: Mapping[int, str]) -> str:
-    """One line a rule: the phrase, what may stand for it, how often it does. actions: names by number."""
+    """A line for each rule: the phrase, what may stand for it, and how often it does. actions: names by number."""
     names = phrase_names(ways, start)
     text = io.StringIO()
     lines = csv.writer(text, lineterminator="\n")

@@ -16,7 +16,7 @@ from webapp.ui.tables import NUMBER, Row, column
 
 
 class Point(NamedTuple):
-    """What came of one number of actions. F, R, E as in SYN section 4.1; change: of the view, to show the result."""
+    """The result for one number of actions. F, R, E as in SYN section 4.1; change: of the view, to show the result."""
 
     actions: int
     frames: int
@@ -53,7 +53,7 @@ COLUMNS = [
 
 
 def rows(points: Sequence[Point]) -> list[Row]:
-    """One row a point; a click shows its result."""
+    """A row for each number of actions; a click shows its result."""
     return [
         {
             **{name: value for name, value in point._asdict().items() if name not in ("key", "change", "frames")},

@@ -1,4 +1,4 @@
-"""The figures above a grammar: how many actions, how often they recur, how much the rules say."""
+"""The figures above a grammar: number of actions, how often they recur, how well the rules describe them."""
 
 from __future__ import annotations
 

@@ -57,7 +57,7 @@ def clip_columns(dataset: Dataset) -> list[dict]:
 
 
 def clip_rows(dataset: Dataset) -> list[Row]:
-    """One row a clip, in the dataset's order; ``selection`` is what a click selects, ``href`` opens the clip."""
+    """A row for each clip, in the dataset's order; ``selection`` is what a click selects, ``href`` opens the clip."""
     actions: dict[str, Counter[str]] = {}
     for label in dataset.labels:
         actions.setdefault(label.clip, Counter())[label.action] += 1
@@ -85,7 +85,7 @@ def clip_rows(dataset: Dataset) -> list[Row]:
 
 
 def report_rows(files: Iterable[FileReport]) -> list[Row]:
-    """One row a file of the import report, worst first; ``added``: it came with the newest addition."""
+    """A row for each file of the import report, worst first; ``added``: it belongs to the latest addition."""
     files = list(files)
     newest = max((file.addition for file in files), default=0)
     worst_first = sorted(enumerate(files), key=lambda pair: ("error", "warning", "ok").index(pair[1].verdict))

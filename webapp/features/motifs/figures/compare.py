@@ -1,4 +1,4 @@
-"""Two results side by side: a sentence, a table, a picture of what flows where, and what the Stage plays."""
+"""Two results side by side: a sentence, a table, a flow diagram, and what the Stage plays."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ def rows(
     dataset: Dataset,
     names: Mapping[int, str] = MappingProxyType({}),
 ) -> list[Row]:
-    """One row a motif of this result, then one a new motif of the other; names: what people call the first."""
+    """A row for each motif of this result, then for each new one of the other; names: people's names of the former."""
     motifs_a, motifs_b = ({motif.id: motif for motif in graph.motifs} for graph in (a, b))
     overlaps = {(link.a, link.b): link.overlap for link in comparison.links}
 

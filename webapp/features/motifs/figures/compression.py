@@ -21,7 +21,7 @@ _LEAST = 0.02  # smaller errors are those of 16-bit numbers and would only stret
 
 
 def motif_chart(curves: Curves, measure: str, scheme: str | None) -> go.Figure:
-    """Error against share of the uncompressed size, a line a method; points carry (method, motions, components)."""
+    """Error against share of the uncompressed size, a line for each method; points: (method, motions, components)."""
     measure = measure if measure in MEASURES else "cm"
     figure = go.Figure()
     for method, name in METHODS.items():
@@ -40,7 +40,7 @@ def motif_chart(curves: Curves, measure: str, scheme: str | None) -> go.Figure:
 
 
 def dataset_chart(result: Compression, scheme: str | None) -> go.Figure:
-    """Error against size of the whole data set, a line a way to store it, a point a tolerance."""
+    """Error against size of the whole data set, a line for each way to store it, a point for each tolerance."""
     figure = go.Figure()
     for way, name in WAYS.items():
         totals = result.totals(way)
@@ -59,7 +59,7 @@ def dataset_chart(result: Compression, scheme: str | None) -> go.Figure:
 
 
 def motif_sentence(curves: Curves) -> str:
-    """How near each method comes in one size, the smallest round share at which all have something to show."""
+    """The error of each method at the smallest round size that all of them reach."""
     best: Mapping[str, Point] = {}
     share = _SHARES[-1]
     for share in _SHARES:

@@ -66,7 +66,7 @@ def graph_elements(graph: MotifGraph, icons: Mapping[int, Mapping[str, str]]) ->
 
 
 def _loop(edge: Edge, size: np.ndarray) -> dict[str, Any]:
-    """A motif that follows itself: the loop has to reach out of its box."""
+    """The edge of a motif that follows itself, drawn as a loop outside its box."""
     return {"classes": f"loop loop-{math.ceil(size.max() / 40)}"} if edge.source == edge.target else {}
 
 
@@ -91,7 +91,7 @@ def _in_loops(graph: MotifGraph) -> set[int]:
 
 
 def first_threshold(counts: Sequence[int], most: int = MANY_EDGES) -> int:
-    """Smallest count to show at first: 1, or so much that about ``most`` edges stay."""
+    """Smallest count to show at first: 1, or the count above which about ``most`` edges remain."""
     if len(counts) <= most:
         return 1
     ranked = sorted(counts, reverse=True)

@@ -1,4 +1,4 @@
-"""Where the boxes of a graph go: neighbours about one length apart, all else as far as the graph says, no overlaps."""
+"""Places the boxes of a graph without overlaps, neighbours about one length apart, others as far as the graph says."""
 
 from __future__ import annotations
 

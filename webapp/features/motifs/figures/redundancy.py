@@ -18,7 +18,7 @@ SHORT = 0.75  # seconds around a rare posture that are played
 
 
 def kept_chart(report: Redundancy, scheme: str | None) -> go.Figure:
-    """Share of the distinct content against seconds of clips, clip after clip; a mark ends the keep-list."""
+    """Share of the distinct content against seconds of clips, clip after clip; a line ends the clips to keep."""
     seconds = [0.0, *accumulate(clip.seconds for clip in report.clips)]
     shares = [0.0, *(100 * clip.total for clip in report.clips)]
     names = ["nothing", *(clip.clip for clip in report.clips)]
@@ -60,7 +60,7 @@ CLIP_COLUMNS: list[dict[str, Any]] = [
 
 
 def clip_rows(report: Redundancy) -> list[Row]:
-    """One row a clip, the most telling first."""
+    """A row for each clip, the one that adds most first."""
     return [
         {
             "key": str(number),

@@ -120,7 +120,7 @@ def _faded(colour: str, scheme: str) -> str:
 
 
 def legend(layer: Layer) -> list[dict[str, Any]]:
-    """The categories that lead on some node, by how many nodes, at most MOST_NAMED: name, colour, nodes."""
+    """The categories that are the most frequent on some node, at most MOST_NAMED: name, colour, number of nodes."""
     if not layer.names:
         return []
     numbers = layer.values[~np.isnan(layer.values)].astype(int)
@@ -130,7 +130,7 @@ def legend(layer: Layer) -> list[dict[str, Any]]:
 
 
 def scale_of(layer: Layer, scheme: str | None) -> dict[str, str] | None:
-    """What the colours of numbers mean: least, most with its unit, and the colours as CSS; None for categories."""
+    """The colour scale: smallest value, largest with its unit, and the colours as CSS; None for categories."""
     numbers = layer.values[~np.isnan(layer.values)]
     if layer.names or not len(numbers):
         return None

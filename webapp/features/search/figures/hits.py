@@ -1,4 +1,4 @@
-"""What the Search page shows, as plain values: the query's pieces, hits, why a hit is one, and what the Stage plays."""
+"""What the Search page shows, as plain values: the query's pieces, hits, explanations, and what the Stage plays."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from webapp.features.search.names import Strip
 from webapp.features.search.queries import nodes_of, write_hit
 from webapp.ui.tables import clock, strip_address
 
-COLUMNS = 64  # of the strip that tells which parts match when
+COLUMNS = 64  # of the strip that shows which parts match when
 SOURCE_COLOURS = ("#4a7cd8", "#d2762b", "#a45fc0", "#c2486a", "#7f8a2e", "#2f95b0")  # none is the hit's
 HIT_COLOUR = "#3a9b7a"
 _LIMBS = {

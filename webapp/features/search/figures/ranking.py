@@ -33,7 +33,7 @@ Scores = Mapping[str, Mapping[str, RegimeScores]]
 
 
 def measures_table(scores: Scores, regime: str, engines: Mapping[str, str]) -> Component:
-    """A row an engine; each measure's mean with its 95 % interval. engines: name -> its everyday name."""
+    """A row for each engine: each measure's mean with its 95 % interval. engines: name -> its everyday name."""
     scores_by_engine = {name: by[regime] for name, by in scores.items() if regime in by}
     measures = list(dict.fromkeys(m for regime_scores in scores_by_engine.values() for m in regime_scores.measures))
     rows = [
@@ -50,7 +50,7 @@ def explained(scores: Scores, regime: str) -> str:
 
 
 def curves_chart(scores: Scores, regime: str, engines: Mapping[str, str], scheme: str | None) -> go.Figure:
-    """Precision against recall, a line an engine."""
+    """Precision against recall, a line for each engine."""
     figure = go.Figure()
     for number, (name, by) in enumerate(scores.items()):
         if regime in by:

@@ -34,7 +34,7 @@ def lines(
     chosen: Suggestion,
     scheme: str | None,
 ) -> go.Figure:
-    """Two figures along the axis ``name``, each on a scale of its own: a dot a point, median as a line, least to most
+    """Two figures along the axis ``name`` on scales of their own: a dot for each point, median as a line, least to most
     over the seeds as a band. links: (as ``table.shape``) address of each point's result.
     """
     values = list(table.axes[name])

@@ -1,4 +1,4 @@
-"""What charts and tables of a sweep show: the figures' names, units and words, and which two share a chart."""
+"""The measures of a sweep: their names, units and explanations, and which two share a chart."""
 
 from __future__ import annotations
 
@@ -85,7 +85,7 @@ def is_even(values: Sequence[Any]) -> bool:
 
 
 def is_log(values: Sequence[Any]) -> bool:
-    """Whether numbers are shown on a logarithmic scale: those that reach over more than one order or so."""
+    """Whether numbers are shown on a logarithmic scale: those that span more than about one order of magnitude."""
     return not is_even(values) and min(values) > 0 and max(values) / min(values) >= 8
 
 

@@ -14,7 +14,7 @@ from webapp.ui.tables import NUMBER, WRAPPED, Row, column, decimals
 
 
 def columns(table: SweepTable) -> list[dict[str, Any]]:
-    """Result (a link), the axes, the seed, and every figure that any point has."""
+    """Result (a link), the axes, the seed, and all measures that any point has."""
     link = {"field": "open", "headerName": "Result", "width": 84, "cellRenderer": "PointLink", "sortable": False}
     axes = [column(name, name.replace("_", " "), 98, **WRAPPED, **NUMBER) for name in table.axes]
     seed = [column("seed", "Seed", 74, "Number that starts the random choices", **WRAPPED, **NUMBER)]
@@ -27,7 +27,7 @@ def columns(table: SweepTable) -> list[dict[str, Any]]:
 
 
 def rows(table: SweepTable, points: Sequence[MotifParameters], links: np.ndarray) -> list[Row]:
-    """One row a point that is there; links: address of each point's result, as ``table.shape``."""
+    """A row for each computed point; links: address of each point's result, as ``table.shape``."""
     figures = {measure: table.of(measure).ravel() for measure in MEASURES if table.has(measure)}
     ready = [k for k, entry in enumerate(table.figures) if entry is not None]
     addresses = links.ravel()
