@@ -78,8 +78,8 @@ def main() -> str:
         [
             "## Search: accuracy",
             "",
-            f"{len(dataset.clips)} clips ({source}), every clip a query against all others. XSTYLE: clips of the query's "
-            "own content and style removed first. In brackets the 95 % bootstrap interval of mAP. Seconds "
+            f"{len(dataset.clips)} clips ({source}), every clip a query against all others. XSTYLE: clips of the "
+            "query's own content and style removed first. In brackets the 95 % bootstrap interval of mAP. Seconds "
             "(of a busy machine): index and all queries, or all pairs. `python -m benchmarks retrieval`",
             "",
             "| | XSTYLE P@20 | nP@20 | mAP | (95 %) | 1-NN | ALL nP@20 | mAP | 1-NN | style AUC | s |",
