@@ -371,6 +371,7 @@ TASKS: dict[str, Task] = {
     "import": Task("Import", tasks.ImportParameters, tasks.import_upload),
     "add": Task("Add to", tasks.AddParameters, tasks.add_upload),
     "remove": Task("Remove clips from", tasks.RemoveParameters, tasks.remove_clips),
+    "reread": Task("Change how clips are read in", tasks.RereadParameters, tasks.reread_clips),
     "edit": Task("Edit a clip of", tasks.EditParameters, tasks.edit_clip),
     "query": Task("Read", query_files.QueryFileParameters, _read_query),
     "demo": Task("Demo", DemoParameters, _make_demo),

@@ -41,3 +41,8 @@ def remove_request(name: str, clips: Iterable[str]) -> Request:
 def edit_request(name: str, clip: str, action: str, **options: Any) -> Request:
     """The request that edits a clip of the data set ``name``; options as in tasks.EditParameters."""
     return Request(name, "edit", {"clip": clip, "action": action, **options})
+
+
+def reread_request(name: str, **options: Any) -> Request:
+    """The request that changes how clips of the data set ``name`` are read; options as in tasks.RereadParameters."""
+    return Request(name, "reread", options)

@@ -11,16 +11,28 @@ from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
-from core.inspection.body import floor_notes, size_doubts, up_doubts
+import numpy as np
+
+from core.inspection.body import body_doubts, floor_notes, side_doubts, size_doubts, up_doubts
 from core.inspection.duplicates import find_duplicates
 from core.inspection.timing import Jump, find_jumps, rate_doubts, rest_pose_frames
+from core.mocap.anatomy import find_anatomy
 from core.mocap.asfamc import AsfSkeleton, read_asf
 from core.mocap.clip import Clip
-from core.mocap.dataset import Dataset, FileReport, ImportReport, motion_digest, read_recordings
+from core.mocap.dataset import (
+    READ_AS_THEY_ARE,
+    Dataset,
+    FileReport,
+    ImportReport,
+    motion_digest,
+    read_recordings,
+)
 from core.mocap.errors import RecordingError
 from core.mocap.kinematics import joint_positions
+from core.mocap.reading import Reading
 from core.mocap.reports import Finding
 from core.mocap.text import recording_format
+from core.mocap.units import name_of
 from core.progress import Report, silent
 
 __all__ = [
@@ -67,13 +79,14 @@ def find_doubts(clip: Clip) -> Inspection:
     positions = joint_positions(clip)
     jumps = find_jumps(clip, positions)
     lead, why = rest_pose_frames(clip, positions, jumps)
-    before = [*clip.findings, *size_doubts(clip.skeleton)]
+    before = [*clip.findings, *body_doubts(clip.skeleton), *size_doubts(clip.skeleton)]
     if lead:
         frames = "frame 0" if lead == 1 else f"frames 0 to {lead - 1}"
         before.append(Finding("rest pose", f"{frames} before the motion: {why}, then a jump", 0, lead))
     jumps = [jump for jump in jumps if jump.frame > lead]
     sliding, remarks = floor_notes(clip, positions[lead:])
-    after = [*rate_doubts(clip, positions), *up_doubts(clip, positions[lead:]), *sliding]
+    turned = [*up_doubts(clip, positions[lead:]), *side_doubts(clip, positions[lead:])]
+    after = [*rate_doubts(clip, positions), *turned, *sliding]
     findings = dict.fromkeys([*before, *_jump_findings(clip, jumps), *after])
     doubts = dict.fromkeys([*(f.message for f in before), *_jump_words(clip, jumps), *(f.message for f in after)])
     return Inspection(tuple(findings), tuple(doubts), (*clip.notes, *remarks), lead)
@@ -110,24 +123,62 @@ def inspect_skeleton(asf: AsfSkeleton) -> tuple[str, ...]:
     return tuple(finding.message for finding in (*asf.findings, *size_doubts(asf.skeleton)))
 
 
-def inspect_file(path: str | Path, *, skeleton: str | Path | None = None, fps: float | None = None) -> FileReport:
+def inspect_file(
+    path: str | Path, *, skeleton: str | Path | None = None, how: Reading = READ_AS_THEY_ARE
+) -> FileReport:
     """Read and inspect one file; an ``.asf`` is checked as a skeleton. What cannot be read is an "error" that says why.
 
-    skeleton, fps: for .amc files, as in open_dataset. Raises ValueError where fps is not positive.
+    skeleton: for .amc files, as in open_dataset. how: what was said beside the file.
     """
+    return inspect_recording(path, skeleton=skeleton, how=how)[0]
+
+
+def inspect_recording(
+    path: str | Path, *, skeleton: str | Path | None = None, how: Reading = READ_AS_THEY_ARE
+) -> tuple[FileReport, Facts | None]:
+    """As :func:`inspect_file`, with the facts of what was read; of several clips in the file, of the first."""
     path = Path(path)
     try:
         if recording_format(path)[1] == ".asf":
             asf = read_asf(path)
             notes = (f"a skeleton of {asf.skeleton.n_joints} joints and tips", *asf.notes)
             doubts = inspect_skeleton(asf)
-            return FileReport(str(path), None, "warning" if doubts else "ok", (*doubts, *notes))
-        file, clip = next(iter(read_recordings(path, skeleton=skeleton, fps=fps)))
+            return FileReport(str(path), None, "warning" if doubts else "ok", (*doubts, *notes)), None
+        file, clip = next(iter(read_recordings(path, skeleton=skeleton, how=how)))
     except RecordingError as error:
         file, clip = error, None
     if clip is None or isinstance(file, RecordingError):
-        return FileReport(str(path), None, "error", (str(file),))
-    return _file_report(FileReport(str(path), clip.name, file.verdict, file.messages), find_doubts(clip))
+        return FileReport(str(path), None, "error", (str(file),)), None
+    report = FileReport(str(path), clip.name, file.verdict, file.messages)
+    return _file_report(report, find_doubts(clip)), facts_of(clip)
+
+
+class Facts(NamedTuple):
+    """A recording in numbers, as ``inspect --json`` gives them.
+
+    unit: its name in core.mocap.units.UNITS, else the number of metres. up: the axis that points up in the file.
+    height: of the body, metres; of what is no body, of the whole figure in its highest frame. body: "human", "partial"
+    or "other". joints: canonical name -> joint name.
+    """
+
+    frames: int
+    fps: float
+    unit: str
+    up: str
+    height: float
+    body: str
+    joints: dict[str, str]
+
+
+def facts_of(clip: Clip) -> Facts:
+    """The facts of a clip."""
+    anatomy = find_anatomy(clip.skeleton)
+    joints = {name: clip.skeleton.names[joint] for name, joint in anatomy.joints.items()}
+    height = anatomy.body_height
+    if anatomy.body == "other":
+        height = float(np.ptp(joint_positions(clip)[..., 1], axis=1).max())
+    unit = name_of(clip.skeleton.unit)
+    return Facts(clip.n_frames, clip.fps, unit, clip.up, round(height, 4), anatomy.body, joints)
 
 
 def inspect_dataset(dataset: Dataset, report: Report = silent) -> ImportReport:

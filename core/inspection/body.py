@@ -5,13 +5,17 @@ from __future__ import annotations
 import numpy as np
 
 from core.editing.contacts import floor_height, sole_points
-from core.mocap.anatomy import find_anatomy
+from core.mocap.anatomy import Anatomy, find_anatomy
 from core.mocap.clip import Clip
 from core.mocap.reports import Finding
 from core.mocap.skeleton import Skeleton
-from core.mocap.units import LONGEST_BONE, SPANS, span
+from core.mocap.units import LONGEST_BONE, SPANS, height_doubt, span
 
 _FLOOR = 0.25  # metres from zero that are worth a word
+_FEW = 5  # joints, tips among them: what has no more may have any size
+_FOUR_LIMBS = 12  # joints of two arms and two legs: what has fewer is nobody's animal either
+_FOOT, _BEND = 0.04, 0.04  # of the body's height: how far toes or knees must stand out to show the way forward
+_SWAPPED = 0.85  # share of the frames in which left is on the right
 _SLIDING, _LOW = 1.0, 0.03  # m/s of the slowest foot while the lowest is within 3 cm of the floor
 
 
@@ -23,11 +27,72 @@ def size_doubts(skeleton: Skeleton) -> list[Finding]:
         parent = skeleton.names[skeleton.parents[longest]]
         words = f"{skeleton.names[longest]} is {lengths[longest]:.4g} m away from {parent}: no body is that large"
         return [Finding("size", words)]
+    if words := height_doubt(skeleton):
+        return [Finding("size", words)]
     size = span(skeleton.parents, skeleton.offsets)
-    if skeleton.n_joints > 5 and not SPANS[0] <= size <= SPANS[1]:
+    if skeleton.n_joints > _FEW and find_anatomy(skeleton).body == "other" and not SPANS[0] <= size <= SPANS[1]:
         words = f"the skeleton spans {size:.3g} m from tip to tip: not the size of a person; check the unit"
         return [Finding("size", words)]
     return []
+
+
+def body_doubts(skeleton: Skeleton) -> list[Finding]:
+    """What is no human, and what is a part of one."""
+    anatomy = find_anatomy(skeleton)
+    if anatomy.body == "partial":
+        return [Finding("body", f"a part of a human body: no {', no '.join(anatomy.missing)}")]
+    if anatomy.body == "other" and skeleton.n_joints >= _FOUR_LIMBS:
+        words = "no human body is recognised (an animal, a prop?): it is compared with clips of its own rig only"
+        return [Finding("body", words)]
+    return []
+
+
+def side_doubts(clip: Clip, positions: np.ndarray) -> list[Finding]:
+    """Whether what is called left lies on the body's right, as in a mirrored export.
+
+    positions: (n_frames, n_joints, 3), metres, world. Forward is where the toes point and where the knees bend to.
+    """
+    anatomy = find_anatomy(clip.skeleton)
+    joints = anatomy.joints
+    pair = next((p for p in ("hip", "shoulder") if {f"left_{p}", f"right_{p}"} <= joints.keys()), "")
+    if not pair or not anatomy.head_tip:
+        return []
+    left = positions[:, joints[f"left_{pair}"]] - positions[:, joints[f"right_{pair}"]]
+    up = positions[:, anatomy.head_tip] - positions[:, 0]
+    votes = []
+    for forward, least in ((_toes(anatomy, positions), _FOOT), (_knees(anatomy, positions), _BEND)):
+        if forward is None:
+            continue
+        across = np.cross(up, forward)
+        size = np.linalg.norm(across, axis=1) / np.maximum(np.linalg.norm(up, axis=1), 1e-9)
+        clear = size > least * anatomy.body_height
+        if clear.any():
+            votes.append(float(np.mean((across * left).sum(1)[clear] < 0)))
+    if votes and min(votes) > _SWAPPED:
+        words = "left and right seem swapped: what is called left lies on the body's right, as in a mirrored export"
+        return [Finding("sides", words)]
+    return []
+
+
+def _toes(anatomy: Anatomy, positions: np.ndarray) -> np.ndarray | None:
+    """Where the feet point, ``(n, 3)``: from the ankles to what lies furthest from them below."""
+    lines = []
+    for ankle, _ in anatomy.feet:
+        below = list(anatomy.foot_joints(ankle))
+        away = positions[:, below] - positions[:, [ankle]]
+        lines.append(away[:, int(np.linalg.norm(away, axis=-1).mean(0).argmax())])
+    return np.sum(lines, axis=0) if lines else None
+
+
+def _knees(anatomy: Anatomy, positions: np.ndarray) -> np.ndarray | None:
+    """Where the knees are against the line from hip to ankle, ``(n, 3)``, both legs together."""
+    lines = []
+    for hip, knee, ankle in anatomy.legs:
+        leg = positions[:, ankle] - positions[:, hip]
+        out = positions[:, knee] - positions[:, hip]
+        share = (out * leg).sum(1) / np.maximum((leg * leg).sum(1), 1e-9)
+        lines.append(out - share[:, None] * leg)
+    return np.sum(lines, axis=0) if lines else None
 
 
 def up_doubts(clip: Clip, positions: np.ndarray) -> list[Finding]:

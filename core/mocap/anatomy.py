@@ -17,6 +17,7 @@ import numpy as np
 from core.errors import ParameterError
 from core.mocap import anatomy_shape as shape
 from core.mocap.anatomy_names import CHOOSING_ORDER, LIMB_NAMES, TRUNK_NAMES, ParsedName, parse_name
+from core.mocap.body_kinds import ARM, LEG, BodyKind, kind_of_body, missing_parts
 from core.mocap.skeleton import Skeleton
 
 SIDES = ("left", "right")
@@ -27,6 +28,8 @@ CANONICAL: tuple[str, ...] = (
 )
 # Share of the stature below the ankle and above the head joint (Drillis and Contini 1966; ear canal to crown).
 _BELOW_ANKLE, _ABOVE_HEAD = 0.039, 0.08
+# Shares of hip to ankle, shoulder to wrist, and (what is left) pelvis to head joint, for bodies that are not whole.
+_LEG_SHARE, _ARM_SHARE, _TRUNK_SHARE = 0.491, 0.332, 0.39
 
 
 @dataclass(frozen=True, eq=False)
@@ -38,9 +41,12 @@ class Anatomy:
         among them: the pelvis (its height and tilt are features of their own), twist, finger, face and helper joints,
         and end sites. All turning joints but the root where no body is recognised.
     sides: per joint ``"left"``, ``"right"`` or ``"centre"``.
-    body_height: metres, from rest bone lengths: leg, trunk and head, with the usual share for the foot's height.
+    body_height: metres, from rest bone lengths: leg, trunk and head, with the usual share for the foot's height; of a
+        partial body, what the parts that are there speak for; of another, the longest way along its bones.
     head_tip: joint index of the crown (the head joint itself, or the last trunk joint, where there is no tip).
     by_name: False where arms and legs had to be told from the tree's shape alone.
+    body: ``"human"``, ``"partial"`` or ``"other"``: an animal, a prop; then ``joints`` has the pelvis only, which is
+        the root. missing: what a person has and a partial body has not, in words.
     """
 
     skeleton: Skeleton
@@ -50,6 +56,8 @@ class Anatomy:
     body_height: float
     head_tip: int
     by_name: bool
+    body: BodyKind = "human"
+    missing: tuple[str, ...] = ()
 
     def side(self, joint: int) -> str:
         """``"left"``, ``"right"`` or ``"centre"`` for a joint index."""
@@ -75,10 +83,11 @@ class Anatomy:
 def find_anatomy(skeleton: Skeleton, corrections: Mapping[str, str | int | None] | None = None) -> Anatomy:
     """The body in ``skeleton``; the answer is kept, so asking again costs nothing.
 
-    corrections: canonical name -> joint name or index that replaces the guess, or None for "there is none".
-    Raises ValueError for a canonical name or a joint that does not exist.
+    corrections: canonical name -> joint name or index that replaces the guess, or None for "there is none"; beside
+    those of the skeleton itself. Raises ValueError for a canonical name or a joint that does not exist.
     """
-    fixed = tuple(sorted((corrections or {}).items(), key=lambda item: item[0]))
+    corrections = {**dict(skeleton.corrections), **(corrections or {})}
+    fixed = tuple(sorted(corrections.items(), key=lambda item: item[0]))
     return _find(skeleton, tuple((name, _joint(skeleton, name, joint)) for name, joint in fixed))
 
 
@@ -99,8 +108,9 @@ def _joint(skeleton: Skeleton, name: str, joint: str | int | None) -> int | None
 def _find(skeleton: Skeleton, corrections: tuple[tuple[str, int | None], ...]) -> Anatomy:
     parsed = [parse_name(name) for name in skeleton.names]
     limbs = {(side, limb): _limb_by_name(skeleton, parsed, side, limb) for side in SIDES for limb in LIMB_NAMES}
-    by_name = all(_complete(limbs[side, limb], limb) for side in SIDES for limb in LIMB_NAMES)
-    if not by_name:
+    named = sum(_is_named(found, limb) for (_, limb), found in limbs.items())
+    by_name = named > 0
+    if named < len(limbs):
         limbs = _limbs_by_shape(skeleton, parsed, limbs)
     joints = {"pelvis": 0}
     for (side, _), found in limbs.items():
@@ -111,6 +121,9 @@ def _find(skeleton: Skeleton, corrections: tuple[tuple[str, int | None], ...]) -
         if joint is not None:
             joints[name] = joint
     joints = {name: joints[name] for name in CANONICAL if name in joints}
+    body = skeleton.body or kind_of_body(skeleton, joints, by_name or bool(corrections))
+    if body == "other":
+        joints = {"pelvis": 0}
     tip = _head_tip(skeleton, joints)
     return Anatomy(
         skeleton=skeleton,
@@ -120,19 +133,21 @@ def _find(skeleton: Skeleton, corrections: tuple[tuple[str, int | None], ...]) -
         body_height=_body_height(skeleton, joints, tip),
         head_tip=tip,
         by_name=by_name,
+        body=body,
+        missing=tuple(missing_parts(joints)) if body == "partial" else (),
     )
 
 
-def _complete(found: dict[str, int], limb: str) -> bool:
-    return all(
-        part in found for part in (("hip", "knee", "ankle") if limb == "leg" else ("shoulder", "elbow", "wrist"))
-    )
+def _is_named(found: dict[str, int], limb: str) -> bool:
+    """Whether names gave at least two of the joints that make a limb: then its names are believed."""
+    return sum(part in found for part in (LEG if limb == "leg" else ARM)) >= 2
 
 
 def _limb_by_name(skeleton: Skeleton, parsed: list[ParsedName], side: str, limb: str) -> dict[str, int]:
     """Joints of one limb that have a known name and hang from one another; nothing where they do not."""
     first: dict[str, int] = {}
-    for j, (joint_side, part) in enumerate(parsed):
+    helpers_last = sorted(enumerate(parsed), key=lambda item: skeleton.names[item[0]].startswith("_"))
+    for j, (joint_side, part) in helpers_last:
         if joint_side == side and not skeleton.end_sites[j]:
             first.setdefault(part, j)
     joints: dict[str, int] = {}
@@ -140,23 +155,45 @@ def _limb_by_name(skeleton: Skeleton, parsed: list[ParsedName], side: str, limb:
         name = next((n for n in LIMB_NAMES[limb][part] if n in first and first[n] not in joints.values()), None)
         if name is not None:
             joints[part] = first[name]
+    upper, middle, lower = LEG if limb == "leg" else ARM
+    if middle not in joints and {upper, lower} <= joints.keys():
+        joints |= _between(skeleton, joints[upper], joints[lower], middle)
     chain = [joints[part] for part in LIMB_NAMES[limb] if part in joints]
     hangs = all(a in shape.ancestors(skeleton, b) for a, b in pairwise(chain))
     return {part: joints[part] for part in LIMB_NAMES[limb] if part in joints} if hangs else {}
+
+
+def _between(skeleton: Skeleton, top: int, bottom: int, name: str) -> dict[str, int]:
+    """The joint between two others that divides the way best, under ``name``; nothing where none lies between."""
+    line = shape.path(skeleton, top, bottom)
+    length = np.cumsum([0.0, *np.linalg.norm(skeleton.offsets[line[1:]], axis=1)]) if line else np.zeros(1)
+    inner = range(1, len(line) - 1)
+    best = max(inner, key=lambda k: min(length[k], length[-1] - length[k]), default=None)
+    return {} if best is None else {name: line[best]}
 
 
 _Limbs = dict[tuple[str, str], dict[str, int]]  # by side and limb: part -> joint
 
 
 def _limbs_by_shape(skeleton: Skeleton, parsed: list[ParsedName], named: _Limbs) -> _Limbs:
-    """Limbs told from the tree; a pair that names gave completely is kept as it is."""
-    limbs = dict(named)
+    """Limbs told from the tree where names gave none; a limb that has a name is kept, and no joint is used twice."""
+    limbs = {key: found if _is_named(found, key[1]) else {} for key, found in named.items()}
+    used = {j for found in limbs.values() if found for j in shape.subtree(skeleton, next(iter(found.values())))}
     for limb, pair in shape.find_limbs(skeleton).items():
-        if all(_complete(named[side, limb], limb) for side in SIDES):
+        taken = any(limbs[side, limb] for side in SIDES)
+        if taken or used & {j for chain in pair for j in chain.values()} or _named_otherwise(parsed, limb, pair):
             continue
         left, right = sorted(pair, key=lambda chain: not _is_left(skeleton, parsed, chain, pair))
         limbs["left", limb], limbs["right", limb] = left, right
     return limbs
+
+
+def _named_otherwise(parsed: list[ParsedName], limb: str, pair: tuple[dict[str, int], dict[str, int]]) -> bool:
+    """Whether the names along a pair of chains are those of the other limb (arms where legs are looked for)."""
+    words = {other: {n for names in parts.values() for n in names} for other, parts in LIMB_NAMES.items()}
+    (other,) = (name for name in words if name != limb)
+    parts = {parsed[j].part for chain in pair for j in chain.values()}
+    return bool(parts & (words[other] - words[limb]))
 
 
 def _is_left(
@@ -199,6 +236,10 @@ def _trunk(skeleton: Skeleton, parsed: list[ParsedName], joints: dict[str, int])
         trunk["spine"] = path[0]
     if head is not None:
         between = [j for j in shape.path(skeleton, chest, head)[1:-1] if j]
+        if named["neck"] in between:
+            between = [named["neck"]]
+        elif not chest:  # of a trunk without arms, only what is next to the head
+            between = between[-1:]
         trunk |= {"neck": between[0], "head": head} if between else {"head": head}
     elif named["neck"] is not None:
         trunk["neck"] = named["neck"]
@@ -238,7 +279,11 @@ def _body_height(skeleton: Skeleton, joints: dict[str, int], tip: int) -> float:
 
     legs = [along(joints[f"{s}_hip"], joints[f"{s}_ankle"]) for s in SIDES if {f"{s}_hip", f"{s}_ankle"} <= set(joints)]
     if not legs or tip == 0:
-        return float(shape.reach(skeleton)[0])
+        arms = [along(joints[f"{s}_shoulder"], joints[f"{s}_wrist"]) for s in SIDES if f"{s}_wrist" in joints]
+        spine = [along(0, joints["head"])] if "head" in joints else []
+        parts = ((legs, _LEG_SHARE), (arms, _ARM_SHARE), (spine, _TRUNK_SHARE))
+        heights = [float(np.mean(lengths)) / share for lengths, share in parts if lengths and max(lengths) > 0]
+        return float(np.mean(heights)) if heights else float(shape.reach(skeleton)[0])
     head = joints.get("head", tip)
     trunk = along(0, head)
     crown = along(head, tip) if tip != head else 0.0

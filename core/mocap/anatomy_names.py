@@ -13,14 +13,14 @@ from typing import NamedTuple
 LIMB_NAMES: dict[str, dict[str, tuple[str, ...]]] = {
     "leg": {
         "hip": ("upleg", "upperleg", "thigh", "femur", "legupper", "hip"),
-        "knee": ("lowerleg", "lowleg", "calf", "tibia", "shin", "knee", "leglower", "leg"),
+        "knee": ("lowerleg", "lowleg", "loleg", "calf", "tibia", "shin", "knee", "leglower", "leg"),
         "ankle": ("ankle", "foot"),
         "toe": ("toebase", "toes", "toe", "ball", "forefoot", "foot"),
     },
     "arm": {
         "clavicle": ("clavicle", "collar", "collarbone", "clav", "shoulder"),
         "shoulder": ("upperarm", "uparm", "humerus", "armupper", "shldr", "arm", "shoulder"),
-        "elbow": ("forearm", "lowerarm", "lowarm", "radius", "elbow", "armlower"),
+        "elbow": ("forearm", "lowerarm", "lowarm", "loarm", "radius", "elbow", "armlower"),
         "wrist": ("wrist", "hand"),
     },
 }

@@ -87,8 +87,6 @@ def _clip(raw: RawBvh, name: str, unit: float | None) -> Clip:
     parents = tuple(-1 if j == pelvis else index[raw.joints[j].parent] for j in keep)
     offsets = offsets[keep]
     offsets[0] = 0
-    if unit is None:
-        unit = _guessed(parents, offsets, notes, findings)
     if tracks:
         moving = ", ".join(names[j] for j in list(tracks)[:5]) + (" ..." if len(tracks) > 5 else "")
         notes.append(f"{len(tracks)} joints below the pelvis also change place ({moving}): kept as translation tracks")
@@ -101,11 +99,15 @@ def _clip(raw: RawBvh, name: str, unit: float | None) -> Clip:
     skeleton = Skeleton(
         names=tuple(names[j] for j in keep),
         parents=parents,
-        offsets=offsets * unit,
+        offsets=offsets,
         end_sites=tuple(raw.joints[j].end_site for j in keep),
         channels=tuple(raw.joints[j].channels for j in keep),
-        unit=unit,
     )
+    if unit is None:
+        guess = guess_unit(skeleton)
+        unit = guess.metres
+        notes.append(f"no unit in a BVH file: {guess.words}")
+    skeleton = replace(skeleton, offsets=offsets * unit, unit=unit)
     return Clip(
         name=name,
         skeleton=skeleton,
@@ -235,18 +237,6 @@ def _offsets(raw: RawBvh, pelvis: int, added: bool) -> tuple[np.ndarray, dict[in
         else:
             tracks[j] = positions
     return offsets, tracks
-
-
-def _guessed(parents: Sequence[int], offsets: np.ndarray, notes: list[str], findings: list[Finding]) -> float:
-    guess, length = guess_unit(parents, offsets), span(parents, offsets)
-    notes.append(f"no unit in a BVH file: taken as {guess.words}, for a span of {length * guess.metres:.2f} m")
-    if not guess.believable:
-        words = (
-            f"the skeleton spans {length:.4g} units from tip to tip, the size of a person in no common unit; "
-            f"taken as {guess.words}"
-        )
-        findings.append(Finding("unit", words))
-    return guess.metres
 
 
 def _frame_rate(frame_time: float) -> float:

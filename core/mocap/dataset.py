@@ -16,16 +16,21 @@ from core.errors import ParameterError
 from core.mocap.asfamc import DEFAULT_FPS, AsfSkeleton, read_amc, read_asf
 from core.mocap.bvh import read_bvh_clips
 from core.mocap.clip import Clip, Label
+from core.mocap.corrections import BodyCorrections, read_corrections
 from core.mocap.errors import RecordingError
 from core.mocap.label_files import find_label_files, find_labels
 from core.mocap.labels import fit_labels, read_labels
+from core.mocap.reading import Reading, settled
 from core.mocap.recordings import Recording, Source, find_recordings, find_skeleton, name_recordings
 from core.mocap.reports import FileReport, ImportReport, Verdict
 from core.mocap.skeleton import Skeleton
 from core.mocap.text import recording_format
+from core.mocap.units import metres_of
+from core.mocap.upright import axis_of
 from core.progress import Report, silent
 
 __all__ = ["Dataset", "FileReport", "ImportReport", "find_recordings", "open_dataset", "read_recordings"]
+READ_AS_THEY_ARE = Reading()  # nothing was said
 _BATCH = 8  # files read at a time: bounds what is in memory before the caller has stored it
 
 
@@ -114,7 +119,10 @@ def open_dataset(
     *,
     name: str | None = None,
     skeleton: str | Path | None = None,
+    unit: str | float | None = None,
+    up: str | None = None,
     fps: float | None = None,
+    body: str | Path | BodyCorrections | None = None,
     clips: Iterable[str] | str | None = None,
     labels: str | Path | None = None,
     on_error: Literal["raise", "report"] = "raise",
@@ -122,15 +130,18 @@ def open_dataset(
 ) -> Dataset:
     """Read a folder of recordings (and all below), one file, or several of either.
 
-    skeleton: .asf for .amc files that have none beside them. fps: frame rate of all recordings, in place of what they
-    say (AMC says nothing: 120 where not given).
+    skeleton: .asf for .amc files that have none beside them. unit: of length in the files (a name of
+    core.mocap.units.UNITS, or metres); up: the axis that points up in them; both are found out from the body where not
+    given. fps: frame rate of all recordings, in place of what they say (AMC says nothing: 120 where not given). body:
+    corrections of bodies, or the JSON file that holds them.
     clips: names of the clips to read (or one string, with commas); all others are left alone. labels: CSV file or
     folder; where not given, the label files of the source folders (see label_files). on_error "report": what cannot be
     read stands in the report instead of raising. Raises RecordingError for the first file that cannot be read, where
     there is nothing to read or a clip of ``clips`` does not exist, ValueError where fps is not positive.
     """
     read, files = [], []
-    for file, clip in read_recordings(source, skeleton=skeleton, fps=fps, clips=clips, report=report):
+    how = reading(unit, up, fps, body)
+    for file, clip in read_recordings(source, skeleton=skeleton, how=how, clips=clips, report=report):
         if isinstance(file, RecordingError):
             if on_error == "raise":
                 raise file
@@ -168,18 +179,16 @@ def read_recordings(
     source: Source,
     *,
     skeleton: str | Path | None = None,
-    fps: float | None = None,
+    how: Reading = READ_AS_THEY_ARE,
     clips: Iterable[str] | str | None = None,
     report: Report = silent,
 ) -> Iterator[tuple[FileReport | RecordingError, Clip | None]]:
     """Read recordings one after another (two at a time behind the scenes), in the order of their paths.
 
     Yields for each file its report and clip, or the RecordingError and None; parameters as in :func:`open_dataset`.
-    Clips of equal skeletons share one. Raises RecordingError where there is nothing to read, ParameterError for a bad
-    fps.
+    how: what was said beside the files. Clips of equal skeletons share one. Raises RecordingError where there is
+    nothing to read.
     """
-    if fps is not None and not 0 < fps < 1e6:
-        raise ParameterError(f"frame rate must be positive, not {fps}")
     recordings = name_recordings(source, clips)
     if not recordings:
         raise RecordingError(source if isinstance(source, str | os.PathLike) else source[0], "no clip is chosen")
@@ -191,7 +200,7 @@ def read_recordings(
         for start in range(0, len(jobs), _BATCH):
             report("Reading recordings", start / len(jobs))
             batch = jobs[start : start + _BATCH]
-            read: list[tuple[Clip, ...] | RecordingError] = parallel(delayed(_read)(*job, fps) for job in batch)
+            read: list[tuple[Clip, ...] | RecordingError] = parallel(delayed(_read)(*job, how) for job in batch)
             for (recording, _), one in zip(batch, read, strict=True):
                 yield from _reported(recording, one, shared)
     report("Reading recordings", 1.0)
@@ -230,13 +239,29 @@ def _skeleton_of(
 
 
 def _read(
-    recording: Recording, asf: AsfSkeleton | RecordingError | None, fps: float | None
+    recording: Recording, asf: AsfSkeleton | RecordingError | None, how: Reading
 ) -> tuple[Clip, ...] | RecordingError:
     if isinstance(asf, RecordingError):
         return asf
     try:
         if asf is None:
-            return read_bvh_clips(recording.path, fps=fps)
-        return (read_amc(recording.path, asf, fps or DEFAULT_FPS),)
+            clips = read_bvh_clips(recording.path, fps=how.fps)
+        else:
+            clips = (read_amc(recording.path, asf, how.fps or DEFAULT_FPS),)
+        return tuple(settled(clip, how) for clip in clips)
     except RecordingError as error:
         return error
+    except ParameterError as error:  # a correction that does not fit
+        return RecordingError(recording.path, str(error))
+
+
+def reading(
+    unit: str | float | None = None,
+    up: str | None = None,
+    fps: float | None = None,
+    body: str | Path | BodyCorrections | None = None,
+) -> Reading:
+    """What was said about recordings, from the words it was said with. Raises ParameterError, FormatError, OSError."""
+    metres = metres_of(unit) if isinstance(unit, str) else unit
+    corrections = read_corrections(body) if isinstance(body, str | Path) else body
+    return Reading(metres, axis_of(up) if up else None, fps, corrections)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
@@ -21,6 +21,8 @@ class Skeleton:
     end_sites: (n_joints,) True for tips without channels of their own.
     channels: per joint, the source's channel names in file order (BVH spelling: ``Zrotation``, ``Xposition`` ...).
     unit: metres per length unit of the source file, so that a file can be written back.
+    corrections: (canonical name, joint name or None) where someone said which joint is which, or that there is none, in
+        place of what core.mocap.anatomy finds; body: "human", "partial" or "other" where someone said it.
     Raises ValueError for cycles, a child before its parent, duplicate names or wrong shapes.
     """
 
@@ -30,6 +32,8 @@ class Skeleton:
     end_sites: tuple[bool, ...] = ()
     channels: tuple[tuple[str, ...], ...] = ()
     unit: float = 1.0
+    corrections: tuple[tuple[str, str | None], ...] = ()
+    body: Literal["human", "partial", "other"] | None = None
     fingerprint: str = field(init=False, default="")
 
     def __post_init__(self) -> None:
@@ -44,7 +48,10 @@ class Skeleton:
         object.__setattr__(self, "offsets", offsets)
         object.__setattr__(self, "end_sites", tuple(self.end_sites) or (False,) * n)
         object.__setattr__(self, "channels", tuple(self.channels) or _default_channels(self.end_sites))
+        object.__setattr__(self, "corrections", tuple(sorted(map(tuple, self.corrections))))
         text = repr((self.names, tuple(map(int, self.parents)), self.end_sites)).encode() + offsets.tobytes()
+        if self.corrections or self.body:
+            text += repr((self.corrections, self.body)).encode()
         object.__setattr__(self, "fingerprint", hashlib.blake2b(text, digest_size=8).hexdigest())
 
     def to_json(self) -> dict[str, Any]:
@@ -56,7 +63,7 @@ class Skeleton:
             "end_sites": [bool(end) for end in self.end_sites],
             "channels": [list(channels) for channels in self.channels],
             "unit": self.unit,
-        }
+        } | ({"corrections": [list(pair) for pair in self.corrections], "body": self.body} if self.is_corrected else {})
 
     @classmethod
     def from_json(cls, entry: Mapping[str, Any]) -> Skeleton:
@@ -68,6 +75,8 @@ class Skeleton:
             end_sites=tuple(entry["end_sites"]),
             channels=tuple(tuple(channels) for channels in entry["channels"]),
             unit=entry["unit"],
+            corrections=tuple((name, joint) for name, joint in entry.get("corrections", ())),
+            body=entry.get("body"),
         )
 
     def __eq__(self, other: object) -> bool:
@@ -75,6 +84,11 @@ class Skeleton:
 
     def __hash__(self) -> int:
         return hash(self.fingerprint)
+
+    @property
+    def is_corrected(self) -> bool:
+        """Whether someone said what is what in this body."""
+        return bool(self.corrections or self.body)
 
     @property
     def n_joints(self) -> int:

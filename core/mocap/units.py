@@ -1,4 +1,4 @@
-"""BVH has no unit of length: guess it from the size of the body."""
+"""Units of length: their names, and which one a file is in that does not say it, from the size of the body."""
 
 from __future__ import annotations
 
@@ -7,26 +7,63 @@ from typing import NamedTuple
 
 import numpy as np
 
+from core.errors import ParameterError
+from core.mocap.anatomy import find_anatomy
+from core.mocap.skeleton import Skeleton
 
-class UnitGuess(NamedTuple):
-    """Metres per unit, in words, and whether the body then has a size that people have."""
+UNITS = {
+    "m": (1.0, "metres"),
+    "dm": (0.1, "decimetres"),
+    "cm": (0.01, "centimetres"),
+    "mm": (0.001, "millimetres"),
+    "in": (0.0254, "inches"),
+    "ft": (0.3048, "feet"),
+    "cmu": (0.0254 / 0.45, "CMU's unit"),  # an inch divided by 0.45
+}
+"""Name -> metres, and the name in words."""
 
-    metres: float
-    words: str
-    believable: bool
-
-
-# Metres per unit, and the range of tip-to-tip lengths (see span) that is taken for it. A grown person spans 1.9 to
-# 2.6 m from the finger tips to the toes, a child from about 1.3 m. CMU's unit is an inch divided by 0.45.
-_UNITS = (
-    (1.0, 1.0, 4.5, "metres"),
-    (0.0254 / 0.45, 20.0, 75.0, "CMU's unit"),
-    (0.0254, 75.0, 130.0, "inches"),
-    (0.01, 130.0, 450.0, "centimetres"),
-    (0.001, 1300.0, 4500.0, "millimetres"),
-)
+_GUESSED = ("m", "dm", "cmu", "in", "cm", "mm")
+_TYPICAL = 1.7  # metres: of units that come near it, the nearest
+HEIGHTS = (1.2, 2.15)  # metres that people are tall, from a child of six or seven
+# Of what is no person, by the longest way along the bones, in units.
+_SPANS = {"m": (1.0, 4.5), "cmu": (20.0, 75.0), "in": (75.0, 130.0), "cm": (130.0, 450.0), "mm": (1300.0, 4500.0)}
 SPANS = (0.9, 4.5)  # metres from tip to tip that a body may have, with room for parts of a body and for giants
 LONGEST_BONE = 1.2  # metres
+
+
+class UnitGuess(NamedTuple):
+    """A unit (of UNITS), metres per unit, and the sentence that says what was taken and why."""
+
+    name: str
+    metres: float
+    words: str
+
+
+def metres_of(unit: str) -> float | None:
+    """Metres per unit of the name ``unit``, or of a number of metres; None for "auto". Raises ParameterError."""
+    word = unit.strip().lower()
+    if word == "auto":
+        return None
+    if word in UNITS:
+        return UNITS[word][0]
+    try:
+        metres = float(word)
+    except ValueError:
+        metres = 0.0
+    if not 1e-6 <= metres <= 1000:
+        raise ParameterError(f"unit {unit!r}: expected one of {', '.join(UNITS)}, auto, or a number of metres")
+    return metres
+
+
+def name_of(metres: float) -> str:
+    """The unit of this length as UNITS names it, else the number of metres."""
+    return next((name for name, (known, _) in UNITS.items() if abs(known - metres) < 1e-3 * known), f"{metres:.6g}")
+
+
+def in_words(metres: float) -> str:
+    """The unit in words, with its length."""
+    name = name_of(metres)
+    return f"{UNITS[name][1]} ({metres:.6g} m)" if name in UNITS else f"units of {metres:.6g} m"
 
 
 def span(parents: Sequence[int], offsets: np.ndarray) -> float:
@@ -43,11 +80,40 @@ def span(parents: Sequence[int], offsets: np.ndarray) -> float:
     return float(longest)
 
 
-def guess_unit(parents: Sequence[int], offsets: np.ndarray) -> UnitGuess:
-    """The unit in which a skeleton with these offsets (n_joints, 3) is of human size, else the nearest to that."""
-    length, bone = max(span(parents, offsets), 1e-9), float(np.linalg.norm(offsets, axis=1).max())
+def guess_unit(skeleton: Skeleton) -> UnitGuess:
+    """The unit in which a skeleton, whose offsets are in the file's unit, has the size of a person.
+
+    By the height of the body where one is recognised; of anything else by the longest way along its bones.
+    """
+    anatomy = find_anatomy(skeleton)
+    if anatomy.body != "other" and anatomy.body_height > 0:
+        apart = {name: abs(np.log(anatomy.body_height * UNITS[name][0] / _TYPICAL)) for name in _GUESSED}
+        name = min(apart, key=lambda unit: apart[unit])
+        metres = UNITS[name][0]
+        height = anatomy.body_height * metres
+        return UnitGuess(name, metres, f"taken as {in_words(metres)}, for a body of {height:.2f} m")
+    length = max(span(skeleton.parents, skeleton.offsets), 1e-9)
+    bone = float(np.linalg.norm(skeleton.offsets, axis=1).max())
     # The span decides; where it is near two units, a bone longer than any in one of them speaks for the other.
-    doubt = [max(low / length, length / high, bone * metres / LONGEST_BONE, 1.0) for metres, low, high, _ in _UNITS]
-    metres, _, _, words = _UNITS[int(np.argmin(doubt))]
-    believable = SPANS[0] <= length * metres <= SPANS[1] and bone * metres <= LONGEST_BONE
-    return UnitGuess(metres, f"{words} ({metres:.6g} m)", believable)
+    doubt = {
+        name: max(low / length, length / high, bone * UNITS[name][0] / LONGEST_BONE, 1.0)
+        for name, (low, high) in _SPANS.items()
+    }
+    name = min(doubt, key=lambda unit: doubt[unit])
+    metres = UNITS[name][0]
+    return UnitGuess(name, metres, f"taken as {in_words(metres)}, for a span of {length * metres:.2f} m")
+
+
+def height_doubt(skeleton: Skeleton) -> str:
+    """What is to be said of a body, in metres, of a height that few people have; empty where all is well."""
+    anatomy = find_anatomy(skeleton)
+    height, taken = anatomy.body_height, skeleton.unit
+    if anatomy.body == "other" or HEIGHTS[0] <= height <= HEIGHTS[1]:
+        return ""
+    others = {
+        UNITS[name][1]: height / taken * UNITS[name][0]
+        for name in _GUESSED
+        if abs(UNITS[name][0] - taken) > 1e-3 * taken and 0.75 < height / taken * UNITS[name][0] < 2.7
+    }
+    also = "".join(f"; in {words} it would be {metres:.2f} m" for words, metres in others.items())
+    return f"the body is {height:.2f} m tall in {in_words(taken)}{also}: check the unit"

@@ -3,17 +3,26 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 
 from core.inspection import inspect_dataset
 from core.mocap.clip import Clip, Label
-from core.mocap.dataset import Dataset, FileReport, ImportReport, motion_digest, read_recordings
+from core.mocap.corrections import BodyCorrections, corrections_of
+from core.mocap.dataset import (
+    READ_AS_THEY_ARE,
+    Dataset,
+    FileReport,
+    ImportReport,
+    motion_digest,
+    read_recordings,
+)
 from core.mocap.errors import RecordingError
 from core.mocap.files import files_below
 from core.mocap.label_files import find_labels, take_labels
 from core.mocap.labels import read_labels
+from core.mocap.reading import Change, Reading, read_again
 from core.mocap.recordings import FORMATS
 from core.mocap.storage import load_dataset, save_dataset, writing_dataset
 from core.mocap.text import recording_format
@@ -27,15 +36,15 @@ Source = str | Path
 class Recordings:
     """What to import: files, or folders searched recursively, and how to read them.
 
-    skeleton: .asf for .amc files without one. fps: frames per second of AMC files (120 where not given). clips: only
-    these. labels: CSV file or folder; where not given, the label files in the source folders. before: the data set
+    skeleton: .asf for .amc files without one. how: what was said beside the files (unit, way up, rate, bodies). clips:
+    only these. labels: CSV file or folder; where not given, the label files in the source folders. before: the data set
     that these recordings are added to. replace_labels: its labels give way to those that come. also: reports of what
     happened to the files until now.
     """
 
     sources: Sequence[Source]
     skeleton: Source | None = None
-    fps: float | None = None
+    how: Reading = READ_AS_THEY_ARE
     clips: Iterable[str] | None = None
     labels: Source | None = None
     before: Dataset | None = field(default=None, repr=False)
@@ -54,8 +63,10 @@ def store_recordings(folder: Path, name: str, what: Recordings, report: Report) 
     with writing_dataset(folder, name) as writer:
         for clip, digest in zip(before.clips, before.digests, strict=True):
             writer.add(clip, digest)
-        reading = read_recordings(what.sources, skeleton=what.skeleton, fps=what.fps, clips=what.clips, report=report)
-        for file, recording in reading:
+        how = _with_known_bodies(what.how, before)
+        for file, recording in read_recordings(
+            what.sources, skeleton=what.skeleton, how=how, clips=what.clips, report=report
+        ):
             arrived = arrivals.take(file, recording)
             if arrived is not None:
                 writer.add(arrived)
@@ -64,6 +75,15 @@ def store_recordings(folder: Path, name: str, what: Recordings, report: Report) 
             raise WorkspaceError(arrivals.why_none(what.also))
         writer.labels, writer.report = _together(before, what, labels, (*what.also, *arrivals.files, *label_reports))
     _inspect(folder, report)
+
+
+def _with_known_bodies(how: Reading, before: Dataset) -> Reading:
+    """What was said, and the corrections of bodies that the dataset has: they count for all clips of a rig."""
+    known = corrections_of((clip.skeleton for clip in before.clips), only_corrected=True)
+    if not known.rigs:
+        return how
+    said = how.body.rigs if how.body else ()
+    return replace(how, body=BodyCorrections((*known.rigs, *said)))
 
 
 class _Arrivals:
@@ -162,6 +182,36 @@ def only_skeleton(folder: Path) -> Path | None:
     """The only .asf of a folder and all below it; None where there is none, or more."""
     skeletons = [path for path in files_below(folder) if recording_format(path)[1] == ".asf"]
     return skeletons[0] if len(skeletons) == 1 else None
+
+
+def store_changed(folder: Path, before: Dataset, change: Change, chosen: Collection[str], report: Report) -> None:
+    """Stores the data set ``before`` with what ``change`` says of the ``chosen`` clips, inspected anew.
+
+    Corrections of a body count for all clips of the rig. Raises WorkspaceError where nothing changes, ParameterError
+    for a correction that does not fit, OSError, Cancelled.
+    """
+    bodies = Change(Reading(body=change.how.body))
+    changed = False
+    with writing_dataset(folder, before.name) as writer:
+        for k, (clip, digest) in enumerate(zip(before.clips, before.digests, strict=True)):
+            report("Changing clips", k / len(before.clips))
+            new = read_again(clip, change if clip.name in chosen else bodies)
+            same = (new.skeleton, new.fps, new.up) == (clip.skeleton, clip.fps, clip.up)
+            changed |= not same or new.notes != clip.notes
+            writer.add(new, digest if same else None)
+        writer.labels, writer.report = before.labels, _uninspected(before)
+    if not changed:
+        raise WorkspaceError("Nothing changes: the clips are read in this way already.")
+    _inspect(folder, report)
+
+
+def _uninspected(dataset: Dataset) -> ImportReport:
+    """The report without what was found in clips: they are inspected anew. What is said of files alone stays."""
+    files = (
+        replace(file, verdict="ok", messages=(), findings=()) if file.clip in dataset.names else file
+        for file in dataset.report.files
+    )
+    return replace(dataset.report, files=tuple(files))
 
 
 def store_dataset(folder: Path, dataset: Dataset, report: Report) -> None:

@@ -16,26 +16,50 @@ from core.workspace.workspace import Workspace
 
 if TYPE_CHECKING:
     from core.editing.edits import Edited
+    from core.mocap.corrections import BodyCorrections
     from core.mocap.dataset import Dataset
 
 
 @dataclass(frozen=True)
 class ImportParameters:
-    """An import of an upload. ``skeleton``, ``labels``: files of it; ``fps``: frames per second of AMC files."""
+    """An import of an upload. ``skeleton``, ``labels``: files of it; the rest as in :class:`RereadParameters`."""
 
     upload: str
     skeleton: str = ""
     labels: str = ""
     fps: float | None = field(default=None, metadata={"min": 1, "max": 1000})
+    unit: str = ""
+    up: str = ""
+    body: str = ""
 
 
 @dataclass(frozen=True)
 class AddParameters:
-    """An upload that is added to a data set. ``labels``: those that come are added, or replace those that are there."""
+    """An upload that is added to a data set. ``labels``: those that come are added, or replace those that are there;
+    the rest as in :class:`RereadParameters`."""
 
     upload: str
     labels: str = field(default="add", metadata={"choices": ("add", "replace")})
     fps: float | None = field(default=None, metadata={"min": 1, "max": 1000})
+    unit: str = ""
+    up: str = ""
+    body: str = ""
+
+
+@dataclass(frozen=True)
+class RereadParameters:
+    """How clips of a data set are to be read instead.
+
+    clips: their names as a JSON list, all where empty. fps: frames per second. unit: of length in their files (m, cm,
+    ..., auto); up: the axis that points up in them (y, z, ..., auto); body: corrections of bodies as JSON text, see
+    core.mocap.corrections; nothing changes where empty.
+    """
+
+    clips: str = ""
+    fps: float | None = field(default=None, metadata={"min": 1, "max": 1000})
+    unit: str = ""
+    up: str = ""
+    body: str = ""
 
 
 @dataclass(frozen=True)
@@ -65,13 +89,60 @@ class EditParameters:
 def import_upload(workspace: Workspace, name: str, values: ImportParameters, report: Report) -> None:
     """Imports an upload as the data set ``name``; raises as Workspace.import_upload."""
     workspace.import_upload(
-        name, values.upload, skeleton=values.skeleton, labels=values.labels, fps=values.fps, report=report
+        name,
+        values.upload,
+        skeleton=values.skeleton,
+        labels=values.labels,
+        unit=values.unit,
+        up=values.up,
+        fps=values.fps,
+        body=_corrections(values.body),
+        report=report,
     )
 
 
 def add_upload(workspace: Workspace, name: str, values: AddParameters, report: Report) -> None:
     """Adds an upload to the data set ``name``; raises as Workspace.add_upload."""
-    workspace.add_upload(name, values.upload, fps=values.fps, replace_labels=values.labels == "replace", report=report)
+    workspace.add_upload(
+        name,
+        values.upload,
+        unit=values.unit,
+        up=values.up,
+        fps=values.fps,
+        body=_corrections(values.body),
+        replace_labels=values.labels == "replace",
+        report=report,
+    )
+
+
+def reread_clips(workspace: Workspace, name: str, values: RereadParameters, report: Report) -> None:
+    """Changes how clips of the data set ``name`` are read; raises as Workspace.change_reading."""
+    from core.mocap.dataset import reading
+    from core.mocap.reading import Change
+
+    how = reading(values.unit or None, values.up or None, values.fps, _corrections(values.body))
+    change = Change(how, guess_up=values.up == "auto", guess_unit=values.unit == "auto")
+    workspace.change_reading(name, change, _names(values.clips) if values.clips else None, report)
+
+
+def _corrections(text: str) -> BodyCorrections | None:
+    from core.errors import FormatError
+    from core.mocap.corrections import from_json
+
+    if not text:
+        return None
+    try:
+        return from_json(json.loads(text))
+    except (ValueError, RecursionError) as error:
+        raise error if isinstance(error, FormatError) else FormatError("body corrections are JSON text") from None
+
+
+def _names(text: str) -> list[str]:
+    """Clip names from a JSON list. Raises WorkspaceError."""
+    try:
+        return [str(clip) for clip in json.loads(text)]
+    except (ValueError, TypeError):
+        raise WorkspaceError("Which clips are meant is not clear; choose them again.") from None
 
 
 def names_of_clips(names: Iterable[str]) -> str:
@@ -81,11 +152,7 @@ def names_of_clips(names: Iterable[str]) -> str:
 
 def remove_clips(workspace: Workspace, name: str, values: RemoveParameters, report: Report) -> None:
     """Removes clips from the data set ``name``; raises as Workspace.remove_clips."""
-    try:
-        clips = [str(clip) for clip in json.loads(values.clips)]
-    except (ValueError, TypeError):
-        raise WorkspaceError("Which clips to remove is not clear; choose them again.") from None
-    workspace.remove_clips(name, clips, report)
+    workspace.remove_clips(name, _names(values.clips), report)
 
 
 def edit_clip(workspace: Workspace, name: str, values: EditParameters, report: Report) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
@@ -28,7 +28,9 @@ from core.workspace.views import Views
 
 if TYPE_CHECKING:
     from core.mocap.clip import Label
+    from core.mocap.corrections import BodyCorrections
     from core.mocap.dataset import Dataset, ImportReport
+    from core.mocap.reading import Change, Reading
     from core.workspace.importing import Recordings
 
 TABLE = "workspace.sqlite"
@@ -98,17 +100,23 @@ class Workspace:
         sources: Source | Sequence[Source],
         *,
         skeleton: Source | None = None,
+        unit: str | float | None = None,
+        up: str | None = None,
         fps: float | None = None,
+        body: Source | BodyCorrections | None = None,
         clips: Sequence[str] | None = None,
         labels: Source | None = None,
         report: Report = silent,
     ) -> ImportReport:
         """Reads recordings (files, or folders searched recursively) and stores them as the data set ``name``.
 
-        A bad file among good ones is reported, not fatal. ``fps``: frames per second of AMC files. The report is kept
-        with the data set. Raises NameRefused, WorkspaceError where no file can be read, or Cancelled from ``report``.
+        A bad file among good ones is reported, not fatal. ``unit``, ``up``, ``fps``, ``body``: as in open_dataset; they
+        are remembered with the clips, see :meth:`change_reading`. The report is kept with the data set. Raises
+        NameRefused, WorkspaceError where no file can be read, ParameterError, FormatError (body corrections), or
+        Cancelled from ``report``.
         """
-        what = _recordings(sources, skeleton=skeleton, fps=fps, clips=clips, labels=labels)
+        how = _reading(unit, up, fps, body)
+        what = _recordings(sources, skeleton=skeleton, how=how, clips=clips, labels=labels)
         return self._add(name, lambda folder, name: _importing().store_recordings(folder, name, what, report))
 
     def add_files(
@@ -117,7 +125,10 @@ class Workspace:
         sources: Source | Sequence[Source],
         *,
         skeleton: Source | None = None,
+        unit: str | float | None = None,
+        up: str | None = None,
         fps: float | None = None,
+        body: Source | BodyCorrections | None = None,
         clips: Sequence[str] | None = None,
         labels: Source | None = None,
         replace_labels: bool = False,
@@ -126,12 +137,37 @@ class Workspace:
         """Adds recordings, and the labels beside them, to the data set ``name``; :meth:`revert` undoes it.
 
         A clip whose name is taken gets a number behind it, one that is there already is left out.
-        ``replace_labels``: where labels come, those that are there go. Raises as :meth:`import_dataset`.
+        Corrections of bodies that the data set has count for what comes as well. ``replace_labels``: where labels
+        come, those that are there go. Raises as :meth:`import_dataset`.
         """
         info = self.info(name)
-        how = {"skeleton": skeleton, "fps": fps, "clips": clips, "labels": labels}
-        what = _recordings(sources, before=self.open(name), replace_labels=replace_labels, **how)
+        options = {"skeleton": skeleton, "how": _reading(unit, up, fps, body), "clips": clips, "labels": labels}
+        what = _recordings(sources, before=self.open(name), replace_labels=replace_labels, **options)
         return self._change(info, lambda folder, name: _importing().store_recordings(folder, name, what, report))
+
+    def change_reading(
+        self, name: str, change: Change, clips: Collection[str] | None = None, report: Report = silent
+    ) -> ImportReport:
+        """Changes unit, way up or frame rate of ``clips`` (all where None), or bodies, without importing again.
+
+        Corrections of a body count for all clips of its rig. Labels stay with their frames; :meth:`revert` undoes it.
+        Raises WorkspaceError for an unknown clip or where nothing changes, ParameterError for a correction that does
+        not fit.
+        """
+        info, before = self.info(name), self.open(name)
+        chosen = set(before.names if clips is None else clips)
+        if unknown := sorted(chosen.difference(before.names)):
+            raise WorkspaceError(f"There is no clip {unknown[0][:80]!r} in {name!r}.")
+        return self._change(info, lambda folder, _: _importing().store_changed(folder, before, change, chosen, report))
+
+    def bodies(self, name: str) -> BodyCorrections:
+        """Which joint of which rig of the data set ``name`` is which part of the body, one entry a rig.
+
+        Raises WorkspaceError where there is no such data set.
+        """
+        from core.mocap.corrections import corrections_of
+
+        return corrections_of(clip.skeleton for clip in self.open(name).clips)
 
     def add_labels(self, name: str, sources: Source | Sequence[Source], *, replace: bool = False) -> ImportReport:
         """Adds the rows of label files (CSV, or folders of them) that fit the clips of the data set ``name``.
@@ -213,7 +249,10 @@ class Workspace:
         *,
         skeleton: str = "",
         labels: str = "",
+        unit: str = "",
+        up: str = "",
         fps: float | None = None,
+        body: BodyCorrections | None = None,
         report: Report = silent,
     ) -> ImportReport:
         """Imports an upload as the data set ``name`` and then removes the upload.
@@ -223,7 +262,7 @@ class Workspace:
         where a name leaves the upload.
         """
         self.check_free(name)
-        what = self._unpacked(upload, skeleton, labels, fps, report)
+        what = self._unpacked(upload, skeleton, labels, _reading(unit, up, fps, body), report)
         imported = self._add(name, lambda folder, name: _importing().store_recordings(folder, name, what, report))
         self.uploads.remove(upload)
         return imported
@@ -233,7 +272,10 @@ class Workspace:
         name: str,
         upload: str,
         *,
+        unit: str = "",
+        up: str = "",
         fps: float | None = None,
+        body: BodyCorrections | None = None,
         replace_labels: bool = False,
         report: Report = silent,
     ) -> ImportReport:
@@ -242,7 +284,7 @@ class Workspace:
         Raises as :meth:`add_files` and :meth:`add_labels`.
         """
         info, before = self.info(name), self.open(name)
-        what = self._unpacked(upload, "", "", fps, report, labels_alone=True)
+        what = self._unpacked(upload, "", "", _reading(unit, up, fps, body), report, labels_alone=True)
         what = replace(what, before=before, replace_labels=replace_labels)
         if _importing().holds_recordings(what.sources[0]):
             added = self._change(info, lambda folder, name: _importing().store_recordings(folder, name, what, report))
@@ -252,7 +294,7 @@ class Workspace:
         return added
 
     def _unpacked(
-        self, upload: str, skeleton: str, labels: str, fps: float | None, report: Report, labels_alone: bool = False
+        self, upload: str, skeleton: str, labels: str, how: Reading, report: Report, labels_alone: bool = False
     ) -> Recordings:
         """What an upload holds once its archives are unpacked; raises WorkspaceError where no recording is in it."""
         from core.workspace.archives import unpack_archives
@@ -265,7 +307,7 @@ class Workspace:
             raise WorkspaceError(reasons or "There is no recording among these files (BVH, or AMC with its ASF).")
         given = self.uploads.file(upload, skeleton) if skeleton else _importing().only_skeleton(folder)
         chosen = self.uploads.file(upload, labels) if labels else None
-        return _recordings(folder, skeleton=given, fps=fps, labels=chosen, also=reports)
+        return _recordings(folder, skeleton=given, how=how, labels=chosen, also=reports)
 
     def check_free(self, name: str) -> str:
         """``name`` in its final form; raises NameRefused where it cannot be used or is taken."""
@@ -336,6 +378,14 @@ def _importing() -> ModuleType:
     from core.workspace import importing
 
     return importing
+
+
+def _reading(
+    unit: str | float | None, up: str | None, fps: float | None, body: Source | BodyCorrections | None
+) -> Reading:
+    from core.mocap.dataset import reading
+
+    return reading(unit or None, up or None, fps, Path(body) if isinstance(body, str | os.PathLike) else body)
 
 
 def _recordings(sources: Source | Sequence[Source], **how: object) -> Recordings:

@@ -15,11 +15,45 @@ SOURCE_HELP = "a folder of recordings (searched recursively), one file, or WORKS
 def common(parser: argparse.ArgumentParser) -> None:
     """What every command that reads recordings accepts."""
     parser.add_argument("--skeleton", type=Path, metavar="FILE.asf", help="the skeleton of AMC files")
-    parser.add_argument("--fps", type=_fps, metavar="N", help="frames per second of AMC files (default 120)")
-    parser.add_argument("--clips", type=_names, metavar="A,B,C", help="only the clips of these names")
+    reading_options(parser)
+    parser.add_argument("--clips", type=names, metavar="A,B,C", help="only the clips of these names")
     parser.add_argument("--labels", type=Path, metavar="FILE|DIR", help="labels: a CSV file or a folder of them")
     parser.add_argument("--seed", type=whole, default=0, metavar="N", help="start of random choices (default 0)")
     parser.add_argument("--quiet", action="store_true", help="no progress and no summary")
+
+
+def reading_options(parser: argparse.ArgumentParser) -> None:
+    """What can be said about recordings beside what their files say, or of a dataset that is there already."""
+    unit = "unit of length in the files: m, dm, cm, mm, in, ft, cmu, metres as a number, or auto (found from the body)"
+    parser.add_argument("--unit", type=_unit, metavar="UNIT", help=unit)
+    up = "axis that points up in the files: y, z, x, -y, -z, -x, or auto (found from the body)"
+    parser.add_argument("--up", type=_up, metavar="AXIS", help=up)
+    fps = "frames per second, in place of what the files say (AMC files say nothing: default 120)"
+    parser.add_argument("--fps", type=_fps, metavar="N", help=fps)
+    body = "which joints are which part of the body, as 'motionscape body' writes it"
+    parser.add_argument("--body", type=Path, metavar="FILE.json", help=body)
+
+
+def _unit(text: str) -> str:
+    from core.errors import ParameterError
+    from core.mocap.units import metres_of
+
+    try:
+        metres_of(text)
+    except ParameterError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+    return text
+
+
+def _up(text: str) -> str:
+    from core.errors import ParameterError
+    from core.mocap.upright import axis_of
+
+    try:
+        axis_of(text)
+    except ParameterError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+    return text
 
 
 def _fps(text: str) -> float:
@@ -44,11 +78,12 @@ def whole(text: str) -> int:
     return int(text)
 
 
-def _names(text: str) -> list[str]:
-    names = [name.strip() for name in text.split(",") if name.strip()]
-    if not names:
+def names(text: str) -> list[str]:
+    """Names separated by commas, for argparse; raises its error where there is none."""
+    found = [name.strip() for name in text.split(",") if name.strip()]
+    if not found:
         raise argparse.ArgumentTypeError("expected names of clips, separated by commas")
-    return names
+    return found
 
 
 def on_source(method: str, out: str) -> Callable[[argparse.ArgumentParser], None]:

@@ -8,7 +8,7 @@ from typing import Any
 from core import analyses
 from core.workspace import WorkspaceError
 from webapp.cli.progress_bar import progress_bar
-from webapp.cli.sources import named_dataset, open_source, refuse_reading_options
+from webapp.cli.sources import open_source, stored_dataset
 
 
 def result_of(arguments: Namespace, method: str) -> Any:
@@ -21,10 +21,9 @@ def result_of(arguments: Namespace, method: str) -> Any:
     analyses.normalise(analyses.Request("", method, values))  # refuses before anything is read
     if arguments.out.is_dir():
         raise WorkspaceError(f"{arguments.out} is a folder; --out names the file to write.")
-    named = named_dataset(arguments.source)
+    named = stored_dataset(arguments)
     with progress_bar(arguments.quiet) as report:
-        if named and not arguments.clips:
-            refuse_reading_options(arguments)
+        if named:
             workspace, name = named
             return analyses.run(workspace, analyses.Request(name, method, values), report)
         return analyses.compute(open_source(arguments, report), method, values, report)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import sys
 from argparse import Namespace
 from pathlib import Path
 
-from core.mocap.dataset import Dataset, open_dataset
+from core.mocap.dataset import Dataset, open_dataset, reading
+from core.mocap.reading import Change, reread
 from core.progress import Report
 from core.workspace import Workspace, WorkspaceError, is_workspace
 
@@ -20,8 +22,20 @@ def named_dataset(source: str) -> tuple[Workspace, str] | None:
     return (Workspace(path.parent), path.name) if is_workspace(path.parent) else None
 
 
+def stored_dataset(arguments: Namespace) -> tuple[Workspace, str] | None:
+    """Workspace and name where SOURCE is a dataset that is used whole and as it is stored; else None.
+
+    Raises WorkspaceError as :func:`named_dataset`, and for options that only make sense while files are read.
+    """
+    named = named_dataset(arguments.source)
+    if named is None:
+        return None
+    refuse_reading_options(arguments)
+    return None if arguments.clips or _said(arguments) else named
+
+
 def open_source(arguments: Namespace, report: Report) -> Dataset:
-    """The data set that ``arguments.source`` and the common options name.
+    """The data set that ``arguments.source`` and the common options name; one of a workspace as the options say.
 
     Raises WorkspaceError, RecordingError, ValueError or OSError in plain words.
     """
@@ -30,25 +44,42 @@ def open_source(arguments: Namespace, report: Report) -> Dataset:
         path = Path(arguments.source).expanduser()
         if not path.exists():
             raise WorkspaceError(f"{arguments.source}: no such file or folder, and no dataset of a workspace.")
-        return open_dataset(
+        dataset = open_dataset(
             path,
             skeleton=arguments.skeleton,
+            unit=arguments.unit,
+            up=arguments.up,
             fps=arguments.fps,
+            body=arguments.body,
             clips=arguments.clips,
             labels=arguments.labels,
             report=report,
         )
+        for message in dataset.report.messages:
+            print(f"note: {message}", file=sys.stderr)
+        return dataset
     refuse_reading_options(arguments)
     workspace, name = named
     dataset = workspace.open(name)
     try:
-        return dataset.select(arguments.clips) if arguments.clips else dataset
+        dataset = dataset.select(arguments.clips) if arguments.clips else dataset
     except KeyError as error:
         raise WorkspaceError(str(error.args[0])) from error
+    return reread(dataset, change_of(arguments)) if _said(arguments) else dataset
+
+
+def change_of(arguments: Namespace) -> Change:
+    """What the options say about recordings that are there. Raises ParameterError, FormatError, OSError."""
+    how = reading(arguments.unit, arguments.up, arguments.fps, arguments.body)
+    return Change(how, guess_up=arguments.up == "auto", guess_unit=arguments.unit == "auto")
+
+
+def _said(arguments: Namespace) -> bool:
+    return any(getattr(arguments, name) is not None for name in ("unit", "up", "fps", "body"))
 
 
 def refuse_reading_options(arguments: Namespace) -> None:
     """Raises WorkspaceError for options that only make sense while recordings are read."""
-    given = [f"--{name}" for name in ("skeleton", "fps", "labels") if getattr(arguments, name) is not None]
+    given = [f"--{name}" for name in ("skeleton", "labels") if getattr(arguments, name) is not None]
     if given:
         raise WorkspaceError(f"{' and '.join(given)}: only for files; this dataset has been imported already.")

@@ -14,6 +14,7 @@ from core.mocap.bvh import read_bvh, write_bvh
 from core.mocap.clip import Clip
 from core.mocap.dataset import Dataset, open_dataset
 from core.mocap.kinematics import resample
+from core.mocap.reading import Reading
 from core.mocap.skeleton import Skeleton
 from tests.core.mocap import samples
 
@@ -145,7 +146,7 @@ def test_files(tmp_path):
         assert report.path == str(tmp_path / name) and all("\n" not in m for m in report.messages)
         assert report.messages or verdict == "ok"
     assert inspect_file(tmp_path / "good.bvh").clip == "good" and inspect_file(tmp_path / "good.asf").clip is None
-    report = inspect_file(tmp_path / "take.amc", skeleton=tmp_path / "good.asf", fps=30)
+    report = inspect_file(tmp_path / "take.amc", skeleton=tmp_path / "good.asf", how=Reading(fps=30))
     assert report.verdict != "error" and report.clip == "take"
 
 

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from core.inspection import inspect_clip
 from core.mocap import quaternions as quat
 from core.mocap.bvh import read_bvh, write_bvh
 from core.mocap.clip import Clip
@@ -232,7 +233,8 @@ def test_the_unit_is_guessed_from_the_size_of_the_body(tmp_path, factor, unit):
 
 
 def test_a_size_that_is_no_persons_is_a_warning(tmp_path):
-    assert "no common unit" in _read(tmp_path, B.replace("OFFSET 0 20 0", "OFFSET 0 1e6 0")).warnings[0]
+    clip = _read(tmp_path, B.replace("OFFSET 0 20 0", "OFFSET 0 1e6 0"))
+    assert "no body is that large" in inspect_clip(clip)[0]
 
 
 def test_files_are_replaced_whole_or_not_at_all(tmp_path):

@@ -25,6 +25,8 @@ KINDS = (
         "import",
         "labels",
         "inspect",
+        "reread",
+        "body",
         "demo",
         "map",
         "search",
@@ -239,7 +241,7 @@ def test_motifs_of_a_workspace_are_kept(demo, tmp_path):
     for arguments, words in [
         ([f"{space}/yours"], "mine"),
         ([space], "say which dataset"),
-        ([source, "--fps", "30"], "only for files"),
+        ([source, "--labels", "l.csv"], "only for files"),
         ([source, "--clips", "zz"], "no clip 'zz'"),
     ]:
         assert words in run("motifs", *arguments, "--out", tmp_path / "d.json", code=2).stderr

@@ -32,6 +32,16 @@ FEATURE = Feature(
             later(f"{_ARGUMENTS}:inspect"),
             later(f"{_COMMANDS}:inspect"),
         ),
+        "reread": Command(
+            "Change unit, way up, frame rate or bodies of a dataset without importing it again.",
+            later(f"{_ARGUMENTS}:reread"),
+            later("webapp.features.library.reading_commands:reread"),
+        ),
+        "body": Command(
+            "Write which joint of each rig is which part of the body, to be corrected and given back with --body.",
+            later(f"{_ARGUMENTS}:body"),
+            later("webapp.features.library.reading_commands:body"),
+        ),
         "demo": Command(
             "Write the demo dataset: labelled motion as BVH files.",
             later(f"{_ARGUMENTS}:demo"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from webapp.cli.arguments import SOURCE_HELP, common, number, of_method, whole
+from webapp.cli.arguments import SOURCE_HELP, common, names, number, of_method, reading_options, whole
 
 
 def import_(parser: argparse.ArgumentParser) -> None:
@@ -29,6 +29,21 @@ def inspect(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``inspect``."""
     parser.add_argument("paths", nargs="+", type=Path, metavar="PATH", help="recordings, or folders of them")
     parser.add_argument("--json", action="store_true", help="print JSON instead of lines")
+    common(parser)
+
+
+def reread(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``reread``."""
+    parser.add_argument("source", metavar="WORKSPACE/NAME", help="the dataset")
+    parser.add_argument("--clips", type=names, metavar="A,B,C", help="only the clips of these names")
+    reading_options(parser)
+    parser.add_argument("--quiet", action="store_true", help="no progress and no summary")
+
+
+def body(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``body``."""
+    parser.add_argument("source", metavar="SOURCE", help=SOURCE_HELP)
+    parser.add_argument("--out", type=Path, required=True, metavar="FILE.json", help="file to write")
     common(parser)
 
 

@@ -7,6 +7,7 @@ import sys
 from argparse import Namespace
 from collections.abc import Iterable, Iterator
 from contextlib import suppress
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any
 
@@ -31,7 +32,10 @@ def import_(arguments: Namespace) -> int:
             name,
             [path.expanduser() for path in arguments.paths],
             skeleton=arguments.skeleton,
+            unit=arguments.unit,
+            up=arguments.up,
             fps=arguments.fps,
+            body=arguments.body,
             clips=arguments.clips,
             labels=arguments.labels,
             report=report,
@@ -55,18 +59,24 @@ def inspect(arguments: Namespace) -> int:
     """A line for each file: verdict and reason, or with ``--json`` one object; exit code 2 if any is unreadable."""
     with progress_bar(arguments.quiet or not arguments.json) as report:
         verdicts = []
-        for file in _verdicts(arguments, report):
-            verdicts.append(file)
+        for file, facts in _verdicts(arguments, report):
+            verdicts.append((file, facts))
             if not arguments.json and not (arguments.quiet and file.verdict == "ok"):
                 print(line_of(file), flush=True)
     if not verdicts:
         raise WorkspaceError(f"no recordings (.bvh, .amc, .asf) in {', '.join(map(str, arguments.paths))}")
     if arguments.json:
-        entries = [
-            {"path": str(f.path), "clip": f.clip, "verdict": f.verdict, "messages": list(f.messages)} for f in verdicts
-        ]
-        print(json.dumps({"format": "motionscape/inspection/1", "files": entries}, ensure_ascii=False, indent=1))
-    return 2 if any(file.verdict == "error" for file in verdicts) else 0
+        entries = [_entry(file, facts) for file, facts in verdicts]
+        document = {"format": "motionscape/inspection/1", "files": entries}
+        print(json.dumps(document, ensure_ascii=False, indent=1))
+    return 2 if any(file.verdict == "error" for file, _ in verdicts) else 0
+
+
+def _entry(file: Any, facts: Any) -> dict[str, Any]:
+    """A file as ``inspect --json`` gives it; what was not read has no facts."""
+    findings = [asdict(finding) for finding in file.findings]
+    entry = {"path": str(file.path), "clip": file.clip, "verdict": file.verdict, "messages": list(file.messages)}
+    return entry | (facts._asdict() if facts else {}) | {"findings": findings}
 
 
 def demo(arguments: Namespace) -> int:
@@ -82,16 +92,18 @@ def demo(arguments: Namespace) -> int:
     return 0
 
 
-def _verdicts(arguments: Namespace, report: Report) -> Iterator[Any]:
-    """A FileReport for every file that was named or found, and for the labels."""
-    from core.inspection import inspect_file
+def _verdicts(arguments: Namespace, report: Report) -> Iterator[tuple[Any, Any]]:
+    """A FileReport for every file that was named or found, and for the labels; and the Facts of what was read."""
+    from core.inspection import inspect_recording
+    from core.mocap.dataset import reading
 
+    how = reading(arguments.unit, arguments.up, arguments.fps, arguments.body)
     paths = [path for path in _files(arguments.paths) if not arguments.clips or _stem(path) in arguments.clips]
     for k, path in enumerate(paths):
         report("inspecting", k / len(paths))
-        yield inspect_file(path, skeleton=arguments.skeleton, fps=arguments.fps)
+        yield inspect_recording(path, skeleton=arguments.skeleton, how=how)
     if arguments.labels is not None:
-        yield _inspect_labels(arguments.labels)
+        yield _inspect_labels(arguments.labels), None
 
 
 def _inspect_labels(path: Path) -> Any:

@@ -18,17 +18,16 @@ MB = 1024 * 1024
 def motifs(arguments: Namespace) -> int:
     """Finds motifs and writes motifs.json; prints the time of each stage, kappa, the memory taken and the metrics."""
     from core import analyses
-    from webapp.cli.sources import named_dataset, open_source, refuse_reading_options
+    from webapp.cli.sources import open_source, stored_dataset
 
     values = {p.name: getattr(arguments, p.name) for p in analyses.parameters("motifs")}
     analyses.normalise(analyses.Request("", "motifs", values))  # refuses before anything is read
     if arguments.out.is_dir():
         raise WorkspaceError(f"{arguments.out} is a folder; --out names the file to write.")
-    named = named_dataset(arguments.source)
+    named = stored_dataset(arguments)
     started, notes = time.perf_counter(), {}
     with progress_bar(arguments.quiet) as report:
-        if named and not arguments.clips:
-            refuse_reading_options(arguments)
+        if named:
             workspace, name = named
             dataset = workspace.open(name)
             read = time.perf_counter() - started

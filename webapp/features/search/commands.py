@@ -19,7 +19,7 @@ from core.retrieval.search import SearchIndex
 from core.workspace import WorkspaceError
 from webapp.cli.progress_bar import progress_bar
 from webapp.cli.result_files import write_json
-from webapp.cli.sources import named_dataset, open_source, refuse_reading_options
+from webapp.cli.sources import open_source, stored_dataset
 
 FORMAT = "motionscape/hits/1"
 _STRETCH = re.compile(r"(.+):(\d{1,9})-(\d{1,9})", re.DOTALL)
@@ -77,9 +77,8 @@ def _texts(arguments: Namespace) -> list[tuple[str, str | None]]:
 
 
 def _open(arguments: Namespace, values: Mapping[str, Any], texts, report: Report) -> tuple[Dataset, SearchIndex, float]:
-    named, started = named_dataset(arguments.source), time.perf_counter()
-    if named:
-        refuse_reading_options(arguments)
+    started = time.perf_counter()
+    if named := stored_dataset(Namespace(**vars(arguments) | {"clips": None})):
         workspace, name = named
         dataset = workspace.open(name)
         if arguments.clips:
@@ -117,7 +116,8 @@ def _query(text: str, lower: str | None, dataset: Dataset, arguments: Namespace)
             clips.append(stretches[-1][0].name)
         else:  # a recording that is not in the data set
             path, rest = file
-            other = open_dataset(path, skeleton=arguments.skeleton, fps=arguments.fps)
+            said = {name: getattr(arguments, name) for name in ("skeleton", "unit", "up", "fps", "body")}
+            other = open_dataset(path, **said)
             stretches.append(parse_stretch(f"{other.names[0]}{rest}", other))
     of_whole_clips = all(start is None for _, start, _ in stretches)
     if lower is None:

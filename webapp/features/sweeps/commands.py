@@ -22,7 +22,7 @@ from core.motifs.sweep_table import SweepTable
 from core.progress import Report
 from core.workspace import WorkspaceError, atomic_file
 from webapp.cli.progress_bar import progress_bar
-from webapp.cli.sources import named_dataset, open_source, refuse_reading_options
+from webapp.cli.sources import open_source, stored_dataset
 
 _FIRST = ("kappa", "rho", "seed")
 
@@ -80,9 +80,8 @@ def rows_as_csv(points: tuple[MotifParameters, ...], figures: list[Figures], axe
 
 def _figures(arguments: Namespace, values: SweepParameters, report: Report) -> list[Figures]:
     """The figures of every point, in order; those of a dataset in a workspace are kept there."""
-    named = named_dataset(arguments.source)
-    if named and not arguments.clips:
-        refuse_reading_options(arguments)
+    named = stored_dataset(arguments)
+    if named:
         workspace, name = named
         parameters = {"axes": values.axes, "seeds": values.seeds, "base": values.base}
         analyses.run(workspace, analyses.Request(name, "sweep", parameters), report)

@@ -140,7 +140,7 @@ def test_ticks_are_round_and_hold_all(low, high, ticks):
         (["--rho", "1", "--kappa", "200"], "several values"),
         (["--kappa", "20,30", "--seeds", "0"], "seeds"),
         (["--min-letters", "5,60"], "must not exceed"),
-        (["--kappa", "20,30", "--fps", "60"], "imported already"),
+        (["--kappa", "20,30", "--labels", "l.csv"], "imported already"),
         (["--kappa", "20,30", "--clips", "nobody"], "nobody"),
     ],
 )

@@ -1,0 +1,97 @@
+"""Which axis points up in a file, and clips turned so that Y does."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from core.errors import ParameterError
+from core.mocap import quaternions as quat
+from core.mocap.anatomy import Anatomy, find_anatomy
+from core.mocap.clip import Clip
+from core.mocap.kinematics import forward_kinematics
+
+AXES = ("y", "z", "x", "-z", "-x", "-y")
+_HALF = np.sqrt(0.5)
+_TO_Y = {  # quaternions that turn an axis to Y
+    "y": (1.0, 0.0, 0.0, 0.0),
+    "z": (_HALF, -_HALF, 0.0, 0.0),
+    "-z": (_HALF, _HALF, 0.0, 0.0),
+    "x": (_HALF, 0.0, 0.0, _HALF),
+    "-x": (_HALF, 0.0, 0.0, -_HALF),
+    "-y": (0.0, 1.0, 0.0, 0.0),
+}
+_SAMPLED = 48  # frames that are looked at
+_ALONG, _MOSTLY = 0.8, 0.8  # cosine of a body that stands along an axis, and share of the frames in which it does
+_AT_REST = 0.7  # cosine from which the rest pose speaks for an axis
+_TRAVEL = 0.25  # of the body's height: who moves so far along what would be the vertical does not lie on the floor
+
+
+def axis_of(up: str) -> str | None:
+    """The axis named ``up`` (y, z, x, -z, -x, -y), None for "auto". Raises ParameterError for anything else."""
+    word = up.strip().lower().removeprefix("+")
+    if word == "auto":
+        return None
+    if word not in AXES:
+        raise ParameterError(f"up {up!r}: expected y, z, x, -y, -z, -x or auto")
+    return word
+
+
+def turned(clip: Clip, up: str) -> Clip:
+    """The clip read as if ``up`` (one of AXES) points up in its file, instead of ``clip.up``; what was up is Y."""
+    if up == clip.up:
+        return clip
+    back = quat.conjugate(np.array(_TO_Y[clip.up]))
+    turn = quat.multiply(np.array(_TO_Y[up]), back)[None]
+    rotations = np.array(clip.rotations, np.float32)
+    rotations[:, 0] = quat.multiply(turn, clip.rotations[:, 0].astype(float))
+    root = quat.rotate(turn, np.asarray(clip.root_positions, float))
+    return replace(clip, root_positions=root.astype(np.float32), rotations=rotations, up=up)
+
+
+def find_up(clip: Clip) -> str:
+    """The axis, of the file the clip was read from, along which its body stands; ``clip.up`` where none is certain.
+
+    A body that lies along another axis in nearly all frames may be a person on the floor. The file's axis it is where
+    the rest pose stands along it too, or where the body travels along what would else be the vertical. Upside down
+    it is only where the rest pose is too.
+    """
+    anatomy = find_anatomy(clip.skeleton)
+    if anatomy.body == "other":
+        return clip.up
+    step = max(1, clip.n_frames // _SAMPLED)
+    tracks = {joint: track[::step] for joint, track in clip.translations.items()}
+    some = replace(
+        clip, root_positions=clip.root_positions[::step], rotations=clip.rotations[::step], translations=tracks
+    )
+    positions = forward_kinematics(some)[0]
+    upright = _upright(anatomy, positions.astype(float))
+    if upright is None:
+        return clip.up
+    axis = int(np.abs(np.median(upright, axis=0)).argmax())
+    sign = 1 if np.median(upright[:, axis]) > 0 else -1
+    if (axis, sign) == (1, 1) or np.mean(sign * upright[:, axis] > _ALONG) < _MOSTLY:
+        return clip.up
+    unturned = np.zeros_like(some.rotations[:1]) + np.array([1, 0, 0, 0], np.float32)
+    resting = replace(some, root_positions=some.root_positions[:1], rotations=unturned, translations={})
+    rest = _upright(anatomy, forward_kinematics(resting)[0].astype(float))
+    agrees = rest is not None and sign * rest[0, axis] > _AT_REST
+    travels = axis != 1 and np.ptp(positions[:, 0, 1]) > _TRAVEL * anatomy.body_height
+    if not agrees and not travels:
+        return clip.up
+    found = quat.rotate(quat.conjugate(np.array(_TO_Y[clip.up])), sign * np.eye(3)[axis])
+    k = int(np.abs(found).argmax())
+    return ("" if found[k] > 0 else "-") + "xyz"[k]
+
+
+def _upright(anatomy: Anatomy, positions: np.ndarray) -> np.ndarray | None:
+    """Unit vectors ``(n, 3)`` from the feet (the pelvis where there are none) to the head or what is next to it."""
+    joints = anatomy.joints
+    ankles = [joints[name] for name in ("left_ankle", "right_ankle") if name in joints]
+    top = anatomy.head_tip or next((joints[name] for name in ("head", "neck", "chest") if name in joints), 0)
+    if not top:
+        return None
+    line = positions[:, top] - positions[:, ankles or [0]].mean(axis=1)
+    length = np.linalg.norm(line, axis=1, keepdims=True)
+    return line / np.maximum(length, 1e-9) if length.max() > 1e-6 else None
