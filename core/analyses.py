@@ -1,4 +1,4 @@
-"""One door to every analysis: a request goes in, its result comes out, computed once and kept.
+"""Runs analyses: turns a request into its result, which is computed once and stored.
 
 The command line, the app and its workers all come through here, so that the same request is computed once (across
 threads and processes), its progress is seen by all, and anyone may cancel it.
@@ -121,7 +121,7 @@ def _is_of(workspace: Workspace, method: str, result_key: str) -> bool:
 
 
 def submit(workspace: Workspace, request: Request) -> Job:
-    """Enters the request into the job table, or finds the living job for it; computing is a worker's part.
+    """Enters the request into the job table, or returns the active job for it; a worker computes it.
 
     Raises ParameterError, or WorkspaceError (no such data set, or for an import a name that is taken).
     """
@@ -138,7 +138,7 @@ def submit(workspace: Workspace, request: Request) -> Job:
 
 
 def run(workspace: Workspace, request: Request, report: Report = silent) -> Any:
-    """The result of the request: opened where it is there, else computed here, or awaited where another does it.
+    """The result of the request: opened where it is stored, else computed here or awaited from another process.
 
     A worker that dies meanwhile is replaced. Raises ParameterError, WorkspaceError, AnalysisError; Cancelled when
     ``report`` raises it or someone cancels the job.
@@ -228,7 +228,7 @@ def _computed(workspace: Workspace, dataset: Dataset, name: str, values: Mapping
 
 
 def _earlier(workspace: Workspace, method: str, result_key: str) -> Any:
-    """The result that another goes on from. Raises AnalysisError where it is no longer there, or another method's."""
+    """The result that another builds on. Raises AnalysisError where it no longer exists, or is of another method."""
     result = kept(workspace, method, result_key)
     if result is None:
         raise AnalysisError(f"{METHODS[method].title}: the earlier result is no longer there; compute it anew.")
@@ -274,7 +274,7 @@ def _load(workspace: Workspace, method: str, result_key: str) -> Any | None:
 
 
 def _failure(workspace: Workspace, job: Job, error: Exception) -> AnalysisError:
-    """What the person who asked is told. Errors that are not meant for people go to a log file of the workspace."""
+    """The message for the person. Errors that are not meant for people go to a log file of the workspace."""
     if isinstance(error, MotionscapeError):
         return AnalysisError(str(error))
     bug_id, log = new_bug_id(), workspace.logs / f"job-{job.id}.log"

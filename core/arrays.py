@@ -1,4 +1,4 @@
-"""Names for numpy arrays by what they hold, for annotations; the shapes stand in the docstrings."""
+"""Names of array types for annotations; docstrings give the shapes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What was computed last stays in memory, for all threads of a process."""
+"""A cache of recent results in memory, shared by all threads of a process."""
 
 from __future__ import annotations
 
@@ -26,17 +26,17 @@ class RecentCache(Generic[Key, Value]):
         self._condition = Condition()
 
     def get(self, key: Key) -> Value | None:
-        """The value of a key, or None where it is not here."""
+        """The value of a key, or None."""
         with self._condition:
             return self._values.get(key)
 
     def put(self, key: Key, value: Value) -> None:
-        """Keeps a value; where the cache is full, the one used longest ago goes."""
+        """Stores a value; a full cache drops the one used longest ago."""
         with self._condition:
             self._values[key] = value
 
     def get_or_compute(self, key: Key, compute: Callable[[], Value]) -> Value:
-        """The value of a key, by ``compute`` where it is not here; what ``compute`` raises passes through.
+        """The value of a key, from ``compute`` where it is not stored; exceptions of ``compute`` are raised.
 
         A thread that wants a value which another one is computing waits for it; all others go on. ``compute`` must not
         ask for its own key.
@@ -56,12 +56,12 @@ class RecentCache(Generic[Key, Value]):
                 self._condition.notify_all()
 
     def discard(self, key: Key) -> None:
-        """Forgets a key, if it is here."""
+        """Removes a key, if it is stored."""
         with self._condition:
             self._values.pop(key, None)
 
     def clear(self) -> None:
-        """Forgets all keys."""
+        """Removes all keys."""
         with self._condition:
             self._values.clear()
 

@@ -1,4 +1,4 @@
-"""The errors that are meant for people: their messages are shown as they are, wherever something was asked for.
+"""The errors that are meant for people: their messages are shown unchanged.
 
 Every other exception that reaches a person is a bug of ours: it is logged with an id, and the person sees the id.
 """
@@ -25,7 +25,7 @@ class FormatError(MotionscapeError, ValueError):
 
 
 class LoggedBug(AnalysisError):
-    """A bug of ours that has been logged under ``bug_id``; the message says so to the person who asked."""
+    """A bug that has been logged under ``bug_id``; the message tells the person so."""
 
     def __init__(self, message: str, bug_id: str) -> None:
         super().__init__(message)
@@ -33,5 +33,5 @@ class LoggedBug(AnalysisError):
 
 
 def new_bug_id() -> str:
-    """Six letters and digits that name a bug in the log and to the person who met it."""
+    """Six letters and digits that identify a bug in the log and in the message."""
     return os.urandom(3).hex()

@@ -1,4 +1,4 @@
-"""The methods that analyse a data set: what each takes, what it gives, and how its result is kept."""
+"""The methods that analyse a data set: their parameters, functions, and storage of results."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a method can be told: read from the fields of its parameters' dataclass, once, for command line, app and checks.
+"""Parameters of methods, read from the fields of a dataclass for the command line, the app and checks.
 
 A field's annotation gives its type (``int``, ``float``, ``bool``, ``str``, ``Literal[...]`` and unions of these); its
 metadata may give ``label``, ``help``, ``min``, ``max``, ``step``, ``choices`` and ``advanced``.
@@ -71,7 +71,7 @@ class Parameter:
         return " or ".join(words + numbers)
 
     def parse(self, value: Any) -> Any:
-        """``value`` (a number, or text such as a link or a command line gives) as this parameter takes it.
+        """The value of this parameter in ``value``, a number, or text from a link or a command line.
 
         Raises ParameterError, saying what is expected.
         """

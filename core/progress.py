@@ -1,4 +1,4 @@
-"""Progress and cancelling: the one protocol every long computation speaks.
+"""Progress and cancelling of long computations.
 
 A computation calls ``report(stage, fraction)`` now and then. Whoever started it may raise
 :class:`Cancelled` from there; nothing else is needed to stop it cleanly.
@@ -18,12 +18,12 @@ class Cancelled(Exception):
 
 
 def silent(stage: str, fraction: float) -> None:
-    """A report that nobody reads. ``fraction`` runs from 0 to 1 within ``stage``."""
+    """A report that does nothing. ``fraction`` runs from 0 to 1 within ``stage``."""
 
 
 @contextmanager
 def timed(stage: str, seconds: dict[str, float]) -> Iterator[None]:
-    """Notes in ``seconds`` how long what stands inside took."""
+    """Records in ``seconds`` how long the block took."""
     started = time.perf_counter()
     yield
     seconds[stage] = time.perf_counter() - started

@@ -1,4 +1,4 @@
-"""Rankings of the clips of a data set by several engines, and what its labels say of them.
+"""Rankings of the clips of a data set by several engines, and their evaluation by labels.
 
 The rankings do not depend on labels, so they are kept as a result; they are scored anew whenever they are looked at.
 """
@@ -125,7 +125,7 @@ def rank_dataset(dataset: Dataset, parameters: RankingParameters | None = None, 
 
 
 def evaluate(rankings: Rankings, dataset: Dataset) -> Evaluation:
-    """What the labels of a data set say of its rankings. Raises AnalysisError where no query has a label."""
+    """Scores of rankings by the labels of a data set. Raises AnalysisError where no query has a label."""
     labels = clip_labels(dataset)
     labelled_queries = [rankings.clips[k] for k in rankings.queries if rankings.clips[k] in labels.content]
     if not labelled_queries:

@@ -1,4 +1,4 @@
-"""What can be asked for: a method or a task, a data set, and what it is told."""
+"""Requests: a method or a task, a data set, and parameters."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Request:
 
 
 def query_request(file: str, upload: str) -> Request:
-    """The request that reads an upload, called ``file`` for people, as something to look for; kept under its key."""
+    """The request that reads an upload, called ``file`` for people, as a query; stored under its key."""
     return Request(file, "query", {"upload": upload})
 
 

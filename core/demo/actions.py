@@ -55,7 +55,7 @@ MADE = ("idle", "walk", "run", "squat")
 
 
 def perform(name: str, performer: Performer, rng: np.random.Generator) -> Clip:
-    """One performance of the recorded action ``name``, never twice the same, facing and standing anywhere."""
+    """A random performance of the recorded action ``name``, at any place and in any direction."""
     action = RECORDED[name]
     mirrored = action.mirror and rng.uniform() < 0.5
     amplitude = performer.amplitude * rng.uniform(0.9, 1.1)
@@ -148,7 +148,7 @@ def _lean(motion: Motion, performer: Performer) -> Motion:
 
 
 def _run_on(motion: Motion) -> Motion:
-    """Both ends run on with their last speed, which dies away: cross-fades then blend moving with moving."""
+    """Extends both ends with their last speed, which fades, so that cross-fades blend moving frames."""
     n = round(RUN_ON * FPS)
     after = _extension(motion.pelvis[-2:], motion.rotations[-2:], n)
     before = _extension(motion.pelvis[1::-1], motion.rotations[1::-1], n)

@@ -1,4 +1,4 @@
-"""What the recordings lack: toes and wrists that give way to the floor, feet that stay, nothing below the floor."""
+"""Corrections of the recordings: toes and wrists bend on the floor, feet stay, nothing goes below the floor."""
 
 from __future__ import annotations
 

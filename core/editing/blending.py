@@ -92,7 +92,7 @@ def place(clip: Clip, yaw: float, translation: np.ndarray) -> Clip:
 
 
 def blend(a: Clip, b: Clip, weights: np.ndarray) -> Clip:
-    """Frame by frame between two clips of one skeleton and length; weights ``(n_frames,)``: 0 is a, 1 is b.
+    """A blend of two clips of one skeleton and length, frame by frame; weights ``(n_frames,)``: 0 is a, 1 is b.
 
     Rotations along great arcs, the shortest but for joints that turn past half a turn from one another on the way: they
     keep to one side. Root positions in a straight line. Raises ValueError where skeletons or lengths differ.

@@ -1,4 +1,4 @@
-"""All that a clip has over time, as named curves with units: for charts and for tables.
+"""The curves of a clip over time, with names and units, for charts and tables.
 
 Angles are those of :mod:`core.poses.angles`. Speeds are of joints in the world, over about 1/30 s around each frame
 (what is shorter is mostly noise of the recording). Contacts and foot heights are those of

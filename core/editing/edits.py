@@ -1,4 +1,4 @@
-"""Edits of a clip: trimmed, mirrored, at another rate, cut in parts. Each gives new clips; the labels come along.
+"""Edits of a clip: trim, mirror, change the rate, split. Each makes new clips with their labels.
 
 Labels keep their words: a mirrored "kick left" still says so, because nobody but its author knows whether it is meant.
 """
@@ -132,7 +132,7 @@ def renamed(edited: Edited, name: str) -> Edited:
 
 
 def _edited(clip: Clip, labels: tuple[Label, ...], summary: str) -> Edited:
-    """What the readers doubted stays said; what they did is the old clip's business."""
+    """Keeps the findings of the readers that concern the new clip, without what they repaired."""
     return Edited(replace(clip, notes=(summary,)), labels, summary)
 
 

@@ -1,4 +1,4 @@
-"""Two motions laid upon one another frame by frame: a long blend in which each keeps its own way over the ground.
+"""Aligns two motions frame by frame, for a long blend in which each keeps its own path over the ground.
 
 Laying the second motion once, as for a short cross-fade, lets the two drift apart before and after that moment, and the
 blend would drag the feet from one place to the other. Instead the turn and shift between them are found for every pair

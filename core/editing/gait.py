@@ -1,4 +1,4 @@
-"""Gait: heel strikes and toe-offs where a person walks or runs, and what they say of the gait.
+"""Gait: heel strikes and toe-offs where a person walks or runs, and measures of the gait.
 
 A foot's stance is a contact (:mod:`core.editing.contacts`) widened at both ends to where the foot still is low and no
 faster than a foot that has just struck or is about to leave; judged on recorded walks that lies within about 20 ms of

@@ -1,4 +1,4 @@
-"""How well motifs agree with actions that people labelled."""
+"""Agreement of motifs with labelled actions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How well a segmentation into terminals agrees with actions that people labelled."""
+"""Agreement of a segmentation into terminals with labelled actions."""
 
 from __future__ import annotations
 

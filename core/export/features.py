@@ -1,4 +1,4 @@
-"""All that a data set's frames can be described by, in one table: a row for each frame, at one frame rate."""
+"""All features of a data set's frames in one table: a row for each frame, at one frame rate."""
 
 from __future__ import annotations
 
@@ -114,7 +114,7 @@ def feature_table(
 
 
 def labelled(table: FeatureTable, dataset: Dataset) -> FeatureTable:
-    """The table with the labels that the data set has now: labels may change while the motion stays what it is."""
+    """The table with the current labels of the data set: labels may change while the motion does not."""
     actions = tuple(sorted({label.action for label in dataset.labels}))
     labels = np.full(len(table.frames), -1, np.int16)
     place, number = {name: k for k, name in enumerate(table.clips)}, {action: k for k, action in enumerate(actions)}

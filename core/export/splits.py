@@ -17,7 +17,7 @@ _TAKE = re.compile(r"[ _-]?\d+$")
 
 
 def subject_of(name: str) -> str:
-    """Whose motion a clip is, as far as its name tells: ``86_03`` -> 86, ``walk1_subject5`` -> subject5.
+    """The person of a clip, from its name: ``86_03`` -> 86, ``walk1_subject5`` -> subject5.
 
     Where names tell the take and not the person (``bow_normal_001``) it is what the takes have in common.
     """

@@ -1,4 +1,4 @@
-"""Alignment-based learning, first phase: what may be put in place of what (van Zaanen 2000; SYN section 5).
+"""Alignment-based learning, first phase: which spans can replace one another (van Zaanen 2000; SYN section 5).
 
 Unequal parts of two sentences in equal contexts are interchangeable: hypotheses of one kind. Two ways to find them:
 

@@ -1,4 +1,4 @@
-"""Our search for terminals: medoids for given segments, then the best segments for given medoids, in turns."""
+"""Search for terminals by alternation: medoids for given segments, then the best segments for given medoids."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ def recombine(
     rng: np.random.Generator,
     turns: int = 4,
 ) -> tuple[Clustering, float] | None:
-    """What becomes of the medoids of several clusterings together, and its cost; None where too few segments remain.
+    """The clustering from the medoids of several clusterings, and its cost; None where too few segments remain.
 
     The cuts are made anew for all medoids at once, those go that are missed least until ``k`` are left, and
     :func:`alternate` goes on from there: what one parent has got right and another wrong survives. Raises ValueError
@@ -164,7 +164,7 @@ def _central(distances: np.ndarray, weights: np.ndarray, prices: np.ndarray, lab
 
 
 def _dispensable(to_medoids: np.ndarray, weights: np.ndarray, prices: np.ndarray) -> int:
-    """Which of the medoids costs least to do without; to_medoids: distances ``(n, k)``, at least two medoids."""
+    """The medoid whose removal costs least; to_medoids: distances ``(n, k)``, at least two medoids."""
     order = np.argsort(to_medoids, axis=1)[:, :2]
     first, second = np.take_along_axis(to_medoids, order, 1).T
     losses = np.bincount(order[:, 0], weights * (second - first), len(prices)) - prices

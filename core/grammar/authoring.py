@@ -1,4 +1,4 @@
-"""Editing a generated sentence by its tree: what made a terminal, more or less around it, other ways, another sentence.
+"""Editing a generated sentence by its tree: constituents around a terminal, alternatives for them, replacement.
 
 SYN section 6. All are pure functions on trees of :mod:`core.grammar.trees`.
 """

@@ -1,4 +1,4 @@
-"""What a grammar is compared with: a finite state machine over terminals (SYN section 7), and Sequitur."""
+"""Baselines of the grammar: a finite state machine over terminals (SYN section 7), and Sequitur."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ END = -1
 
 @dataclass(frozen=True)
 class StateMachine:
-    """A state a terminal; transitions are the pairs of neighbours that were seen, ends included, and how often."""
+    """A state for each terminal; transitions are the pairs of neighbours seen, ends included, and how often."""
 
     transitions: Mapping[tuple[int, int], int]
 

@@ -102,7 +102,7 @@ class GrammarParameters(TerminalParameters):
 
     @property
     def induction(self) -> dict[str, Any]:
-        """What :func:`core.grammar.induction.induce` is told."""
+        """The arguments of :func:`core.grammar.induction.induce`."""
         return {
             "align_by": self.align,
             "select_by": self.select,
@@ -126,7 +126,7 @@ def learn_grammar(
 def grammar_of_terminals(
     terminals: Terminals, parameters: GrammarParameters | None = None, report: Report = silent
 ) -> LearnedGrammar:
-    """The grammar of what the terminals spell; of their search the parameters are not looked at.
+    """The grammar of the strings of terminals; the parameters of their search are not used.
 
     Raises ValueError where there are no segments; ``report`` may raise to stop the work.
     """

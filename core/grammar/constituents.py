@@ -1,4 +1,4 @@
-"""From bracketed sentences to rules and trees, and kinds that are better made one."""
+"""Turns bracketed sentences into rules and trees, and merges kinds of constituents."""
 
 from __future__ import annotations
 
@@ -86,7 +86,7 @@ def _words_of(sentences: Sequence[Sentence], trees: Sequence[Node]) -> dict[str,
 
 
 def alike(a: set[tuple[int, int]], b: set[tuple[int, int]]) -> bool:
-    """Whether the contexts of two kinds all have the symbol before in common, or that after."""
+    """Whether all contexts of two kinds have the same symbol before, or the same after."""
     return all(x[0] == y[0] or x[1] == y[1] for x in a for y in b)
 
 

@@ -95,7 +95,7 @@ def limits_of(parameters: TerminalParameters, fps: float) -> tuple[int, int]:
 
 
 def _alternation(space: PoseSpace, parameters: TerminalParameters, report: Report) -> Clustering:
-    """Several random starts at a very low rate, what came of them recombined at a low one, the best of it at the
+    """Several random starts at a very low rate, their results recombined at a low one, the best of these at the
     full rate."""
     step = max(1, int(space.fps // _ROUGH_FPS))
     thin = space.thinned(step)
@@ -121,7 +121,7 @@ def _refined(
 
 
 def _beginnings(space: PoseSpace, parameters: TerminalParameters, report: Report) -> list[Clustering]:
-    """What comes of each of ``starts`` random starts."""
+    """The clustering from each of ``starts`` random starts."""
     k, limits, beginnings = parameters.n_terminals, limits_of(parameters, space.fps), []
     for start in range(parameters.starts):
         report("random starts", start / parameters.starts)

@@ -1,4 +1,4 @@
-"""Which terminals stand beside which in the sentences, and where further neighbours are to be expected."""
+"""Pairs of neighbouring terminals in the sentences, and which further pairs are plausible."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the search for terminals can be told."""
+"""Parameters of the search for terminals."""
 
 from __future__ import annotations
 

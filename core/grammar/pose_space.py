@@ -1,4 +1,4 @@
-"""Poses in a space whose squared distance is the pose distance of Lee et al. (SIGGRAPH 2002), as SYN section 4.1 asks.
+"""Poses in a space whose squared distance is the pose distance of Lee et al. (SIGGRAPH 2002; SYN section 4.1).
 
 Lee et al. add the squared differences of the joints, each with its weight, and, with a weight of their own, those of
 their velocities; place on the ground and heading count for nothing when motion is to be rearranged. Ours: d(x, y) =

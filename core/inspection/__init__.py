@@ -1,4 +1,4 @@
-"""What is odd about a recording, in words for people.
+"""Finds what is odd about a recording, and says it in plain words.
 
 Doubts make the verdict "warning"; a clean clip has none. Nothing is changed here: the readers do what must be done
 (fold joints, guess a unit) and say so in a clip's notes.

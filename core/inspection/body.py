@@ -20,7 +20,7 @@ _SLIDING, _LOW = 1.0, 0.03  # m/s of the slowest foot while the lowest is within
 
 
 def size_doubts(skeleton: Skeleton) -> list[Finding]:
-    """Bones and bodies of a size that nobody has."""
+    """Bones and bodies of impossible size."""
     lengths = np.linalg.norm(skeleton.offsets, axis=1)
     longest = int(lengths.argmax())
     if lengths[longest] > LONGEST_BONE:

@@ -1,4 +1,4 @@
-"""Doubts about time: jumps between frames, a rest pose in front, a frame rate that cannot be."""
+"""Doubts about time: jumps between frames, a rest pose at the start, an impossible frame rate."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def rest_pose_frames(clip: Clip, positions: np.ndarray, jumps: list[Jump]) -> tu
 
 
 def rate_doubts(clip: Clip, positions: np.ndarray) -> list[Finding]:
-    """What speaks against the frame rate: a rate nobody records at, frames that come twice.
+    """Doubts about the frame rate: an unusual rate, repeated frames.
 
     positions: (n_frames, n_joints, 3), metres, world.
     """

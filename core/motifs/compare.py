@@ -45,7 +45,7 @@ class Link:
 
 @dataclass(frozen=True)
 class Fate:
-    """What became of a motif, or where it comes from: one of CHANGES.
+    """The change of a motif between two graphs, one of CHANGES.
 
     partners: motifs of the other graph it is linked to, the most shared first; best: its highest overlap with any motif
     of the other graph, linked or not; seconds: motion in it.
@@ -76,7 +76,7 @@ class Comparison:
     adjusted_rand: float
 
     def counts(self, side: str) -> dict[str, int]:
-        """Change -> number of motifs of the first ("a") or second ("b") graph that it befell; KeyError for others."""
+        """Change -> number of motifs of the first ("a") or second ("b") graph; KeyError for other sides."""
         numbers = Counter(fate.change for fate in {"a": self.a, "b": self.b}[side])
         return {change: numbers[change] for change in CHANGES}
 

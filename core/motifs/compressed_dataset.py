@@ -1,4 +1,4 @@
-"""A whole data set stored by its motifs, against PCA clip by clip: which takes less at equal error?
+"""Compression of a data set by its motifs, compared with PCA of each clip at equal error.
 
 Every part of the data set (the motions of one skeleton in a motif, the frames in no motif, a clip, everything) has its
 curves of size against error (:mod:`core.motifs.compression`). For a tolerance each part takes its smallest step whose

@@ -56,7 +56,7 @@ class Step:
 
 @dataclass(frozen=True)
 class Point:
-    """What a step costs and brings. numbers: stored; cm: mean distance of root and posture joints from where they
+    """The size and the error of a step. numbers: stored; cm: mean distance of root and posture joints from where they
     were; pose: mean distance in pose space, as MMG measures it."""
 
     step: Step
@@ -77,7 +77,7 @@ class Curves:
 
 
 def rebuild(motions: Motions, method: str, step: Step) -> tuple[np.ndarray, int]:
-    """The motions as they come back from storage, ``(n_frames, width)``, and how many numbers that takes.
+    """The motions after storage, ``(n_frames, width)``, and how many numbers that takes.
     Raises ValueError for an unknown method or a step it does not have."""
     if method == POSE_PCA and step.components > 0:
         if 0 not in motions.postures:
@@ -210,7 +210,7 @@ def motion_errors(motions: Motions, method: str, step: Step) -> dict[int, float]
 
 
 def rebuilt_clips(motions: Motions, method: str, step: Step) -> Iterator[tuple[int, Clip, Clip]]:
-    """Each motion of the motif with its clip as it was and as it comes back, both laid upon the reference."""
+    """Each motion of the motif as recorded and after compression, both aligned with the reference."""
     values, _ = rebuild(motions, method, step)
     for k, name in enumerate(motions.names):
         at, fps = motions.part(k), motions.rates[k]

@@ -1,4 +1,4 @@
-"""Parameters a step away from others: what a result should not depend on too much (MMG sections 5.2 and 5.4)."""
+"""Parameters a step away from others, to see how much a result depends on them (MMG sections 5.2 and 5.4)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a collection holds twice, what only once: copies of motions and clips, rare postures, and what to keep."""
+"""Near-duplicates and rare postures of a collection, and which clips to keep."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class RedundancyParameters(MotifParameters):
 
     @property
     def motifs(self) -> MotifParameters:
-        """What the motif graph itself is told."""
+        """The parameters of the motif graph alone."""
         return MotifParameters(**{f.name: getattr(self, f.name) for f in fields(MotifParameters)})
 
 

@@ -34,7 +34,7 @@ KINDS = ("noise", "seed", "parameters")
 
 @dataclass(frozen=True)
 class StabilityParameters(MotifParameters):
-    """The parameters of the motif graph that is judged, and how it is tried. Raises ParameterError as its base does."""
+    """The parameters of the motif graph, and of the repeats. Raises ParameterError as its base does."""
 
     repetitions: int = parameter(2, "How many times noise is added, and how many other seeds are tried.", 1, 20, 1)
     noise_degrees: float = parameter(2.0, "Strength of the noise on each axis of each joint, in degrees.", 0.0, 45, 1)
@@ -48,13 +48,13 @@ class StabilityParameters(MotifParameters):
 
     @property
     def motifs(self) -> MotifParameters:
-        """What the motif graph itself is told."""
+        """The parameters of the motif graph alone."""
         return MotifParameters(**{f.name: getattr(self, f.name) for f in fields(MotifParameters)})
 
 
 @dataclass(frozen=True, eq=False)
 class Repeat:
-    """One more analysis, and how the motifs fared in it.
+    """One more analysis, and how well each motif was found again in it.
 
     kind: one of KINDS; name: what differs ("noise 1", "seed 2", "kappa 250"). overlaps: ``(n_motifs,)`` highest overlap
     of each motif with any of the repeat's; kept: ``(n_motifs,)`` whether it is kept (see core.motifs.compare);

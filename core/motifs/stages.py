@@ -1,4 +1,4 @@
-"""The pipeline of MMG in stages, each with the parameters that it reads: what two analyses have in common is done once.
+"""The pipeline of MMG in stages, each with the parameters that it reads, so that analyses can share stages.
 
 A result depends on its data set and on what its stages read, and on nothing else, so analyses whose parameters agree up
 to some stage share all the work to there. One analysis goes through the stages one after the other (:mod:`build`), a

@@ -1,4 +1,4 @@
-"""Which setting of a sweep to take, and why: a trade-off between how much motion motifs cover and how alike it is.
+"""Suggests a setting of a sweep, with reasons: a trade-off between how much motion motifs cover and how alike it is.
 
 The paper (section 5.2) chooses by eye: kappa as low as possible for coverage, while the error stays reasonable. Here
 both are one figure, the motion explained (:func:`core.motifs.sweep_table.explained`), which has its highest value

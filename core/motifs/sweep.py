@@ -1,4 +1,4 @@
-"""Many motif graphs of one data set, at about the price of a few: points of a sweep share all work they have in common.
+"""Many motif graphs of one data set; the points of a sweep share all stages that they have in common.
 
 Poses are computed once per frame rate and kind, letters once per kappa and seed, matches once per rule; only the greedy
 discovery and what follows is done for every point (MMG section 5.2 runs the whole method for every point).

@@ -1,4 +1,4 @@
-"""The figures of a sweep as arrays over its axes and seeds, whole or as far as they are there."""
+"""The measures of a sweep as arrays over its axes and seeds, also while only some have been computed."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class SweepTable:
 
     @property
     def n_ready(self) -> int:
-        """Points that are there."""
+        """Number of computed points."""
         return sum(figures is not None for figures in self.figures)
 
     def of(self, measure: str) -> np.ndarray:

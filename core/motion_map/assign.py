@@ -1,4 +1,4 @@
-"""New clips on a map that has not learned them: nothing is trained anew, and each clip says how well it fits."""
+"""Puts new clips on an existing map without training, and measures how well each fits."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Motion found by postures clicked one after the other (MAP section 4)."""
+"""Search for motion by a sequence of key postures (MAP section 4)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What lies where on a map: seconds of every label, motif or clip on each node, speeds, and what passes a region."""
+"""Statistics of map nodes: seconds of every label, motif or clip, speeds, and what passes a region."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Motion found by a path drawn over the map (the paper's wish, MAP section 6): clips whose way looks like it."""
+"""Search for motion by a path drawn over the map (proposed in MAP section 6)."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class PathHit(NamedTuple):
 def search_path(
     motion_map: MotionMap, points: Sequence[Sequence[float]], most: int = 60
 ) -> list[tuple[Segment, PathHit]]:
-    """Stretches whose way over the map follows ``points`` ``(k, 2)``, in node units and in their order, best first.
+    """Stretches whose path over the map follows ``points`` ``(k, 2)``, in node units and in their order, best first.
 
     The path is cut into steps of a node, and warped onto the runs of every clip (subsequence dynamic time warping).
     Raises ValueError for fewer than two points, or points that are not finite.

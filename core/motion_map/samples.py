@@ -1,4 +1,4 @@
-"""Fewer postures that cover as much: one is kept when it is far enough from all that are kept (MAP section 3.1)."""
+"""Thins postures: one is kept when it is far enough from all kept before (MAP section 3.1)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A query as one motion in parts, whatever stretches its parts come from."""
+"""Combines the parts of a query, which may come from several clips, into one motion."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def compose(store: FrameStore, query: Query, weights: Mapping[str, float]) -> Co
 
 
 def _encoded(store: FrameStore, part: QueryPart, weights: Mapping[str, float]) -> tuple[np.ndarray, tuple[str, ...]]:
-    """The part's codes, smoothed where it jitters and the recordings do not: jitter would pass for effort.
+    """The part's codes, smoothed where it jitters and the recordings do not, because jitter looks like effort.
 
     What has no weight may jitter as it likes.
     """

@@ -1,4 +1,4 @@
-"""A frame in parts: what each leaf of the body does, whatever the rest of the body does (PCR section 3.1).
+"""Describes frames part by part, each leaf of the body independently of the others (PCR section 3.1).
 
 Each leaf is described by where its bones point, seen from the part it hangs from: arms and head from the chest, chest
 and legs from the pelvis, hands from the forearm, feet from the shin. So a leaf depends on its own joints alone, as

@@ -1,4 +1,4 @@
-"""Why a hit is one: which part is like the query's when."""
+"""Explains a hit: which part of the body is like the query, and when."""
 
 from __future__ import annotations
 

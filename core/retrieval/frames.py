@@ -1,4 +1,4 @@
-"""All frames of the indexed clips in parts, small: one byte a column."""
+"""All frames of the indexed clips, part by part, with one byte for each column."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a search gives: hits, and why a hit is one."""
+"""Results of a search: hits and their explanations."""
 
 from __future__ import annotations
 

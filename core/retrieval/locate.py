@@ -1,4 +1,4 @@
-"""Where in the recordings something like the query is: stretches, not whole clips (docs/methods/search.md).
+"""Finds stretches of the recordings that are like the query (docs/methods/search.md).
 
 Coarse to fine: how far a few frames of the query are from every few frames of the recordings, summed up along windows
 of several tempos; the best windows are compared by the metric; the best of these get their ends from dynamic time

@@ -1,4 +1,4 @@
-"""How far two motions are apart: by an edit distance of their parts along their way and by what they are as wholes."""
+"""Distance of two motions: an edit distance of their parts, and differences of the whole motions."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What an index keeps of one node of the body: its axes, pattern library and pattern index lists (PCR section 3.3)."""
+"""The index of one node of the body: its axes, pattern library and pattern index lists (PCR section 3.3)."""
 
 from __future__ import annotations
 

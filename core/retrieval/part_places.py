@@ -31,7 +31,7 @@ class Wanted:
     gap: float
 
     def say(self, node: str) -> float:
-        """How much a node has to say where stretches begin and end."""
+        """Weight of a node when the ends of stretches are chosen."""
         leaves = leaves_of(node)
         return own_share(node, self.weights, self.alpha) * sum(self.weights[leaf] for leaf in leaves)
 

@@ -1,4 +1,4 @@
-"""Stretches that were found by their patterns, verified by their frames: many have equal patterns, few equal frames."""
+"""Verifies stretches that were found by their patterns, by comparing their frames."""
 
 from __future__ import annotations
 

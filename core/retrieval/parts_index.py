@@ -1,4 +1,4 @@
-"""Engines ``parts`` and ``printed``: the paper's own way to search, repaired and as it stands (PCR sections 3 and 4).
+"""Engines ``parts`` and ``printed``: the paper's method, repaired and as printed (PCR sections 3 and 4).
 
 Both cut every node of the body into segments, learn its patterns and keep every clip as eighteen lists of pattern
 indices. ``parts`` compares lists by local alignment (core.retrieval.part_matching), ``printed`` by Algorithm 2.
@@ -249,7 +249,7 @@ class Parts:
 
 
 class Printed(Parts):
-    """The paper's engine as printed, to compare with. It knows no stretches: its hits are whole clips."""
+    """The paper's engine as printed, for comparison. Its hits are whole clips."""
 
     CENTRING, TRAVEL, SMOOTH = 0.0, False, False
 

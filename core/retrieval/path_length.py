@@ -1,4 +1,4 @@
-"""Motions read at equal steps of the way that the posture goes, not at equal times (docs/methods/search.md).
+"""Resamples motions at equal steps of the path of the posture, not at equal times (docs/methods/search.md).
 
 A slow and a fast performance of one action then have the same samples, and standing still takes no room.
 """

@@ -1,4 +1,4 @@
-"""Whether a query looks like anything a body does: combined from several stretches it may not (PCR section 6)."""
+"""Checks whether a query combined from several stretches is a plausible motion (PCR section 6)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Algorithm 2 as the paper prints it (PCR section 4.1), to compare with; ``part_matching`` is the one that works.
+"""Algorithm 2 as the paper prints it (PCR section 4.1), for comparison; ``part_matching`` is the repaired one.
 
 The scan of a list stops when the query's end is reached, where the printed loop would read beyond it.
 """

@@ -1,4 +1,4 @@
-"""What is searched for: a stretch of motion, or a hybrid whose parts come from several (PCR sections 1 and 6)."""
+"""Queries: a stretch of motion, or a hybrid whose parts come from several (PCR sections 1 and 6)."""
 
 from __future__ import annotations
 
@@ -64,7 +64,7 @@ class Query:
 
     @property
     def leading(self) -> QueryPart:
-        """The part that lends the query its time and its path: that of the legs, else the one with most leaves."""
+        """The part that gives the query its timing and path: that of the legs, else the one with most leaves."""
         return max(self.parts, key=lambda part: (sum("leg" in leaf for leaf in part.leaves), len(part.leaves)))
 
 

@@ -69,7 +69,7 @@ class SearchParameters:
 
 
 class Engine(Protocol):
-    """What an engine does. Weights are those of all ten leaves and sum to 1; a leaf of weight 0 has no influence.
+    """The interface of engines. Weights are those of all ten leaves and sum to 1; leaves of weight 0 have no influence.
 
     ``among``: ``(k,)`` ascending indices into ``clips`` of those that count. Hits come best first; equal scores in the
     order of the clips. Frames of hits are of the clips' own rates.

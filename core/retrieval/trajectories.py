@@ -1,4 +1,4 @@
-"""How alike two paths over the ground are: what PCR section 6 leaves open."""
+"""Distance of two paths over the ground, which PCR section 6 leaves open."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Four ways to make new motion from the same recordings, held against one another (SYN section 7): a grammar, a state
+"""Comparison of four ways to make new motion from the same recordings (SYN section 7): a grammar, a state
 machine, Sequitur, and random walks on the motif graph."""
 
 from __future__ import annotations
@@ -105,7 +105,7 @@ def bake_off(
     parameters: BakeoffParameters | None = None,
     report: Report = silent,
 ) -> Bakeoff:
-    """The four held against one another on one data set. Deterministic. Strings of motifs are held out clip by clip.
+    """Compares the four ways on one data set. Deterministic. Strings of motifs are held out clip by clip.
 
     Raises AnalysisError where there are fewer than two sentences.
     """

@@ -1,4 +1,4 @@
-"""Which foot stands in a stitched motion, where a foot has to step, and how much standing feet slide."""
+"""Feet of a stitched motion: which one stands, where one has to step, and how much standing feet slide."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What every made motion is kept with: the motion itself, and how well it was made."""
+"""Storage of synthesised motion with its quality measures."""
 
 from __future__ import annotations
 
@@ -43,12 +43,12 @@ class Made(Protocol):
 
 
 def head_of(made: Made, kind: str) -> dict[str, Any]:
-    """The format and the length, with which a document begins."""
+    """The format and the length, the beginning of a document."""
     return {"format": kind, "frames": made.clip.n_frames, "fps": made.clip.fps}
 
 
 def quality_of(made: Made) -> dict[str, Any]:
-    """How well it was made, with which a document ends."""
+    """The quality measures, the end of a document."""
     return {
         "seams": [list(seam) for seam in made.seams],
         "skate": made.skate._asdict(),

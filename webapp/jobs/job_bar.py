@@ -127,7 +127,7 @@ def _failed(job: Job) -> dict:
     return {
         "id": job.id,
         "title": job.title,
-        "error": in_the_browser(job.error or "It failed for a reason we do not know."),
+        "error": in_the_browser(job.error or "It failed for an unknown reason."),
     }
 
 

@@ -74,7 +74,7 @@ def parse(pathname: str | None, search: str | None) -> tuple[View, tuple[str, ..
         problems.append(f"There is no page called “{_shorten(pathname)}”.")
     query = (search or "").lstrip("?")
     if len(query) > MAX_QUERY:
-        return View(page or "library"), (*problems, "The link is too long to be one of ours.")
+        return View(page or "library"), (*problems, "The link is too long.")
     values = _first_values(query, problems)
     selection = _selection(values, problems)
     shown = _view(page or "library", values, problems)
@@ -82,7 +82,7 @@ def parse(pathname: str | None, search: str | None) -> tuple[View, tuple[str, ..
     known = {"dataset", *STAGE_KEYS, *selectable, *view_keys()[page or "library"]}
     unknown = [name for name in values if name not in known]
     if unknown:
-        problems.append("The link has parts we do not know: " + ", ".join(_shorten(name) for name in unknown[:5]) + ".")
+        problems.append("The link has unknown parts: " + ", ".join(_shorten(name) for name in unknown[:5]) + ".")
     view = View(
         page or "library",
         values.get("dataset") or None,

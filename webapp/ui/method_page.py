@@ -209,7 +209,7 @@ def status(method: MethodPage, dataset: str | None, job: Job | None, ready: bool
         return _card(empty_state("error", f"{method.doing} failed", job.error, _again(method, "Try again")))
     if job is not None and job.state == "cancelled":
         words = f"{method.doing} was cancelled"
-        return _card(empty_state(method.symbol, words, "Nothing was kept of it.", _again(method, method.action)))
+        return _card(empty_state(method.symbol, words, "No result was stored.", _again(method, method.action)))
     words = f"Press {method.action}. {method.hint}"
     return _card(
         empty_state(

@@ -1,4 +1,4 @@
-"""What the paper compares itself with (PCR section 5), and one more: to be measured beside our engines, not to be used.
+"""The baselines of the paper (PCR section 5) and one more, for evaluation only.
 
 Each takes the recordings as its own paper does, but for what stands in its module's docstring.
 """

@@ -1,4 +1,4 @@
-"""Time warping of joint positions and velocities: no paper's method, but what one would try first."""
+"""Time warping of joint positions and velocities: a simple baseline that is not from a paper."""
 
 from __future__ import annotations
 

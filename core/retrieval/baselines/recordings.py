@@ -1,4 +1,4 @@
-"""What the baselines read off recordings."""
+"""What several baselines need of recordings."""
 
 from __future__ import annotations
 

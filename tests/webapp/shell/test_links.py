@@ -83,7 +83,7 @@ def test_only_what_we_know_colours_a_clip():
 
 
 def test_a_flood_is_refused():
-    assert parse("/library", "?dataset=" + "x" * 5000)[1] == ("The link is too long to be one of ours.",)
+    assert parse("/library", "?dataset=" + "x" * 5000)[1] == ("The link is too long.",)
     many = "&".join(f"a{i}=1" for i in range(150))
     assert "could not be read" in parse("/library", f"?{many}")[1][0]
 

@@ -110,7 +110,7 @@ def _waiting(job: Job | None) -> Component:
     if job is not None and job.state == "failed":
         title, words = "Comparing failed", job.error
     elif job is not None and job.state == "cancelled":
-        title, words = "Comparing was cancelled", "Nothing was kept of it."
+        title, words = "Comparing was cancelled", "No result was stored."
     asks = sends(names.BAKEOFF_RUN, {"ask": True}, every_time=True)
     return empty_state("branches", title, words, dmc.Button("Compare four ways", variant="light", **asks))
 

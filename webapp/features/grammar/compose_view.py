@@ -73,7 +73,7 @@ def _buttons() -> list[Component]:
         html.A(
             [icon("download", 14), "BVH"], id=names.COMPOSE_BVH, className="walk-button", title="Save the motion as BVH"
         ),
-        tree_link(names.COMPOSE_JSON, "JSON", "Save where every frame comes from, and the meters"),
+        tree_link(names.COMPOSE_JSON, "JSON", "Save the source of every frame, and the quality measures"),
         *(
             html.Button(label, type="button", className="walk-button compose-recipe", **attributes(data_recipe=words))
             for label, words in (("Command", "Copy as commands"), ("Python", "Copy as Python"))

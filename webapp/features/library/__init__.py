@@ -23,12 +23,12 @@ FEATURE = Feature(
             "Read recordings into a workspace.", later(f"{_ARGUMENTS}:import_"), later(f"{_COMMANDS}:import_")
         ),
         "labels": Command(
-            "Bring labels (CSV) to a dataset of a workspace.",
+            "Add labels (CSV) to a dataset of a workspace.",
             later(f"{_ARGUMENTS}:labels"),
             later("webapp.features.library.label_commands:labels"),
         ),
         "inspect": Command(
-            "Say of every file whether it can be read, and what is odd about it.",
+            "Report for every file whether it can be read, and what is odd about it.",
             later(f"{_ARGUMENTS}:inspect"),
             later(f"{_COMMANDS}:inspect"),
         ),

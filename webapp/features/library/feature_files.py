@@ -56,7 +56,7 @@ def register(app: Dash, workspace: Workspace) -> None:
                     raise WorkspaceError(job.error)
         except (ParameterError, WorkspaceError) as error:
             set_props(names.FEATURES_CHOICE, {"data": None})
-            set_props(NOTICES, {"sendNotifications": [notice("Cannot give the features", str(error), "red")]})
+            set_props(NOTICES, {"sendNotifications": [notice("Cannot compute the features", str(error), "red")]})
         return no_update
 
     app.clientside_callback(ClientsideFunction("downloads", "fetch"), Input(names.FEATURES_READY, "data"))

@@ -28,12 +28,12 @@ FEATURE = Feature(
             later("webapp.features.motifs.commands:motifs"),
         ),
         "compare": Command(
-            "Hold two results of the same recordings against each other.",
+            "Compare two results of the same recordings.",
             later(f"{_ARGUMENTS}:compare"),
             later("webapp.features.motifs.compare_commands:compare_files"),
         ),
         "stability": Command(
-            "Measure how surely each motif is found again: with noise, other seeds, settings a step away.",
+            "Measure how reliably each motif is found again: with noise, other seeds and neighbouring settings.",
             later(f"{_ARGUMENTS}:stability"),
             later("webapp.features.motifs.compare_commands:measure_stability"),
         ),

@@ -52,7 +52,7 @@ class OnDemand(NamedTuple):
         if job is not None and job.state == "failed":
             title, words = f"{self.doing} failed", job.error
         elif job is not None and job.state == "cancelled":
-            title, words = f"{self.doing} was cancelled", "Nothing was kept of it."
+            title, words = f"{self.doing} was cancelled", "No result was stored."
         asks = sends(self.ids.find, {"find": True}, every_time=True)
         return empty_state(self.symbol, title, words, dmc.Button(self.button, variant="light", **asks))
 

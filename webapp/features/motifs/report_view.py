@@ -29,7 +29,7 @@ REPORT = on_demand.OnDemand(
     symbol="graph",
     doing="Making the report",
     missing="No report yet",
-    hint="It tells what is there twice, what only once, and which clips to keep.",
+    hint="It lists near-duplicates, rare postures, and the clips to keep.",
     button="Make the report",
     refused="Cannot make the report",
     frame=lambda waiting: html.Div(waiting, className="card"),
@@ -75,7 +75,7 @@ def body(report: Redundancy, graph: MotifGraph, dataset: Any, scheme: str | None
                 [html.H3("Keep-list"), html.Div(className="spacer"), table_download("report-clips", "keep-list")],
                 className="chart-head",
             ),
-            grid("report-clips", CLIP_COLUMNS, clip_rows(report), "Clips, the most telling first", row_height=34),
+            grid("report-clips", CLIP_COLUMNS, clip_rows(report), "Clips, those that add most first", row_height=34),
             html.H3("Near-duplicate motions"),
             _copies(copy_entries(report, graph, dataset)),
             html.H3("Rare postures"),
@@ -101,7 +101,7 @@ def sentence(report: Redundancy) -> str:
 
 def _copies(entries: list[dict[str, Any]]) -> Component:
     if not entries:
-        return html.P("No two motions of a motif are as alike as copies.", className="muted")
+        return html.P("No two motions of a motif are near-duplicates.", className="muted")
     rows = [
         html.Div(
             [

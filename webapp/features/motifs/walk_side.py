@@ -60,7 +60,7 @@ def _buttons() -> list[Component]:
             [icon("download", 14), "JSON"],
             id=names.WALK_JSON,
             className="walk-button",
-            title="Save where every frame comes from, and the meters",
+            title="Save the source of every frame, and the quality measures",
         ),
         *(html.Button(label, type="button", className="walk-button walk-recipe") for label in ("Command", "Python")),
         _button("Clear", "clear", "Begin a new path"),

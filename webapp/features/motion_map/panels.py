@@ -78,7 +78,7 @@ def multiples_figure(motion_map: MotionMap, dataset: Dataset, scheme: str | None
 
 def clip_columns() -> list[dict[str, Any]]:
     """Columns of the table of clips."""
-    tip = "Mean distance of its postures to the map, as a multiple of what is usual: from about 2 on the map does not know them."  # noqa: E501
+    tip = "Mean distance of its postures to the map, as a multiple of what is usual: above about 2 the map does not represent them."  # noqa: E501
     return [
         {"field": "clip", "headerName": "Clip", "flex": 1, "minWidth": 200},
         column("seconds", "Seconds", 88, **SECONDS),

@@ -215,7 +215,7 @@ def result(
             figures.curves_chart(measured.engines, regime, NAMES, scheme),
             [],
         ),
-        _chart(names.RANKING_CONFUSION, "What is taken for what", figures.confusion_chart(scores, scheme), [confused]),
+        _chart(names.RANKING_CONFUSION, "Confusion of labels", figures.confusion_chart(scores, scheme), [confused]),
     ]
 
 

@@ -25,7 +25,7 @@ METHOD = MethodPage(
     action="Build index",
     doing="Building the search index",
     symbol="search",
-    hint="Searches then answer at once, for any motion of these recordings or of your own.",
+    hint="Searches are then immediate, for motions of these recordings and uploaded ones.",
     without=("method",),
 )
 
@@ -96,12 +96,12 @@ def _query() -> Component:
                     _button(
                         [icon("upload", 14), "Upload a file"],
                         "upload",
-                        "Look for a motion of your own: BVH, or AMC with its ASF",
+                        "Search for an uploaded motion: BVH, or AMC with its ASF",
                     ),
                     _button(
                         [icon("plus", 14), "Combine"], "combine", "Take other parts of the body from another motion"
                     ),
-                    _button([icon("back", 14), "Back"], "back", "Back to what was looked for before", "hidden"),
+                    _button([icon("back", 14), "Back"], "back", "Back to the previous query", "hidden"),
                 ],
                 **attributes(aria_label="Where the query comes from", data_suffixes=",".join(SUFFIXES)),
             ),

@@ -13,7 +13,7 @@ FEATURE = Feature(
     keys=link_keys(names.View),
     commands={
         "sweep": Command(
-            "Find motifs over ranges of parameters, at about the price of a few.",
+            "Find motifs for ranges of parameters, which share most of the work.",
             later("webapp.features.sweeps.arguments:sweep"),
             later("webapp.features.sweeps.commands:sweep"),
         )

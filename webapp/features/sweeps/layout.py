@@ -25,8 +25,8 @@ from webapp.ui.page_head import page_head
 
 PAIR_NAMES = {"error-coverage": "Error and coverage", "motifs": "Motifs and motions", "labels": "Agreement with labels"}
 HINT = (
-    "Press Run sweep: motifs are found for all these settings at about the price of a few, and the charts show what "
-    "each setting trades for what."
+    "Press Run sweep: motifs are found for all these settings, which share most of the work, and the charts show how "
+    "the results depend on them."
 )
 
 

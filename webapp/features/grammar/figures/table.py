@@ -45,7 +45,7 @@ COLUMNS = [
     column("R", "Reduced to R", 92, "Typical occurrences together, as a share of all motion", **_fixed(3)),
     column("E", "Spread E'", 94, "How far occurrences lie from the typical one of their action", **_fixed(3)),
     column("rules", "Rules", 84, "Ways in which routines and phrases are put together", **_fixed(0)),
-    column("phrases", "Phrases", 94, "Parts that rules speak of", **NUMBER),
+    column("phrases", "Phrases", 94, "Parts that rules name", **NUMBER),
     column("sentences", "Routines", 98, "Into how many routines the recordings were divided", **NUMBER),
     column("bits", "Bits", 84, "What it takes to write rules and routines", **_fixed(0)),
     column("seconds", "Time (s)", 96, "How long it took", **_fixed(1)),

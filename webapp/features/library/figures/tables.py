@@ -18,10 +18,8 @@ CLIP_COLUMNS = [
     {"field": "strip", **STRIP, "minWidth": 128},
     column("seconds", "Seconds", 84, tooltipField="frames", **SECONDS),
     column("fps", "Rate", 56, "Frames per second", **NUMBER),
-    column(
-        "labels", "Labels", 92, "What people say is done in it", flex=1, minWidth=84, tooltipField="counted", **TEXT
-    ),
-    column("verdict", "Import", 66, "What the import said of it", cellRenderer="Mark", cellClass="strip-cell"),
+    column("labels", "Labels", 92, "Its labelled actions", flex=1, minWidth=84, tooltipField="counted", **TEXT),
+    column("verdict", "Import", 66, "Remarks of the import", cellRenderer="Mark", cellClass="strip-cell"),
 ]
 REPORT_COLUMNS = [
     column("verdict", "Result", 118, cellRenderer="Verdict", cellClass="wrapped-cell"),

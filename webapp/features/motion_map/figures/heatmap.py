@@ -21,12 +21,12 @@ from webapp.ui.filmstrip import ICON_COLOURS, data_uri
 from webapp.ui.timeline import motif_colour
 
 COLOURINGS = {  # value -> name, what it shows
-    "height": ("Ridges", "U-matrix: ridges part postures that differ; where the ground is flat they are alike."),
+    "height": ("Ridges", "U-matrix: ridges separate postures that differ; in flat areas they are alike."),
     "density": ("Time spent", "Seconds of motion on each node."),
     "speed": ("Speed", "Mean speed over the ground, m/s."),
-    "region": ("Region", "Ground between ridges: postures of one kind."),
-    "label": ("Label", "The label that most of the time on a node has."),
-    "motif": ("Motif", "The motif that most of the time on a node belongs to."),
+    "region": ("Region", "Regions between ridges: postures of one kind."),
+    "label": ("Label", "The label with most time on a node."),
+    "motif": ("Motif", "The motif with most time on a node."),
     "clip": ("Clip", "The clip that spends most time on a node."),
 }
 ACTIONS = (  # as the timeline colours labels (assets/motifs/timeline.mjs)

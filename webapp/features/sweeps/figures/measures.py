@@ -37,7 +37,7 @@ class Measure(NamedTuple):
 MEASURES = {
     "explained": Measure(
         "Motion explained",
-        "The share of all motion that motifs account for: coverage, less the further the motions of a motif lie apart.",
+        "The share of all motion that motifs explain: coverage times one minus the error ratio.",
         1, 100, "%",
     ),
     "coverage": Measure("Coverage", "Share of all frames that belong to some motif.", 1, 100, "%"),
@@ -51,10 +51,10 @@ MEASURES = {
     "mean_motions": Measure("Motions per motif", "Mean number of motions of a motif.", 2),
     "mean_frames": Measure("Frames per motion", "Mean length of a motion.", 0),
     "purity": Measure(
-        "Purity", "Share of the labelled frames in motifs that carry their motif's commonest label.", 1, 100, "%"
+        "Purity", "Share of the labelled frames in motifs that have their motif's most frequent label.", 1, 100, "%"
     ),
     "f1_majority": Measure(
-        "F1", "How well motifs, each standing for its commonest label, tell the labelled actions; mean over actions.",
+        "F1", "F1 of the motifs as predictions of labels, each with its most frequent label; mean over actions.",
         1, 100, "%",
     ),
     "seconds": Measure("Seconds", "Time of all stages behind the result, shared ones included.", 2, 1, "s"),
