@@ -12,6 +12,8 @@ from core.progress import Report, silent
 from core.sequences.repeats import Runs
 from core.sequences.warping import registration, warp_path
 
+_COMPARED = 64  # poses of a group, evenly spread over it, that an entry or exit pose is compared with
+
 
 class AlignedMotif(NamedTuple):
     """Motions of one motif, all in analysis frames of the whole data set.
@@ -73,7 +75,7 @@ def _sweep(
             score = 0.0
             for side in range(2):
                 if group_of[j, side] >= 0:
-                    score += _spread(group_of[j, side], pointers, members, frames, poses)
+                    score += _spread(group_of[j, side], j, pointers, members, frames, poses)
             if score < best_score * (1 - 1e-9):
                 best, best_score = frames[j], score
         frames[j] = best
@@ -82,18 +84,26 @@ def _sweep(
 
 
 @njit(nogil=True)
-def _spread(group: int, pointers: Int64Array, members: Int64Array, frames: Int64Array, poses: Float32Array) -> float:
-    """Sum of distances of a group's poses to their average."""
-    low, high = pointers[group], pointers[group + 1]
+def _spread(
+    group: int, own: int, pointers: Int64Array, members: Int64Array, frames: Int64Array, poses: Float32Array
+) -> float:
+    """Sum of distances of a group's poses to their average; of a large group, of some of them and letter ``own``."""
+    low, size = pointers[group], pointers[group + 1] - pointers[group]
+    n = min(size, _COMPARED)
+    looked_at = np.empty(n + 1, np.int64)
+    for k in range(n):
+        looked_at[k] = frames[members[low + k * size // n]]
+    if n < size:
+        looked_at[n], n = frames[own], n + 1
     mean = np.zeros(poses.shape[1])
-    for k in range(low, high):
-        mean += poses[frames[members[k]]]
-    mean /= high - low
+    for k in range(n):
+        mean += poses[looked_at[k]]
+    mean /= n
     total = 0.0
-    for k in range(low, high):
+    for k in range(n):
         square = 0.0
         for d in range(len(mean)):
-            square += (poses[frames[members[k]], d] - mean[d]) ** 2
+            square += (poses[looked_at[k], d] - mean[d]) ** 2
         total += np.sqrt(square)
     return total
 

@@ -9,309 +9,88 @@ from typing import NamedTuple
 
 import numpy as np
 
-from core.arrays import Float32Array, Int32Array, Int64Array
-from core.compiled import njit
 from core.motifs.adjacency import Adjacency
+from core.motifs.match_kernels import Rule, Text, by_seed, inverted_lists, match_seeds, places_like
 from core.progress import Report, silent
 from core.sequences.repeats import Runs
 
-_INFINITE = np.float32(np.inf)
+__all__ = ["Matcher", "Matches", "Rule", "first_cuts"]
+
 _BLOCK = 50_000  # pairs of seed start and candidate matched at a time, some tens of milliseconds
 
 
-_Real = float | np.float32
-
-
-class Rule(NamedTuple):
-    """When an alignment is a match.
-
-    min_letters, max_letters: lengths of the seed; gamma: slope limit of the alignment and of the durations; slack:
-    freedom
-    around a held pose, in shares of its duration; max_cost: highest mean distance along the alignment; min_frames: the
-    shortest motion on either side.
-    """
-
-    min_letters: int = 5
-    max_letters: int = 30
-    gamma: _Real = 1.5
-    slack: _Real = 0.5
-    max_cost: _Real = np.inf
-    min_frames: _Real = 0.0
-
-
-class Text(NamedTuple):
-    """The runs as the jitted kernels want them: each array ``(m,)``; middles and lengths float32, in frames."""
-
-    letters: np.ndarray
-    middles: np.ndarray
-    lengths: np.ndarray
-    firsts: np.ndarray
-    stops: np.ndarray
-
-
 class Matches(NamedTuple):
-    """All matches of all seeds. Seed (j, j + i) is row ``j * (max_letters - min_letters + 1) + i + 1 - min_letters``.
+    """Matches of all seeds that start at certain letters. Seed (firsts[i], firsts[i] + l) is row
+    ``i * (max_letters - min_letters + 1) + l + 1 - min_letters``.
 
     pointers: (n_seeds + 1,) where each seed's matches begin; starts, ends: (n_matches,) int32 first and last letter of
-    the match, ordered by start, then end; costs: (n_matches,) float32 mean distance along its best alignment.
+    the match, ordered by start, then end; costs: (n_matches,) float32 mean distance along its best alignment; firsts:
+    the letters at which seeds start, ascending.
     """
 
     pointers: np.ndarray
     starts: np.ndarray
     ends: np.ndarray
     costs: np.ndarray
+    firsts: np.ndarray
 
 
-@njit(nogil=True)
-def _candidates(
-    letters: Int32Array, firsts: Int32Array, stops: Int32Array, distances: Float32Array, costs: Float32Array
-) -> tuple[Int64Array, Int32Array]:
-    """Inverted lists: for each letter the places that are adjacent to it and nearer than both of their neighbours."""
-    m, kappa = len(letters), len(costs)
-    pointers = np.zeros(kappa + 1, np.int64)
-    for x in range(kappa):
-        for a in range(m):
-            if costs[x, letters[a]] < np.inf and _is_nearest(letters, firsts, stops, distances, x, a):
-                pointers[x + 1] += 1
-    for x in range(kappa):
-        pointers[x + 1] += pointers[x]
-    places = np.empty(pointers[-1], np.int32)
-    for x in range(kappa):
-        k = pointers[x]
-        for a in range(m):
-            if costs[x, letters[a]] < np.inf and _is_nearest(letters, firsts, stops, distances, x, a):
-                places[k] = a
-                k += 1
-    return pointers, places
-
-
-@njit(nogil=True)
-def _is_nearest(
-    letters: Int32Array, firsts: Int32Array, stops: Int32Array, distances: Float32Array, x: int, a: int
-) -> bool:
-    """Whether place a is nearer to letter x than the letters beside it; beyond a clip's end all is infinitely far."""
-    here = distances[x, letters[a]]
-    if a > firsts[a] and distances[x, letters[a - 1]] <= here:
-        return False
-    return not (a + 1 < stops[a] and distances[x, letters[a + 1]] <= here)
-
-
-@njit(nogil=True)
-def _cheaper(total: np.float32, steps: int, best: np.float32, n: int) -> bool:
-    """Whether an alignment is cheaper; of equal costs, which equal letters give, the shorter path counts."""
-    return bool(total < best or (total == best and steps < n))
-
-
-@njit(nogil=True)
-def _next_row(
-    letters: Int32Array,
-    middles: Float32Array,
-    lengths: Float32Array,
-    costs: Float32Array,
-    gamma: _Real,
-    slack: _Real,
-    seed: int,
-    start: int,
-    row: int,
-    columns: int,
-    low: int,
-    high: int,
-    totals: Float32Array,
-    steps: Int32Array,
-) -> tuple[int, int]:
-    """One letter more of the seed: costs and lengths of the best alignments that end at each letter of the candidate.
-
-    totals, steps: (2, n) buffers, row parity alternates; [low, high] are the reachable columns of the row before.
-    Returns the reachable columns of this row, (0, -1) when there are none. Takes plain arrays: a tuple of arrays would
-    count references, atomically, at every call.
-    """
-    new, old = row % 2, 1 - row % 2
-    x = letters[seed + row]
-    seed_time = middles[seed + row] - middles[seed]
-    seed_slack = slack * lengths[seed + row]
-    longest, origin = gamma * seed_time, middles[start]
-    first, last = 0, -1
-    left, left_steps = _INFINITE, 0
-    corner, corner_steps = (np.float32(0), 0) if row == 0 else (_INFINITE, 0)
-    totals[old, high + 1] = _INFINITE
-    if row == 0:
-        totals[old, 0] = _INFINITE
-    for c in range(low, columns):
-        up, up_steps = _INFINITE, 0
-        if c <= high + 1:
-            up, up_steps = totals[old, c], steps[old, c]
-        elif left == _INFINITE:
-            break
-        best, n = corner, corner_steps
-        corner, corner_steps = up, up_steps
-        if _cheaper(up, up_steps, best, n):
-            best, n = up, up_steps
-        if _cheaper(left, left_steps, best, n):
-            best, n = left, left_steps
-        best += costs[x, letters[start + c]]
-        if best < _INFINITE:
-            time, freedom = middles[start + c] - origin, seed_slack + slack * lengths[start + c]
-            if time > longest + freedom or seed_time > gamma * (time + freedom):
-                best = _INFINITE
-            else:
-                if last < first:
-                    first = c
-                last = c
-        totals[new, c], steps[new, c] = best, n + 1
-        left, left_steps = best, n + 1
-    return first, last
-
-
-@njit(nogil=True)
-def _match_block(
-    begin: int,
-    end: int,
-    text: Text,
-    distances: Float32Array,
-    costs: Float32Array,
-    rule: Rule,
-    pointers: Int64Array,
-    places: Int32Array,
-) -> tuple[Int32Array, Float32Array]:
-    """Matches of the seeds that start in [begin, end), in order of discovery: seed start, candidate start, length, end.
-
-    Matches never overlap their seed: they share an end letter with it at most.
-    """
-    letters, middles, lengths, firsts, stops = text
-    min_letters, max_letters, gamma, slack, max_cost, min_frames = rule
-    columns = 1
-    for j in range(len(stops)):
-        columns = max(columns, stops[j] - firsts[j])
-    totals, steps = np.empty((2, columns + 1), np.float32), np.empty((2, columns + 1), np.int32)
-    n_found, spans, values = 0, np.empty((4096, 4), np.int32), np.empty(4096, np.float32)
-    for seed in range(begin, end):
-        x = letters[seed]
-        for q in range(pointers[x], pointers[x + 1]):
-            start = places[q]
-            rows = min(max_letters, stops[seed] - seed)
-            width = stops[start] - start
-            if start == seed:
-                continue
-            if start > seed:
-                rows = min(rows, start - seed + 1)
-            else:
-                width = min(width, seed - start + 1)
-            low, high = 0, 0
-            for row in range(rows):
-                low, high = _next_row(
-                    letters, middles, lengths, costs, gamma, slack, seed, start, row, width, low, high, totals, steps
-                )
-                if high < low:
-                    break
-                if row + 1 < min_letters or middles[seed + row] - middles[seed] < min_frames:
-                    continue
-                if n_found + high - low + 1 > len(values):
-                    spans, values = _grown(spans, values, n_found, high - low + 1)
-                n_found = _collect(
-                    letters, middles, firsts, stops, distances, gamma, max_cost, min_frames,
-                    seed, start, row, low, high, totals, steps, n_found, spans, values,
-                )  # fmt: skip
-    return spans[:n_found], values[:n_found]
-
-
-@njit(nogil=True)
-def _grown(spans: Int32Array, values: Float32Array, found: int, more: int) -> tuple[Int32Array, Float32Array]:
-    size = 2 * len(values) + more
-    new_spans, new_values = np.empty((size, 4), np.int32), np.empty(size, np.float32)
-    for k in range(found):  # slice assignment would take seconds more to compile
-        new_values[k] = values[k]
-        for i in range(4):
-            new_spans[k, i] = spans[k, i]
-    return new_spans, new_values
-
-
-@njit(nogil=True)
-def _collect(
-    letters: Int32Array,
-    middles: Float32Array,
-    firsts: Int32Array,
-    stops: Int32Array,
-    distances: Float32Array,
-    gamma: _Real,
-    max_cost: _Real,
-    min_frames: _Real,
-    seed: int,
-    start: int,
-    row: int,
-    low: int,
-    high: int,
-    totals: Float32Array,
-    steps: Int32Array,
-    found: int,
-    spans: Int32Array,
-    values: Float32Array,
-) -> int:
-    """Add the alignments of this row that end at an end candidate and keep duration ratio and mean cost."""
-    x = letters[seed + row]
-    seed_time = middles[seed + row] - middles[seed]
-    for c in range(max(low, 1), high + 1):
-        total = totals[row % 2, c]
-        if total == _INFINITE or not total <= max_cost * steps[row % 2, c]:  # no limit, still no path
-            continue
-        time = middles[start + c] - middles[start]
-        if time < min_frames or time > gamma * seed_time or seed_time > gamma * time:
-            continue
-        if _is_nearest(letters, firsts, stops, distances, x, start + c):
-            spans[found, 0], spans[found, 1] = seed, row
-            spans[found, 2], spans[found, 3] = start, start + c
-            values[found] = total / steps[row % 2, c]
-            found += 1
-    return found
-
-
-@njit(nogil=True)
-def _by_seed(
-    begin: int, end: int, spans: Int32Array, values: Float32Array, rule: Rule
-) -> tuple[Int64Array, Int32Array, Int32Array, Float32Array]:
-    """Counting sort of a block by seed; the order within a seed (by start, then end) stays."""
-    lengths = rule.max_letters - rule.min_letters + 1
-    pointers = np.zeros((end - begin) * lengths + 1, np.int64)
-    for k in range(len(values)):
-        pointers[(spans[k, 0] - begin) * lengths + spans[k, 1] + 2 - rule.min_letters] += 1
-    for k in range(len(pointers) - 1):
-        pointers[k + 1] += pointers[k]
-    at = pointers[:-1].copy()
-    starts, ends = np.empty(len(values), np.int32), np.empty(len(values), np.int32)
-    costs = np.empty(len(values), np.float32)
-    for k in range(len(values)):
-        row = (spans[k, 0] - begin) * lengths + spans[k, 1] + 1 - rule.min_letters
-        starts[at[row]], ends[at[row]], costs[at[row]] = spans[k, 2], spans[k, 3], values[k]
-        at[row] += 1
-    return pointers, starts, ends, costs
+def first_cuts(runs: Runs) -> np.ndarray:
+    """For each letter the first transition at or after it that crosses a clip's end: ``(m,)`` int64."""
+    cuts: np.ndarray = runs.stops.astype(np.int64) - 1
+    return cuts
 
 
 class Matcher:
-    """The string and its inverted lists, ready to be asked for matches; m runs."""
+    """The string, ready to be asked for matches; m runs."""
 
     def __init__(self, runs: Runs, adjacency: Adjacency):
         self.text = Text(runs.letters, runs.middles, runs.lengths, runs.firsts, runs.stops)
         self.adjacency = adjacency
-        self.pointers, self.places = _candidates(
-            runs.letters, runs.firsts, runs.stops, adjacency.distances, adjacency.costs
-        )
+        self._uncut = first_cuts(runs)
+        self._columns = int((runs.stops - runs.firsts).max(initial=1))
 
-    def block(self, begin: int, end: int, rule: Rule) -> Matches:
-        """Matches of all seeds that start at letters [begin, end); pointers: a row for each seed of these, (n_seeds +
-        1,)."""
-        a, rule = self.adjacency, _typed(rule)
-        spans, values = _match_block(begin, end, self.text, a.distances, a.costs, rule, self.pointers, self.places)
-        return Matches(*_by_seed(begin, end, spans, values, rule))
+    def of(
+        self, first: int, last: int, rule: Rule, cut: np.ndarray | None = None, among: np.ndarray | None = None
+    ) -> Matches:
+        """Matches of the one seed (first, last), whatever its length and whether or not it is partitioned itself.
 
-    def of(self, first: int, last: int, rule: Rule) -> Matches:
-        """Matches of the one seed (first, last), whatever its length."""
-        return self.block(first, first + 1, rule._replace(min_letters=last - first + 1, max_letters=last - first + 1))
+        cut, among: as in :meth:`all`.
+        """
+        n = last - first + 1
+        return self._starting_at(first, last, rule._replace(min_letters=n, max_letters=n), cut, among)
 
-    def all(self, rule: Rule, report: Report = silent) -> Matches:
-        """Matches of all seeds, in parallel; cost about linear in the pairs of places with adjacent letters."""
-        cuts = _even_blocks(np.cumsum(np.diff(self.pointers)[self.text.letters]), _BLOCK)
+    def starting_at(
+        self, first: int, rule: Rule, cut: np.ndarray | None = None, among: np.ndarray | None = None
+    ) -> Matches:
+        """Matches of all seeds that start at letter ``first``. cut ``(m,)``, among ``(n,)``: as in :meth:`all`."""
+        return self._starting_at(first, int(self._cuts(cut)[first]), rule, cut, among)
+
+    def _starting_at(
+        self, first: int, limit: int, rule: Rule, cut: np.ndarray | None, among: np.ndarray | None
+    ) -> Matches:
+        a, x = self.adjacency, self.text.letters[first]
+        places = places_like(x, self.text, a.distances, a.costs, self._all_letters(among))
+        pointers = np.zeros(len(a.costs) + 1, np.int64)
+        pointers[x + 1 :] = len(places)
+        return self._block(np.array([first]), np.array([limit]), rule, self._cuts(cut), pointers, places)
+
+    def all(
+        self, rule: Rule, report: Report = silent, cut: np.ndarray | None = None, among: np.ndarray | None = None
+    ) -> Matches:
+        """Matches of all seeds, in parallel; cost about linear in the pairs of places with adjacent letters.
+
+        cut: ``(m,)`` first partitioned transition at or after each letter, where it is not that of the clips' ends;
+        among: the letters ``(n,)``, ascending, at which seeds and matches may start, where these are not all.
+        """
+        a, among, cut = self.adjacency, self._all_letters(among), self._cuts(cut)
+        lists = inverted_lists(self.text, a.distances, a.costs, among)
+        cuts = _even_blocks(np.cumsum(np.diff(lists[0])[self.text.letters[among]]), _BLOCK)
         blocks: list[Matches] = []
         with ThreadPoolExecutor(os.cpu_count()) as pool:
-            futures = [pool.submit(self.block, b, e, rule) for b, e in pairwise(cuts)]
+            futures = [
+                pool.submit(self._block, among[b:e], cut[among[b:e]], rule, cut, *lists) for b, e in pairwise(cuts)
+            ]
             try:
                 for k, future in enumerate(futures):
                     blocks.append(future.result())
@@ -321,6 +100,25 @@ class Matcher:
                     future.cancel()
                 raise
         return _concatenated(blocks)
+
+    def _block(
+        self,
+        firsts: np.ndarray,
+        limits: np.ndarray,
+        rule: Rule,
+        cut: np.ndarray,
+        pointers: np.ndarray,
+        places: np.ndarray,
+    ) -> Matches:
+        a, rule = self.adjacency, _typed(rule)
+        found = match_seeds(firsts, limits, self.text, cut, self._columns, a.distances, a.costs, rule, pointers, places)
+        return Matches(*by_seed(len(firsts), *found, rule), firsts)
+
+    def _cuts(self, cut: np.ndarray | None) -> np.ndarray:
+        return self._uncut if cut is None else cut
+
+    def _all_letters(self, among: np.ndarray | None) -> np.ndarray:
+        return np.arange(len(self._uncut)) if among is None else among
 
 
 def _typed(rule: Rule) -> Rule:
@@ -340,12 +138,13 @@ def _even_blocks(work: np.ndarray, size: int) -> np.ndarray:
 def _concatenated(blocks: list[Matches]) -> Matches:
     total = sum(len(b.costs) for b in blocks)
     starts, ends, costs = np.empty(total, np.int32), np.empty(total, np.int32), np.empty(total, np.float32)
-    pointers, at = [np.zeros(1, np.int64)], 0
+    pointers, firsts, at = [np.zeros(1, np.int64)], [np.zeros(0, np.int64)], 0
     blocks.reverse()
     while blocks:  # each is let go as soon as it is copied
         b = blocks.pop()
         n = len(b.costs)
         starts[at : at + n], ends[at : at + n], costs[at : at + n] = b.starts, b.ends, b.costs
         pointers.append(b.pointers[1:] + at)
+        firsts.append(b.firsts)
         at += n
-    return Matches(np.concatenate(pointers), starts, ends, costs)
+    return Matches(np.concatenate(pointers), starts, ends, costs, np.concatenate(firsts))

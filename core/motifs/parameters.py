@@ -8,6 +8,8 @@ from typing import Any
 from core.errors import ParameterError
 from core.parameters import parameter
 
+_SMALLEST_SAMPLE = 500
+
 
 @dataclass(frozen=True)
 class MotifParameters:
@@ -119,12 +121,20 @@ class MotifParameters:
         "largest = always the largest motif next, the same every time; random = the paper's random seeds.",
         choices=("largest", "random"), advanced=True,
     )  # fmt: skip
+    sample: int = parameter(
+        8000,
+        "Recordings with more changes of pose than this (about seven minutes have so many) are searched in samples of "
+        "so many; 0: always all at once, which is exact, but time and memory grow with the square.",
+        0, 1_000_000, 1000, advanced=True,
+    )  # fmt: skip
 
     def __post_init__(self) -> None:
         for f in fields(self):
             _check(f.name, getattr(self, f.name), f.default, f.metadata)
         if self.min_letters > self.max_letters:
             raise ParameterError(f"min_letters ({self.min_letters}) must not exceed max_letters ({self.max_letters})")
+        if 0 < self.sample < _SMALLEST_SAMPLE:
+            raise ParameterError(f"sample must be 0 or at least {_SMALLEST_SAMPLE}, not {self.sample}")
 
 
 def _check(name: str, value: Any, default: Any, allowed: Any) -> None:

@@ -17,12 +17,14 @@ import numpy as np
 from core.mocap.dataset import Dataset
 from core.motifs.adjacency import Adjacency, nearest_pairs_radius, radius_adjacency, sphere_adjacency
 from core.motifs.alignment import AlignedMotif, align_motifs, entry_frames, spans_of
-from core.motifs.discovery import Substrings, join_leftovers, largest_first, random_seeds
+from core.motifs.discovery import Substrings, largest_first, random_seeds
 from core.motifs.graph import MotifGraph, dataset_head
+from core.motifs.leftovers import join_leftovers
 from core.motifs.matching import Matcher, Matches, Rule
 from core.motifs.parameters import MotifParameters
 from core.motifs.quantize import Letters, automatic_kappa, k_means
 from core.motifs.result import graph_of
+from core.motifs.samples import sampled_first
 from core.poses.features import Poses, pose_features
 from core.progress import Report
 from core.sequences.repeats import Runs, remove_runs
@@ -91,18 +93,25 @@ def _neighbours(work: Work, parameters: MotifParameters, report: Report) -> Work
 
 
 def _matches(work: Work, parameters: MotifParameters, report: Report) -> Work:
+    """All matches of a string that is no longer than a sample; of a longer one discovery finds what it needs."""
     matcher = made(work.matcher)
+    if 0 < parameters.sample < len(made(work.runs).letters):
+        return work
     rule = _rule(parameters, matcher.adjacency, parameters.strictness)
     return work._replace(matches=matcher.all(rule, report))
 
 
 def _motifs(work: Work, parameters: MotifParameters, report: Report) -> Work:
-    rule = _rule(parameters, made(work.matcher).adjacency, parameters.strictness)
-    strings = made(work.runs), made(work.matches), rule, parameters.rho
+    runs, matcher, matches, rho = made(work.runs), made(work.matcher), work.matches, parameters.rho
+    rule, tightness = _rule(parameters, matcher.adjacency, parameters.strictness), parameters.tightness
     if parameters.seeding == "random":
-        found = random_seeds(*strings, parameters.seed, tightness=parameters.tightness, report=report)
+        matches = matches or matcher.all(rule, report)
+        found = random_seeds(runs, matches, rule, rho, parameters.seed, tightness=tightness, report=report)
+    elif matches:
+        found = largest_first(runs, matches, rule, rho, tightness=tightness, report=report)
     else:
-        found = largest_first(*strings, tightness=parameters.tightness, report=report)
+        size, seed = parameters.sample, parameters.seed
+        found = sampled_first(runs, matcher, rule, rho, size, seed, tightness=tightness, report=report)
     return work._replace(matches=None, found=found)
 
 
@@ -148,7 +157,9 @@ STAGES = (
     Stage("poses", ("analysis_fps", "pose"), _poses),
     Stage("quantisation", ("kappa", "seed"), _letters),
     Stage("matching", ("adjacency", "reach"), _neighbours),
-    Stage("matching", ("min_letters", "max_letters", "gamma", "slack", "strictness", "min_seconds"), _matches),
+    Stage(
+        "matching", ("min_letters", "max_letters", "gamma", "slack", "strictness", "min_seconds", "sample"), _matches
+    ),
     Stage("discovery", ("rho", "tightness", "seeding"), _motifs),
     Stage("discovery", ("join",), _leftovers),
     Stage("alignment", ("hold",), _alignment),

@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from core.motifs.discovery import join_leftovers, largest_first, random_seeds
+from core.motifs.discovery import largest_first, random_seeds
+from core.motifs.leftovers import join_leftovers
 from core.motifs.matching import Matcher, Rule
 from core.progress import Cancelled
 from tests.core.motifs.strings import (
