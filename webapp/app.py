@@ -8,6 +8,7 @@ import webapp.features  # noqa: F401  registers the features
 from core.workspace import WorkspaceError, shared_workspace
 from webapp import jobs
 from webapp.jobs import changes, following, job_bar
+from webapp.marks import all_marks, mark_of_request
 from webapp.shell import access, compression, frame, messages, playback, state
 from webapp.shell.assets import PARTS, VENDOR, assets_folder
 from webapp.shell.feature import features
@@ -41,7 +42,8 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> Loadi
     app.first_values = lambda pathname, search: (
         state.first_values(workspace, pages, pathname, search) | job_bar.first_values(workspace)
     )
-    access.protect(app.server, token)
+    marks = all_marks()
+    access.protect(app.server, workspace, token, lambda: mark_of_request(app, marks))
     compression.register(app.server)
     messages.register(app.server)
     blueprints = [upload_blueprint(workspace, Limits.from_environment()), *stage_routes.blueprints(workspace)]

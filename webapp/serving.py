@@ -74,16 +74,23 @@ def _serve(workspace: Workspace, arguments: Namespace, token: str | None, listen
     from waitress import create_server
 
     from webapp.jobs import ensure_worker
+    from webapp.shell.visitors import accounts_exist
 
     if arguments.demo:
         prepare_demo(workspace)  # its worker starts while the app is being built
     ensure_worker(workspace)  # jobs that were waiting when the last server ended
     app = _app(workspace, token)
     port = listener.getsockname()[1]
-    url = f"http://{_shown(arguments.host)}:{port}/" + (f"?token={token}" if token else "")
+    by_link = token and (os.environ.get(TOKEN) or not accounts_exist(workspace))
+    url = f"http://{_shown(arguments.host)}:{port}/" + (f"?token={token}" if by_link else "")
     print(f"Motionscape shows {workspace.path} at\n  {url}\nCtrl+C stops it.", flush=True)
     if token and not is_loopback(arguments.host):
-        print("Whoever has this link can see and change the workspace; traffic is not encrypted.", flush=True)
+        who = (
+            "Whoever has this link can see and change the workspace"
+            if by_link
+            else "People sign in with their accounts"
+        )
+        print(f"{who}; traffic is not encrypted.", flush=True)
     if not arguments.no_browser and _has_display():
         threading.Timer(0.3, webbrowser.open, [url]).start()
     server = create_server(

@@ -175,11 +175,11 @@ class Boards(Documents[Board]):
         return self._change(id, document, author, what)
 
     def _may_see(self, id: str) -> bool:
-        return acting().board in (None, id)
+        return acting().may_see_board(id)
 
     def _require(self, id: str | None, document: Document | None, to: str) -> None:
         person = acting()
-        if id is None or (document is None and person.is_guest):
+        if id is None or document is None:
             require("editor", to=to)
             return
         require_board(id, to=to)

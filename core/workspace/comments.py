@@ -146,8 +146,8 @@ def mentions(text: str) -> tuple[str, ...]:
 
 def _may_see(place: str) -> bool:
     """Whether who acts may see what is said at a place: a guest sees their board's."""
-    board = people.acting().board
-    return board is None or place.partition("/")[0] == f"board:{board}"
+    kind, _, rest = place.partition("/")[0].partition(":")
+    return not people.acting().is_guest or (kind == "board" and people.acting().may_see_board(rest))
 
 
 def _require(place: str, to: str) -> None:

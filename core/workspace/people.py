@@ -24,33 +24,39 @@ class AccessRefused(WorkspaceError):
 class Person:
     """Someone who acts. role: one of ROLES; roles: id of a dataset -> their role there, where it is another.
 
-    board: the only board that a guest with its link may see, with the datasets (names) and saved views (ids) it shows.
+    boards: ids of boards that an edit link lets them change. only: for a guest with links to boards, the ids of those
+    boards; they see nothing else but the datasets (names) and saved views (ids) that these show. None: they see all.
     """
 
     name: str = ""
     role: str = "owner"
     roles: Mapping[str, str] = field(default_factory=dict)
-    board: str | None = None
+    boards: frozenset[str] = frozenset()
+    only: frozenset[str] | None = None
     datasets: frozenset[str] = frozenset()
     views: frozenset[str] = frozenset()
 
     @property
     def is_guest(self) -> bool:
-        """Whether a link to one board is all they have."""
-        return self.board is not None
+        """Whether links to boards are all they have."""
+        return self.only is not None
 
     def may(self, role: str, dataset: str | None = None) -> bool:
         """Whether they have this role or a higher one, on the dataset with this id where one is given."""
         own = self.roles.get(dataset, self.role) if dataset else self.role
-        return ROLES.index(own) >= ROLES.index(role) and (role == "viewer" or not self.is_guest)
+        return ROLES.index(own) >= ROLES.index(role)
 
     def may_change_something(self) -> bool:
-        """Whether there is anything at all that they may change."""
+        """Whether there is any dataset that they may change."""
         return self.may("editor") or any(self.may("editor", dataset) for dataset in self.roles)
 
     def may_change_board(self, board: str) -> bool:
-        """Whether they may change the board with this id: editors any, guests the one of an edit link."""
-        return self.board == board and self.role == "editor" if self.is_guest else self.may("editor")
+        """Whether they may change the board with this id: editors any, others those whose edit link they have."""
+        return self.may("editor") or board in self.boards
+
+    def may_see_board(self, board: str) -> bool:
+        """Whether they may see the board with this id."""
+        return self.only is None or board in self.only
 
 
 OWNER = Person()

@@ -18,6 +18,7 @@ from typing import NoReturn
 import webapp.features  # noqa: F401  registers the features
 from webapp.shell.feature import Command, features, later
 
+_USERS = "webapp.cli.user_commands"
 DEBUG = "MOTIONSCAPE_DEBUG"  # set it to see tracebacks
 
 
@@ -106,9 +107,19 @@ def _version() -> str:
 
 
 def commands() -> dict[str, Command]:
-    """All commands by name: ``serve``, and those of the features."""
+    """All commands by name: ``serve``, those about accounts, and those of the features."""
     commands_by_name = {
-        "serve": Command("Show a workspace in the browser.", _serve_arguments, later("webapp.serving:serve"))
+        "serve": Command("Show a workspace in the browser.", _serve_arguments, later("webapp.serving:serve")),
+        "user": Command(
+            "Add, list, remove or change the accounts of a workspace.",
+            later(f"{_USERS}:user_arguments"),
+            later(f"{_USERS}:user"),
+        ),
+        "audit": Command(
+            "Say who changed what in a workspace, and when.",
+            later(f"{_USERS}:audit_arguments"),
+            later(f"{_USERS}:audit"),
+        ),
     }
     for feature in features():
         commands_by_name.update(feature.commands)

@@ -1,20 +1,23 @@
-"""Access to the app: a token, or a check of the host name, and security headers."""
+"""Access to the app: who is let in and what they may ask for; a check of the host name, and security headers."""
 
 from __future__ import annotations
 
-import hmac
 import ipaddress
 import os
 import re
-from urllib.parse import parse_qsl, urlencode
+from collections.abc import Callable
+from urllib.parse import parse_qsl, quote, urlencode
 
-from flask import Flask, Response, redirect, request
+from flask import Flask, Response, g, jsonify, redirect, request
 from flask.typing import ResponseReturnValue
 
+from core.workspace import Person, Workspace
+from core.workspace.people import OWNER, refusal, start_acting
+from webapp.shell import rights, sessions, sign_in, visitors
 from webapp.shell.messages import error_page
+from webapp.shell.origin import is_encrypted, is_foreign
 
 HOSTS = "MOTIONSCAPE_HOSTS"
-COOKIE = "motionscape-token"
 _POLICY = (
     "default-src 'self'; script-src 'self' 'unsafe-inline' 'unsafe-eval'; style-src 'self' 'unsafe-inline'; "
     "img-src 'self' data: blob:; font-src 'self' data:; connect-src 'self'; worker-src 'self' blob:; "
@@ -30,13 +33,19 @@ def is_loopback(host: str) -> bool:
         return host.lower() == "localhost"
 
 
-def protect(server: Flask, token: str | None) -> None:
-    """Sends security headers with every answer and, with a ``token``, admits only browsers that have it.
+NOBODY = Person(only=frozenset(), role="viewer")
 
-    The token comes once as ``?token=...``, becomes a cookie, and is taken out of the address. Without a token only
-    requests to this machine's own names, or to one of MOTIONSCAPE_HOSTS, are answered: another site may point its name
-    at this machine (DNS rebinding), and the Host header tells which name the browser used.
+
+def protect(server: Flask, workspace: Workspace, token: str | None, mark: Callable[[], str | None]) -> None:
+    """Sends security headers with every answer and lets in whom the workspace knows, for what they may ask.
+
+    token: opens the whole app, as ``?token=...``, which becomes a cookie and is taken out of the address. Without a
+    token and without accounts everyone on this machine is let in, but only under this machine's own names or one of
+    MOTIONSCAPE_HOSTS: another site may point its name at this machine (DNS rebinding), and the Host header tells which
+    name the browser used. mark: what the current request does (see :mod:`webapp.shell.rights`), None where unknown.
     """
+    sessions.register(server, workspace)
+    hosts = known_hosts()
 
     @server.after_request
     def _headers(response: Response) -> Response:
@@ -46,11 +55,22 @@ def protect(server: Flask, token: str | None) -> None:
         response.headers.setdefault("Cross-Origin-Resource-Policy", "same-origin")
         return response
 
-    hosts = known_hosts()
-
     @server.before_request
     def _check() -> ResponseReturnValue | None:
-        return _let_in(token) if token else _check_host(hosts)
+        start_acting(OWNER)  # until it is known who it is
+        if not token and not visitors.accounts_exist(workspace) and (unknown := _check_host(hosts)):
+            return unknown
+        if is_foreign(hosts):
+            return _refuse(403, "This request comes from another site", "Nothing was changed.")
+        if answer := _take_token(token) or _take_key(workspace):
+            return answer
+        return _let_in(workspace, token, mark())
+
+    @server.teardown_request
+    def _nobody_acts(_: BaseException | None) -> None:
+        start_acting(OWNER)
+
+    sign_in.register(server, workspace)
 
 
 def known_hosts() -> frozenset[str]:
@@ -76,21 +96,81 @@ def _check_host(hosts: frozenset[str]) -> tuple[str, int] | None:
     )
 
 
-def _let_in(token: str) -> ResponseReturnValue | None:
+def _take_token(token: str | None) -> ResponseReturnValue | None:
     offered = request.args.get("token")
-    if offered is not None and _same(offered, token):
-        rest = [(k, v) for k, v in parse_qsl(request.query_string.decode("utf-8", "replace")) if k != "token"]
-        response = redirect(request.path + (f"?{urlencode(rest)}" if rest else ""))
-        response.set_cookie(COOKIE, token, httponly=True, samesite="Strict", secure=request.is_secure)
-        return response
-    if _same(request.cookies.get(COOKIE, ""), token):
+    if not token or offered is None or not visitors.same(offered, token):
         return None
-    return error_page(
+    return _kept("token", visitors.TOKEN_COOKIE, token, "Strict")
+
+
+def _take_key(workspace: Workspace) -> ResponseReturnValue | None:
+    """The key in the link of a board becomes a cookie."""
+    key = request.args.get("key", "")
+    if request.method != "GET" or request.path.startswith(("/api/", "/_")):
+        return None
+    if not visitors.boards_of_keys(workspace, [key]):
+        return None
+    keys = dict.fromkeys([key, *visitors.kept_keys()])
+    return _kept("key", visitors.BOARDS_COOKIE, " ".join(list(keys)[: visitors.MOST_KEYS]).strip(), "Lax")
+
+
+def _kept(name: str, cookie: str, value: str, samesite: str) -> ResponseReturnValue:
+    """The same address without the part ``name`` of its query, which the browser keeps as a cookie."""
+    rest = [(k, v) for k, v in parse_qsl(request.query_string.decode("utf-8", "replace")) if k != name]
+    response = redirect(request.path + (f"?{urlencode(rest)}" if rest else ""))
+    response.set_cookie(cookie, value, httponly=True, samesite=samesite, secure=is_encrypted())
+    return response
+
+
+def _let_in(workspace: Workspace, token: str | None, mark: str | None) -> ResponseReturnValue | None:
+    try:
+        person = visitors.visitor(workspace, token, active=_is_active())
+    except visitors.UnknownUser as error:
+        return _refuse(403, "You have no account here", f"{error} An owner can add one: motionscape user add.")
+    g.person = person or NOBODY
+    start_acting(g.person)
+    if person is None:
+        return None if mark == rights.OPEN else _ask_who(workspace, token)
+    reason = refused(person, mark)
+    return _refuse(403, "You may not do this", reason) if reason else None
+
+
+def refused(person: Person, mark: str | None) -> str | None:
+    """Why someone may not ask for what is marked so (None: it has no mark), as a sentence; None where they may."""
+    if mark in (rights.READS, rights.ASKS, rights.OPEN) or (mark == rights.BOARDS and person.boards):
+        return None
+    if mark == rights.MANAGES:
+        return None if person.may("owner") else refusal(person, "owner", "do this")
+    return None if person.may_change_something() else refusal(person, "editor", "change this")
+
+
+def _is_active() -> bool:
+    """Whether someone does something, rather than a page that is open asking for news."""
+    if request.method in ("GET", "HEAD"):
+        return not request.path.startswith(("/api/", "/_", "/assets/"))
+    if request.path.endswith("/_dash-update-component"):
+        body = request.get_json(silent=True)
+        changed = body.get("changedPropIds") if isinstance(body, dict) else None
+        return not (isinstance(changed, list) and all(str(name).endswith(".n_intervals") for name in changed))
+    return True
+
+
+def _ask_who(workspace: Workspace, token: str | None) -> ResponseReturnValue:
+    """What someone is told whom nobody knows: to sign in, or to open the link with the token."""
+    if visitors.accounts_exist(workspace):
+        if request.method == "GET" and not request.path.startswith(("/api/", "/_", "/assets/")):
+            address = request.full_path if request.query_string else request.path
+            return redirect(f"{sign_in.ADDRESS}?next={quote(address, safe='/')}")
+        return _refuse(401, "Nobody is signed in", "Your session has ended, or you have not signed in yet.")
+    return _refuse(
         401,
         "This workspace asks for a token",
         "Open the link that was printed when the server was started; it ends in ?token=… and is needed only once.",
     )
 
 
-def _same(offered: str, token: str) -> bool:
-    return hmac.compare_digest(offered.encode(), token.encode())
+def _refuse(status: int, title: str, text: str) -> ResponseReturnValue:
+    """A refusal as JSON for the app's own requests, else as a page."""
+    if request.path.startswith(("/api/", "/_")):
+        return jsonify(error=text, title=title), status
+    return error_page(status, title, text)

@@ -15,6 +15,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, NamedTuple, get_type_hints
 
 from webapp.shell.names import StageRequest
+from webapp.shell.rights import Rights
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -146,6 +147,7 @@ class Feature:
     selections: what can be selected on it; clip_colours: values of "as" in the selection of a clip that it answers.
     plays: what the Stage plays for such a selection, None where nothing does. missing: what such a selection names
     that is not there, as a sentence. replay_on: stores whose change makes the selection play again.
+    rights: what its routes and callbacks do to the workspace; those it does not name are for editors only.
     motion_kinds: made-up motion: kind -> opener of the data set ``~kind~...`` (see ``shell/virtual.py``).
     blocks: what boards and reports can show of it, by kind.
     """
@@ -171,6 +173,7 @@ class Feature:
     replay_on: tuple[str, ...] = ()
     motion_kinds: Mapping[str, Callable[[Workspace, str], Dataset]] = field(default_factory=lambda: NOTHING)
     blocks: Mapping[str, Block] = field(default_factory=lambda: NOTHING)
+    rights: Rights = field(default_factory=Rights)
 
 
 def register(feature: Feature) -> None:

@@ -135,7 +135,8 @@ def test_a_role_on_one_dataset_goes_before_the_role_on_the_workspace(workspace):
 
 def guest(board, role):
     views = frozenset(block.settings["view"] for block in board.blocks if "view" in block.settings)
-    return Person("guest", role, board=board.id, datasets=frozenset({"mine"}), views=views)
+    boards = frozenset({board.id}) if role == "editor" else frozenset()
+    return Person("guest", "viewer", {}, boards, frozenset({board.id}), frozenset({"mine"}), views)
 
 
 def test_a_guest_sees_one_board_and_what_it_shows(workspace, board):
@@ -216,3 +217,13 @@ def test_changes_are_kept_under_the_name_of_who_is_signed_in(workspace):
         board = workspace.boards.create("mine", [TEXT], author="bob")
         view = workspace.views.save("/map", "one", author="bob")
     assert (board.author, board.blocks[0].author, view.author) == ("ann", "ann", "ann")
+
+
+def test_a_viewer_with_an_edit_link_may_change_that_board_too(workspace, board):
+    other = workspace.boards.create("other")
+    with acting_as(Person("ann", "viewer", boards=frozenset({board.id}))):
+        workspace.boards.add_block(board.id, replace(TEXT, id="", settings={"dataset": "yours"}))
+        workspace.comments.add(f"board:{board.id}", "hello")
+        for refused in (lambda: workspace.boards.rename(other.id, "x"), lambda: workspace.boards.delete(board.id)):
+            with pytest.raises(AccessRefused):
+                refused()

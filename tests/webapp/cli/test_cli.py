@@ -22,6 +22,8 @@ from webapp.cli import main
 KINDS = (
     *(
         "serve",
+        "user",
+        "audit",
         "import",
         "labels",
         "inspect",

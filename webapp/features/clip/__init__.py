@@ -1,6 +1,6 @@
 """Clip: the curves of one clip, its gait, and edits of it."""
 
-from webapp.features.clip import names
+from webapp.features.clip import names, rights
 from webapp.shell.feature import Feature, later, link_keys
 
 FEATURE = Feature(
@@ -12,4 +12,5 @@ FEATURE = Feature(
     shows=("chart",),
     keys=link_keys(names.View),
     routes=later("webapp.features.clip.routes:blueprints"),
+    rights=rights.RIGHTS,
 )

@@ -1,6 +1,6 @@
 """Grammar: the actions of the recordings, the rules of what follows what, and new motion that obeys them."""
 
-from webapp.features.grammar import names
+from webapp.features.grammar import names, rights
 from webapp.shell.feature import Block, Command, Feature, SelectionKind, later, link_keys
 
 FEATURE = Feature(
@@ -46,4 +46,5 @@ FEATURE = Feature(
             size=(12, 5),
         )
     },
+    rights=rights.RIGHTS,
 )

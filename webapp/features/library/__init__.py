@@ -1,6 +1,6 @@
 """Library: datasets, clips, the import report, labels, and import and export of files."""
 
-from webapp.features.library import names
+from webapp.features.library import names, rights
 from webapp.shell.feature import Block, Command, Feature, later, link_keys
 
 _ARGUMENTS = "webapp.features.library.arguments"
@@ -63,4 +63,5 @@ FEATURE = Feature(
         ),
         "tracks": Block("Labels and motifs over time", "library", later(f"{_BLOCKS}:tracks"), "motifs", size=(12, 5)),
     },
+    rights=rights.RIGHTS,
 )

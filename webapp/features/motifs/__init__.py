@@ -1,6 +1,6 @@
 """Motifs: the motif graph and all that is made of it: walks, blends, comparisons, compression, reports."""
 
-from webapp.features.motifs import names
+from webapp.features.motifs import names, rights
 from webapp.shell.feature import Block, Command, Feature, SelectionKind, later, link_keys
 from webapp.shell.names import MOTIF_METHOD
 
@@ -90,4 +90,5 @@ FEATURE = Feature(
         "blend": later("webapp.features.motifs.mixtures:open_blend"),
         "rebuilt": later("webapp.features.motifs.mixtures:open_rebuilt"),
     },
+    rights=rights.RIGHTS,
 )

@@ -1,6 +1,6 @@
 """Map: all postures on one plane, and searches by postures and paths."""
 
-from webapp.features.motion_map import names
+from webapp.features.motion_map import names, rights
 from webapp.shell.feature import Block, Command, Feature, later, link_keys
 
 FEATURE = Feature(
@@ -32,4 +32,5 @@ FEATURE = Feature(
             size=(5, 8),
         )
     },
+    rights=rights.RIGHTS,
 )

@@ -1,6 +1,6 @@
 """Search: motions like a query, judged by people and by labels."""
 
-from webapp.features.search import names
+from webapp.features.search import names, rights
 from webapp.shell.feature import Command, Feature, later, link_keys
 
 FEATURE = Feature(
@@ -20,4 +20,5 @@ FEATURE = Feature(
         )
     },
     motion_kinds={"upload": later("webapp.features.search.uploaded:open_upload")},
+    rights=rights.RIGHTS,
 )

@@ -1,6 +1,6 @@
 """Sweeps: motif graphs over ranges of two settings, as charts, with a suggestion."""
 
-from webapp.features.sweeps import names
+from webapp.features.sweeps import names, rights
 from webapp.shell.feature import Block, Command, Feature, later, link_keys
 
 FEATURE = Feature(
@@ -19,4 +19,5 @@ FEATURE = Feature(
         )
     },
     blocks={"sweep": Block("Sweep chart", "sweep", later("webapp.features.sweeps.blocks:sweep_chart"), size=(6, 6))},
+    rights=rights.RIGHTS,
 )

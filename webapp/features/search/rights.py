@@ -1,0 +1,31 @@
+"""What the routes and callbacks of this page do to the workspace."""
+
+from webapp.shell.rights import Rights
+
+RIGHTS = Rights(
+    package="webapp.features.search",
+    reads=(
+        "callbacks.list_clips",
+        "callbacks.list_motifs",
+        "callbacks.search",
+        "callbacks.show_menus",
+        "evaluation.choose_measure",
+        "evaluation.show",
+        "routes.explain",
+        "routes.hits_csv",
+        "routes.hits_json",
+        "routes.ranking_json",
+        "routes.ratings_csv",
+        "routes.votes_csv",
+        "study.gather",
+        "study.show_results",
+    ),
+    asks=(
+        "callbacks.took",
+        "study.grant",
+    ),
+    changes=(
+        "callbacks.read",
+        "study.keep",
+    ),
+)
