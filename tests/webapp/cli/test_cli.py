@@ -40,6 +40,7 @@ KINDS = (
         "walk",
         "grammar",
         "derive",
+        "report",
     ),
 )
 
