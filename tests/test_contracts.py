@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import re
 import subprocess
 import sys
@@ -28,6 +29,34 @@ def test_core_does_not_load_the_app_or_its_libraries():
     )
     out = subprocess.run([sys.executable, "-c", code], cwd=REPOSITORY, capture_output=True, text=True, check=True)
     assert out.stdout.strip() == "[]"
+
+
+def imports_of(path: Path, names: dict[str, Path]) -> set[str]:
+    """The modules of ours that a module imports when it is loaded or for its types, by dotted name."""
+    found: set[str] = set()
+    bodies = [ast.parse(path.read_text(encoding="utf-8")).body]
+    for body in bodies:
+        for node in body:
+            if isinstance(node, ast.ImportFrom) and node.module:
+                parts = [f"{node.module}.{one.name}" for one in node.names]
+                found.update(part if part in names else node.module for part in parts)
+            elif isinstance(node, ast.If | ast.Try):  # such as `if TYPE_CHECKING`
+                bodies.append(node.body)
+    return found & names.keys()
+
+
+def test_no_modules_import_one_another():
+    """Not for types either: of two modules one is the lower."""
+    python = [path for path in SOURCES if path.suffix == ".py" and path.is_relative_to(REPOSITORY)]
+    names = {
+        ".".join(path.relative_to(REPOSITORY).with_suffix("").parts).removesuffix(".__init__"): path for path in python
+    }
+    graph = {name: imports_of(path, names) - {name} for name, path in names.items()}
+    while free := [name for name, lower in graph.items() if not lower & graph.keys()]:
+        graph = {name: lower for name, lower in graph.items() if name not in free}
+    while free := graph.keys() - set().union(*graph.values()):  # they only lie above a circle
+        graph = {name: lower for name, lower in graph.items() if name not in free}
+    assert sorted(graph) == []
 
 
 @pytest.mark.parametrize("path", [p for p in SOURCES if p.suffix in {".py", ".mjs", ".css"}], ids=lambda p: p.name)

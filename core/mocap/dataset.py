@@ -20,7 +20,7 @@ from core.mocap.corrections import BodyCorrections, read_corrections
 from core.mocap.errors import RecordingError
 from core.mocap.label_files import find_label_files, find_labels
 from core.mocap.labels import fit_labels, read_labels
-from core.mocap.reading import Reading, settled
+from core.mocap.reading import Change, Reading, read_again, settled
 from core.mocap.recordings import Recording, Source, find_recordings, find_skeleton, name_recordings
 from core.mocap.reports import FileReport, ImportReport, Verdict
 from core.mocap.skeleton import Skeleton
@@ -158,6 +158,12 @@ def open_dataset(
         fitted,
         replace(label_report, files=(*files, *label_report.files)),
     )
+
+
+def reread(dataset: Dataset, change: Change) -> Dataset:
+    """The dataset as it would be had its files been read with ``change``. Raises ParameterError for a correction that
+    does not fit."""
+    return replace(dataset, clips=tuple(read_again(clip, change) for clip in dataset.clips), digests=())
 
 
 def _labels(

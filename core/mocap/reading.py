@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -12,9 +11,6 @@ from core.mocap.clip import Clip
 from core.mocap.corrections import BodyCorrections
 from core.mocap.units import guess_unit, in_words
 from core.mocap.upright import find_up, turned
-
-if TYPE_CHECKING:
-    from core.mocap.dataset import Dataset
 
 _GUESS = "no unit in a BVH file"  # how the note on a guessed unit begins
 
@@ -67,12 +63,6 @@ class Change:
     how: Reading = Reading()
     guess_up: bool = False
     guess_unit: bool = False
-
-
-def reread(dataset: Dataset, change: Change) -> Dataset:
-    """The dataset as it would be had its files been read with ``change``. Raises ParameterError for a correction that
-    does not fit."""
-    return replace(dataset, clips=tuple(read_again(clip, change) for clip in dataset.clips), digests=())
 
 
 def read_again(clip: Clip, change: Change) -> Clip:

@@ -6,8 +6,8 @@ import sys
 from argparse import Namespace
 from pathlib import Path
 
-from core.mocap.dataset import Dataset, open_dataset, reading
-from core.mocap.reading import Change, reread
+from core.mocap.dataset import Dataset, open_dataset, reading, reread
+from core.mocap.reading import Change
 from core.progress import Report
 from core.workspace import Workspace, WorkspaceError, is_workspace
 

@@ -27,7 +27,9 @@ if TYPE_CHECKING:
     from core.analyses import Request
     from core.mocap.dataset import Dataset
     from core.workspace import Workspace
-    from webapp.shell.state import Values
+
+Values = dict[str, dict[str, Any]]
+"""Id of a component -> its properties."""
 
 NOTHING: Mapping[str, Any] = MappingProxyType({})
 

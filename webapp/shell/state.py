@@ -13,11 +13,8 @@ from dash.development.base_component import Component
 
 from core.workspace import Workspace
 from webapp.shell import links, names, settings
-from webapp.shell.feature import features
+from webapp.shell.feature import Values, features
 from webapp.shell.messages import notice, unknown_page
-
-Values = dict[str, dict[str, Any]]
-"""Id of a component -> its properties."""
 
 
 @dataclass(frozen=True)

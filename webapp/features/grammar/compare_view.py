@@ -76,7 +76,7 @@ def register(app: Dash, workspace: Workspace) -> None:
         State(names.BAKEOFF_SHOWN, "data"),
         State(DATASET, "data"),
     )
-    def show(view, _asked, _finished, scheme, _place, shown, name):
+    def show(view, _job, _finished, scheme, _place, shown, name):
         if (view or {}).get("show") != "compare" or not name:
             return no_update, no_update
         comparison = bakeoffs.find(workspace, name, view)

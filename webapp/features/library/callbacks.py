@@ -16,9 +16,9 @@ from webapp.features.library import adding, feature_files, layout, names
 from webapp.features.library.figures import tables
 from webapp.jobs import changes
 from webapp.jobs.names import JOB_POKE
+from webapp.shell.feature import Values
 from webapp.shell.messages import empty_state, notice
 from webapp.shell.names import DATASET, JOB_STARTED, NOTICES, REVISION, SELECTION, VIEW
-from webapp.shell.state import Values
 from webapp.ui.tables import grid
 
 

@@ -14,8 +14,8 @@ from webapp.features.motifs import layout, names, stability_marks, views
 from webapp.features.motifs.figures import graph as graph_figure
 from webapp.features.motifs.graph_drawing import graph_elements
 from webapp.shell import results, settings
+from webapp.shell.feature import Values
 from webapp.shell.names import DATASET, MOTIF_METHOD, SELECTION, THEME, VIEW
-from webapp.shell.state import Values
 from webapp.ui import method_page, tables
 
 

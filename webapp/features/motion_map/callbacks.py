@@ -22,10 +22,10 @@ from webapp.features.motion_map import layout, names, panels
 from webapp.features.motion_map.figures import heatmap as figures
 from webapp.features.motion_map.maps import other_maps
 from webapp.shell import results, settings
+from webapp.shell.feature import Values
 from webapp.shell.messages import notice
 from webapp.shell.names import DATASET, MOTIF_METHOD, NOTICES, REVISION, SELECTION, THEME, VIEW
 from webapp.shell.results import find_motifs
-from webapp.shell.state import Values
 from webapp.ui import method_page, tables
 from webapp.ui.views import register_switch
 
