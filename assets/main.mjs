@@ -1,5 +1,6 @@
 // Everything of the front end: importing a room's module is what makes it listen and lets Dash call its functions.
 import "regenerator-runtime/runtime.js"; // Dash's component libraries expect it as a global
+import "./shell/refusals.mjs"; // before loading.mjs, which takes its place in fetch and leaves it again
 import "./shell/loading.mjs";
 import "./shared/downloads.mjs";
 import "./shell/frame.mjs";

@@ -9,7 +9,7 @@ from core.workspace import WorkspaceError, shared_workspace
 from webapp import jobs
 from webapp.jobs import changes, following, job_bar
 from webapp.marks import all_marks, mark_of_request
-from webapp.shell import access, compression, frame, messages, playback, state
+from webapp.shell import access, compression, frame, messages, person_menu, playback, state
 from webapp.shell.assets import PARTS, VENDOR, assets_folder
 from webapp.shell.feature import features
 from webapp.shell.loading import LoadingDash
@@ -40,7 +40,9 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> Loadi
     pages = {feature.path: feature.page() for feature in features()}
     app.shown_at_once = {feature.path: feature.shows for feature in features()}
     app.first_values = lambda pathname, search: (
-        state.first_values(workspace, pages, pathname, search) | job_bar.first_values(workspace)
+        state.first_values(workspace, pages, pathname, search)
+        | job_bar.first_values(workspace)
+        | person_menu.first_values(workspace)
     )
     marks = all_marks()
     access.protect(app.server, workspace, token, lambda: mark_of_request(app, marks))

@@ -550,6 +550,97 @@
   // main.mjs
   var import_runtime = __toESM(require_runtime(), 1);
 
+  // shared/ids.mjs
+  var LOADING = "loading";
+  var FIRST_LAYOUT = "first-layout";
+  var FIRST_DEPENDENCIES = "first-dependencies";
+  var SHELL = "shell";
+  var PAGE = "page";
+  var NAV = "nav-";
+  var DATASET_PICKER = "dataset-picker";
+  var NOTICES = "notices";
+  var URL2 = "url";
+  var DATASET = (
+    /** @type {StoreId<string>} */
+    "dataset"
+  );
+  var SELECTION = (
+    /** @type {StoreId<Selection>} */
+    "selection"
+  );
+  var VIEW = (
+    /** @type {StoreId<Record<string, string>>} */
+    "view"
+  );
+  var VIEW_CHANGE = (
+    /** @type {StoreId<Record<string, string | number | boolean | null>>} */
+    "view-change"
+  );
+  var DATASET_CHOICE = (
+    /** @type {StoreId<DatasetChoice>} */
+    "dataset-choice"
+  );
+  var STAGE_REQUEST = (
+    /** @type {StoreId<StageRequest>} */
+    "stage-request"
+  );
+  var THEME = (
+    /** @type {StoreId<"light" | "dark">} */
+    "theme"
+  );
+
+  // shared/dash.mjs
+  var clientside = globalThis.dash_clientside ||= /** @type {any} */
+  {};
+  function register(namespace, functions) {
+    clientside[namespace] = functions;
+  }
+  var setStore = (store, data2) => clientside.set_props(store, { data: data2 });
+  function changeView(values) {
+    const view4 = globalThis.dash_component_api.getLayout(VIEW).props.data || {};
+    const next2 = { ...view4 };
+    for (const [key, value] of Object.entries(values)) {
+      if (value === null || value === void 0 || value === "") delete next2[key];
+      else next2[key] = String(value);
+    }
+    if (JSON.stringify(next2) !== JSON.stringify(view4)) setStore(VIEW, next2);
+  }
+  function notify(title, message2, color = "orange") {
+    clientside.set_props(NOTICES, { sendNotifications: [{ action: "show", title, message: message2, color }] });
+  }
+  function openPage(pathname, stores = {}) {
+    history.pushState({}, "", pathname);
+    for (const [store, data2] of Object.entries(stores)) setStore(store, data2);
+    window.dispatchEvent(new CustomEvent("_dashprivate_pushstate"));
+  }
+
+  // shell/refusals.mjs
+  var QUIET = 1e4;
+  var said = /* @__PURE__ */ new Map();
+  function words(status2, body2) {
+    if (status2 === 401) return ["Nobody is signed in", "Your session has ended. Reload the page to sign in again; what you see stays until then."];
+    if (status2 === 403 && typeof body2.error === "string") return [typeof body2.title === "string" ? body2.title : "You may not do this", body2.error];
+    return null;
+  }
+  async function tell(answer2) {
+    const body2 = await answer2.json().catch(() => ({}));
+    const now6 = Date.now();
+    if (now6 - (said.get(answer2.status) ?? -QUIET) < QUIET) return;
+    const text = words(answer2.status, body2 ?? {});
+    if (!text) return;
+    said.set(answer2.status, now6);
+    notify(text[0], text[1], "red");
+  }
+  function listen() {
+    const send4 = window.fetch;
+    window.fetch = async (address2, options) => {
+      const answer2 = await send4.call(window, address2, options);
+      if ((answer2.status === 401 || answer2.status === 403) && new URL(answer2.url, location.href).origin === location.origin) void tell(answer2.clone());
+      return answer2;
+    };
+  }
+  if (typeof window !== "undefined") listen();
+
   // shared/dom.mjs
   var find = (id) => (
     /** @type {Found | null} */
@@ -627,45 +718,6 @@
     if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", start3);
     else start3();
   }
-
-  // shared/ids.mjs
-  var LOADING = "loading";
-  var FIRST_LAYOUT = "first-layout";
-  var FIRST_DEPENDENCIES = "first-dependencies";
-  var SHELL = "shell";
-  var PAGE = "page";
-  var NAV = "nav-";
-  var DATASET_PICKER = "dataset-picker";
-  var NOTICES = "notices";
-  var URL2 = "url";
-  var DATASET = (
-    /** @type {StoreId<string>} */
-    "dataset"
-  );
-  var SELECTION = (
-    /** @type {StoreId<Selection>} */
-    "selection"
-  );
-  var VIEW = (
-    /** @type {StoreId<Record<string, string>>} */
-    "view"
-  );
-  var VIEW_CHANGE = (
-    /** @type {StoreId<Record<string, string | number | boolean | null>>} */
-    "view-change"
-  );
-  var DATASET_CHOICE = (
-    /** @type {StoreId<DatasetChoice>} */
-    "dataset-choice"
-  );
-  var STAGE_REQUEST = (
-    /** @type {StoreId<StageRequest>} */
-    "stage-request"
-  );
-  var THEME = (
-    /** @type {StoreId<"light" | "dark">} */
-    "theme"
-  );
 
   // shell/loading.mjs
   var { suites = {}, plotly = "", pages = {} } = JSON.parse(find(LOADING)?.textContent || "{}");
@@ -766,31 +818,6 @@
   for (const [namespace, suite] of Object.entries(suites)) standIn(namespace, suite);
   if (plotly) plotlyLater();
   for (const kind of ["pointerover", "focusin"]) document.addEventListener(kind, fetchAhead, { passive: true });
-
-  // shared/dash.mjs
-  var clientside = globalThis.dash_clientside ||= /** @type {any} */
-  {};
-  function register(namespace, functions) {
-    clientside[namespace] = functions;
-  }
-  var setStore = (store, data2) => clientside.set_props(store, { data: data2 });
-  function changeView(values) {
-    const view4 = globalThis.dash_component_api.getLayout(VIEW).props.data || {};
-    const next2 = { ...view4 };
-    for (const [key, value] of Object.entries(values)) {
-      if (value === null || value === void 0 || value === "") delete next2[key];
-      else next2[key] = String(value);
-    }
-    if (JSON.stringify(next2) !== JSON.stringify(view4)) setStore(VIEW, next2);
-  }
-  function notify(title, message2, color = "orange") {
-    clientside.set_props(NOTICES, { sendNotifications: [{ action: "show", title, message: message2, color }] });
-  }
-  function openPage(pathname, stores = {}) {
-    history.pushState({}, "", pathname);
-    for (const [store, data2] of Object.entries(stores)) setStore(store, data2);
-    window.dispatchEvent(new CustomEvent("_dashprivate_pushstate"));
-  }
 
   // shared/grid.mjs
   var gridFunctions = window.dashAgGridFunctions ||= {};
@@ -3656,17 +3683,17 @@
     const root = document.documentElement;
     let last2 = "light";
     const ready2 = () => "set_props" in clientside && Boolean(find(SHELL));
-    const tell3 = () => {
+    const tell4 = () => {
       const scheme = root.dataset.mantineColorScheme;
       if (scheme !== "dark" && scheme !== "light" || scheme === last2 || !ready2()) return;
       last2 = scheme;
       setStore(THEME, scheme);
     };
-    new MutationObserver(tell3).observe(root, { attributes: true, attributeFilter: ["data-mantine-color-scheme"] });
+    new MutationObserver(tell4).observe(root, { attributes: true, attributeFilter: ["data-mantine-color-scheme"] });
     const again = setInterval(() => {
       if (!ready2()) return;
       clearInterval(again);
-      tell3();
+      tell4();
     }, 100);
   }
   function setStageWidth(pixels2) {
@@ -3942,8 +3969,8 @@
     childrenOf(progress)[0].style.width = (percent3 || 0) + "%";
     if (known3) progress.setAttribute("aria-valuenow", String(percent3));
     else progress.removeAttribute("aria-valuenow");
-    const words2 = within(row7, ".job-words");
-    if (words2.textContent !== stage2) words2.textContent = stage2;
+    const words3 = within(row7, ".job-words");
+    if (words3.textContent !== stage2) words3.textContent = stage2;
     const number2 = row7.querySelector(".job-percent");
     if (number2) number2.textContent = percent3 ? ` ${percent3} %` : "";
     within(row7, ".job-cancel").disabled = stopping;
@@ -4153,7 +4180,7 @@
     if (!batch || batch.stopped) batch = freshBatch();
     const mine2 = batch;
     for (const item of takeFiles(mine2, files, limits())) draw(mine2, item);
-    tell(mine2);
+    tell2(mine2);
     if (!mine2.token) {
       try {
         const answer2 = await fetch("/api/uploads", { method: "POST", headers: HEADERS });
@@ -4164,12 +4191,12 @@
           refuse(item, "the server cannot be reached");
           draw(mine2, item);
         }
-        tell(mine2);
+        tell2(mine2);
         return;
       }
     }
     while (mine2.active < AT_ONCE && mine2.queue.length) next(mine2);
-    tell(mine2);
+    tell2(mine2);
   }
   function next(mine2) {
     const item = mine2.queue.shift();
@@ -4202,7 +4229,7 @@
       }
       draw(mine2, item);
       while (mine2.active < AT_ONCE && mine2.queue.length && !mine2.stopped) next(mine2);
-      tell(mine2);
+      tell2(mine2);
     };
     request5.send(item.file);
   }
@@ -4240,7 +4267,7 @@
     if (bar) bar.style.width = (mine2.bytes ? Math.min(100, 100 * sent2 / mine2.bytes) : 0) + "%";
     need(UPLOAD_PROGRESS).classList.toggle("hidden", !busy);
   }
-  function tell(mine2) {
+  function tell2(mine2) {
     summary(mine2);
     const done = mine2.active + mine2.queue.length === 0;
     setStore(UPLOAD, { token: mine2.token, received: mine2.sent, done, name: mine2.name, total: mine2.items.length, ...kinds(mine2) });
@@ -4454,7 +4481,7 @@
     upright(part("pointer"), time && at.hover !== null ? at.hover / plot.meta.fps : null, plot);
     band(part("band"), time ? chosenRange() : null, plot);
     dot2(part("dot"), plot && plot.meta.kind === "path" ? at.frame : null, plot);
-    if (time) tell2(plot);
+    if (time) tell3(plot);
   }
   function upright(line2, seconds, plot) {
     const x = seconds === null || !plot ? null : plot.x(seconds);
@@ -4480,7 +4507,7 @@
   var toldAt = 0;
   var later = 0;
   var DIGITS = { "°": 1, " m/s": 2 };
-  function tell2(plot) {
+  function tell3(plot) {
     const now6 = performance.now();
     if (now6 - toldAt < 48) {
       clearTimeout(later);
@@ -5599,18 +5626,18 @@
     // Rows that do not match leave the table, their boxes fade in the graph.
     /** @param {string | null} text @param {Record<string, any>[] | null} rows */
     async search(text, rows2) {
-      const words2 = (text || "").toLowerCase().split(/\s+/).filter(Boolean);
+      const words3 = (text || "").toLowerCase().split(/\s+/).filter(Boolean);
       const api = await gridApi(MOTIF_TABLE);
       if (api) api.setGridOption("quickFilterText", text || "");
       const cy = await graphReady(3);
       if (!cy) return clientside.no_update;
       const fits = (row7) => {
         const all = ["id", "name", "tags", "note", "label"].map((field) => row7[field] ?? "").join(" ").toLowerCase();
-        return words2.every((word) => all.includes(word));
+        return words3.every((word) => all.includes(word));
       };
       const matching = new Set((rows2 || []).filter(fits).map((row7) => "m" + row7.id));
       cy.batch(() => cy.nodes("[motif >= 0]").forEach((node) => {
-        node.toggleClass("unmatched", words2.length > 0 && !matching.has(node.id()));
+        node.toggleClass("unmatched", words3.length > 0 && !matching.has(node.id()));
       }));
       return clientside.no_update;
     }
@@ -5632,7 +5659,7 @@
     watched3.add(cy);
     cy.on("data", "node[motif >= 0]", (event) => rate(event.target));
   }
-  function words(motif) {
+  function words2(motif) {
     const shares2 = of(motif);
     if (!shares2) return "Choose a box to see how it fared.";
     const kinds2 = [["noise", "with noise"], ["seed", "from other seeds"], ["parameters", "with settings a step away"]];
@@ -5647,7 +5674,7 @@
       const legend3 = find(STABILITY_LEGEND);
       if (legend3) legend3.classList.toggle("hidden", !shown4);
       const place5 = find(STABILITY_WORDS);
-      if (place5 && shown4) place5.textContent = words((selection || {}).motif);
+      if (place5 && shown4) place5.textContent = words2((selection || {}).motif);
       const cy = await graphReady();
       if (!cy) return clientside.no_update;
       watch3(cy);
@@ -5849,8 +5876,8 @@
       return element("div", i ? "walk-meter" : "walk-meter walk-meter-own", element("span", "", name), bar, number2);
     });
     const [blends, recordings] = quality.speeds;
-    const words2 = blended ? `${quality.jump ? "A blend jumps" : "No jump"}: fastest joint ${blends} m/s in the blends, ${recordings} m/s in the recordings.` : "Recorded as it is: nothing had to be blended.";
-    box2.replaceChildren(title, ...meters, element("div", quality.jump ? "walk-speed walk-jump" : "walk-speed", words2));
+    const words3 = blended ? `${quality.jump ? "A blend jumps" : "No jump"}: fastest joint ${blends} m/s in the blends, ${recordings} m/s in the recordings.` : "Recorded as it is: nothing had to be blended.";
+    box2.replaceChildren(title, ...meters, element("div", quality.jump ? "walk-speed walk-jump" : "walk-speed", words3));
   }
 
   // motifs/walk_graph.mjs
@@ -6024,12 +6051,12 @@
   function waysText(data2) {
     if (!data2.parts) return "";
     const total3 = data2.motifs.length;
-    const words2 = [];
-    if (data2.parts.length > 1) words2.push(`From ${data2.parts[0]} of ${total3} motifs one can come back to each other; ${data2.parts.length - 1} more such part${data2.parts.length > 2 ? "s" : ""}.`);
+    const words3 = [];
+    if (data2.parts.length > 1) words3.push(`From ${data2.parts[0]} of ${total3} motifs one can come back to each other; ${data2.parts.length - 1} more such part${data2.parts.length > 2 ? "s" : ""}.`);
     const dead = data2.dead.length > MOST_NAMED ? `${data2.dead.length} motifs` : data2.dead.join(", ");
-    if (data2.dead.length) words2.push(`Dead ends, where nothing leads on: ${dead} (marked in the graph).`);
-    if (data2.inputs.extra) words2.push(data2.further.length ? `${data2.further.length} further transitions (dashed).` : "No further transition points are good enough.");
-    return words2.join(" ");
+    if (data2.dead.length) words3.push(`Dead ends, where nothing leads on: ${dead} (marked in the graph).`);
+    if (data2.inputs.extra) words3.push(data2.further.length ? `${data2.further.length} further transitions (dashed).` : "No further transition points are good enough.");
+    return words3.join(" ");
   }
   var filled = (path2, [a, b], detour) => path2.flatMap((motif, i) => i && path2[i - 1] === a && motif === b ? detour.slice(1) : [motif]);
   var withoutGap = (path2, [a, b]) => path2.filter((motif, i) => !(i && path2[i - 1] === a && motif === b));
@@ -6419,8 +6446,8 @@
   var awaited = () => data.inputs.person !== (person.name || person.id);
   var rows = () => awaited() ? [] : (mode() === "vote" ? data.duels : data.pairs) || [];
   var visible = () => Boolean(find(STUDY_SETUP)?.offsetParent) && data && !data.error;
-  var button2 = (words2, name, className = "search-button") => {
-    const made = element("button", className, ...[words2].flat());
+  var button2 = (words3, name, className = "search-button") => {
+    const made = element("button", className, ...[words3].flat());
     made.type = "button";
     made.dataset.study = name;
     return made;
@@ -6459,8 +6486,8 @@
     const text = view2.query || "";
     return text && !text.includes(",") && text.split(":").length === 2 ? text : "";
   }
-  function nothing(words2) {
-    return element("p", "muted study-nothing", words2);
+  function nothing(words3) {
+    return element("p", "muted study-nothing", words3);
   }
   function draw4() {
     const which = mode();
@@ -6489,16 +6516,16 @@
     play4(row7);
     return void 0;
   }
-  function move3(words2, by, symbol) {
-    const made = button2([icon(symbol, 13), words2], "move");
+  function move3(words3, by, symbol) {
+    const made = button2([icon(symbol, 13), words3], "move");
     made.dataset.by = String(by);
     return made;
   }
   function scale2(row7) {
-    const buttons = SCALE.map((words2, k) => {
-      const one = button2([element("b", "", String(k + 1)), element("span", "", words2)], "answer", "study-value");
+    const buttons = SCALE.map((words3, k) => {
+      const one = button2([element("b", "", String(k + 1)), element("span", "", words3)], "answer", "study-value");
       one.dataset.value = String(k + 1);
-      one.setAttribute("aria-label", `${k + 1}${words2 ? `: ${words2}` : ""}`);
+      one.setAttribute("aria-label", `${k + 1}${words3 ? `: ${words3}` : ""}`);
       one.setAttribute("aria-pressed", String(row7.value === k + 1));
       return one;
     });
@@ -6506,10 +6533,10 @@
     return element("div", "", element("div", "study-scale", ...buttons), keys);
   }
   function choices(row7) {
-    const buttons = Object.entries(CHOICES).map(([value, [words2, colour, key]]) => {
+    const buttons = Object.entries(CHOICES).map(([value, [words3, colour, key]]) => {
       const dot3 = element("span", "study-dot");
       dot3.style.background = colour;
-      const one = button2([...colour ? [dot3] : [], element("b", "", words2), element("kbd", "", key)], "answer", "study-choice");
+      const one = button2([...colour ? [dot3] : [], element("b", "", words3), element("kbd", "", key)], "answer", "study-choice");
       one.dataset.value = value;
       one.setAttribute("aria-pressed", String(row7.value === value));
       return one;
@@ -7922,10 +7949,10 @@
     foot.append(nearest2, status2, actions4);
     box2.append(title, hint, views, foot);
     need(SHELL).append(box2);
-    listen(box2);
+    listen2(box2);
     return box2;
   }
-  function listen(box2) {
+  function listen2(box2) {
     let held = null;
     const place5 = (svg, event) => {
       const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM()?.inverse());
@@ -8053,9 +8080,9 @@
     });
     const row7 = element("div", "map-views");
     row7.append(...views);
-    const words2 = box2.querySelector(".map-caption") || element("div", "map-caption number");
-    words2.textContent = caption(map, node, facts ?? null);
-    box2.replaceChildren(row7, words2);
+    const words3 = box2.querySelector(".map-caption") || element("div", "map-caption number");
+    words3.textContent = caption(map, node, facts ?? null);
+    box2.replaceChildren(row7, words3);
   }
   function caption(map, node, facts) {
     const [x, y] = map.place(node);
@@ -8905,8 +8932,8 @@
     const modes = element("div", "search-modes hidden");
     modes.setAttribute("role", "radiogroup");
     modes.setAttribute("aria-label", "What a click in the figure does");
-    for (const [value, words2] of [["weights", "Weigh"], ["pieces", "Assign"]]) {
-      const one = element("button", "search-mode", words2);
+    for (const [value, words3] of [["weights", "Weigh"], ["pieces", "Assign"]]) {
+      const one = element("button", "search-mode", words3);
       one.type = "button";
       one.dataset.mode = value;
       one.setAttribute("role", "radio");
@@ -9120,7 +9147,7 @@
         /** @type {[number, string]} */
         [strip.means[k] ?? -1, now5.body.words[leaf].toLowerCase()]
       )).filter(([mean]) => mean >= 0).sort((a, b) => b[0] - a[0]);
-      if (best.length) canvas.setAttribute("aria-label", `Most alike: ${best.slice(0, 3).map(([mean, words2]) => `${words2} ${Math.round(100 * mean)} %`).join(", ")}`);
+      if (best.length) canvas.setAttribute("aria-label", `Most alike: ${best.slice(0, 3).map(([mean, words3]) => `${words3} ${Math.round(100 * mean)} %`).join(", ")}`);
     }, (error) => {
       if (canvas.isConnected) canvas.title = error.message;
     });
@@ -9151,10 +9178,10 @@
     targetOf(event).title = `${now5.body.words[now5.body.leaves[leaf]]}, ${when} into the query: ${value < 0 ? "not compared" : `${value} % alike`}`;
     lightPart(now5.body.leaves[leaf]);
   }
-  function link(symbol, words2, href) {
+  function link(symbol, words3, href) {
     const made = element("a", "search-tool", icon(symbol));
-    Object.assign(made, { href, title: words2 });
-    made.setAttribute("aria-label", words2);
+    Object.assign(made, { href, title: words3 });
+    made.setAttribute("aria-label", words3);
     return made;
   }
   function hitRow(hit, low, top) {
@@ -9167,8 +9194,8 @@
     bar.style.width = `${Math.round(100 * (hit.score - low) / Math.max(top - low, 1e-9))}%`;
     const score = element("span", "search-score", bar, element("b", "number", hit.score.toFixed(3)));
     const facts = element("span", "search-facts muted", [hit.when, hit.label].filter(Boolean).join(" · "));
-    const words2 = element("span", "search-words", element("span", "search-name ellipsis", hit.clip), facts, score);
-    const open4 = element("button", "search-open", element("span", "search-rank number", String(hit.rank)), picture, words2);
+    const words3 = element("span", "search-words", element("span", "search-name ellipsis", hit.clip), facts, score);
+    const open4 = element("button", "search-open", element("span", "search-rank number", String(hit.rank)), picture, words3);
     open4.type = "button";
     open4.title = `Compare with the query on the Stage: ${hit.clip}, frames ${hit.start} to ${hit.end}`;
     const canvas = element("canvas", "search-why");
@@ -9346,9 +9373,9 @@
 
   // search/options.mjs
   var waiting2 = 0;
-  var option = (value, words2) => Object.assign(element("option", "", words2), { value });
-  function labelled(words2, of2, ...controls) {
-    const label = element("label", "search-label", words2);
+  var option = (value, words3) => Object.assign(element("option", "", words3), { value });
+  function labelled(words3, of2, ...controls) {
+    const label = element("label", "search-label", words3);
     label.htmlFor = of2;
     return element("div", "search-option", label, ...controls);
   }
@@ -9604,14 +9631,14 @@
   var sending = null;
   var turn4 = 0;
   var suffixes = () => (within(document, ".search-choose").dataset.suffixes ?? "").split(",").filter((one) => one !== ".csv");
-  function say(words2, kind = "muted") {
+  function say(words3, kind = "muted") {
     const box2 = document.querySelector(".search-sending") || element("span", "search-sending");
     box2.className = `search-sending ${kind}`;
-    box2.textContent = words2;
+    box2.textContent = words3;
     if (!box2.isConnected) status()?.before(box2);
   }
   var quiet = () => allWithin(document, ".search-sending").forEach((one) => one.remove());
-  function put4(token, file, tell3) {
+  function put4(token, file, tell4) {
     return (
       /** @type {Promise<void>} */
       new Promise((resolve, reject) => {
@@ -9620,7 +9647,7 @@
         request5.open("PUT", `/api/uploads/${token}/${encodeURIComponent(file.name)}`);
         request5.setRequestHeader("X-Motionscape", "upload");
         request5.setRequestHeader("Content-Type", "application/octet-stream");
-        request5.upload.onprogress = (event) => tell3(event.loaded / Math.max(event.total, 1));
+        request5.upload.onprogress = (event) => tell4(event.loaded / Math.max(event.total, 1));
         request5.onloadend = () => {
           if (request5.status === 200) return resolve();
           let message2 = request5.status ? "The server refused the file." : "The connection broke; try again.";

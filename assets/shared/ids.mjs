@@ -134,6 +134,7 @@ export const MOTIFS_RESULT_KEY = /** @type {StoreId<string>} */ ("motifs-result-
 export const MOTIFS_STATUS_OF = /** @type {StoreId<Array<any>>} */ ("motifs-status-of");
 export const MOTIFS_AGAIN = /** @type {StoreId<Record<string, boolean | number>>} */ ("motifs-again");
 export const MANTINE = "mantine";
+export const PERSON = "person";
 export const SHELL = "shell";
 export const PAGE = "page";
 export const SPLITTER = "splitter";

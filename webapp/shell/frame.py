@@ -101,6 +101,7 @@ def _header() -> Component:
                 leftSection=icon("link", 16),
                 **attributes(aria_label="Copy a link to this view"),
             ),
+            html.Div(id=names.PERSON, className="person"),
             dmc.ColorSchemeToggle(
                 id=names.SCHEME_TOGGLE,
                 lightIcon=icon("sun"),

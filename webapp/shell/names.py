@@ -104,6 +104,7 @@ FIRST_DEPENDENCIES = Id("first-dependencies")
 MOTIF_METHOD = MethodNames("motifs")  # here, because other pages show the motif graph as well
 
 MANTINE = Id("mantine")
+PERSON = Id("person")
 SHELL = Id("shell")
 PAGE = Id("page")
 SPLITTER = Id("splitter")

@@ -13,12 +13,12 @@ from core.workspace.views import check_address
 from webapp.shell import sessions
 from webapp.shell.visitors import BOARDS_COOKIE, TOKEN_COOKIE, accounts_exist, current
 
-ADDRESS = "/sign-in"
+ADDRESS, SIGN_OUT = "/sign-in", "/sign-out"
 _PAGE = """<!doctype html><html lang="en"><head><meta charset="utf-8"><title>Sign in – Motionscape</title>
 <meta name="viewport" content="width=device-width"><style>
-:root{{color-scheme:light dark;--paper:light-dark(#f8f9fa,#1a1b1e);--card:light-dark(#fff,#25262b);
---ink:light-dark(#212529,#e9ecef);--line:light-dark(#ced4da,#495057);--accent:light-dark(#0b7285,#22b8cf);
---on-accent:light-dark(#fff,#06222a);--wrong:light-dark(#c92a2a,#ff8787)}}
+:root{{color-scheme:light dark;--paper:light-dark(#f4f6f8,#12161c);--card:light-dark(#fff,#1a2029);
+--ink:light-dark(#1f2733,#e7ebf1);--line:light-dark(#dfe4ea,#2f3846);--accent:light-dark(#2f62b8,#8fb3f3);
+--on-accent:light-dark(#fff,#10203c);--wrong:light-dark(#b3332f,#f19a94)}}
 :root[data-theme=light]{{color-scheme:light}}:root[data-theme=dark]{{color-scheme:dark}}
 body{{font:16px/1.5 system-ui,sans-serif;margin:0;min-height:100vh;display:grid;place-items:center;
 background:var(--paper);color:var(--ink)}}
@@ -68,7 +68,7 @@ def register(server: Flask, workspace: Workspace) -> None:
         workspace.audit.record("signed in", found[0].name, address)
         return redirect(_next(), 303)
 
-    @server.post("/sign-out")
+    @server.post(SIGN_OUT)
     def sign_out() -> ResponseReturnValue:
         session.clear()
         answer = redirect(ADDRESS if accounts_exist(workspace) else "/", 303)

@@ -277,3 +277,22 @@ def test_signing_in_is_on_record_and_no_password_is(client, workspace):
     entries = workspace.audit.entries()[-2:]
     assert [(entry.what, entry.subject) for entry in entries] == [("sign-in refused", "ann"), ("signed in", "ann")]
     assert "horse" not in repr(workspace.audit.entries())
+
+
+@pytest.mark.parametrize(("name", "role"), [("ann", "owner"), ("vic", "viewer")])
+def test_the_page_says_who_one_is_and_by_which_role_it_hides(client, name, role):
+    sign_in(client, name)
+    page = client.get("/library").get_data(as_text=True)
+    assert f'"data-role": "{role}"' in page and f'"{name}, {role}"' in page and "Sign out" in page
+
+
+def test_an_editor_of_one_dataset_finds_the_controls(client, workspace):
+    workspace.users.set_role("vic", "editor", "walkers")
+    sign_in(client, "vic")
+    assert '"data-role": "editor"' in client.get("/library").get_data(as_text=True)
+
+
+def test_a_guest_is_offered_to_sign_in(client, board):
+    client.get(f"/library?key={board.read_key}")
+    page = client.get("/library").get_data(as_text=True)
+    assert '"data-role": "viewer"' in page and '"href": "/sign-in"' in page and "Sign out" not in page

@@ -47,7 +47,13 @@ def menu() -> Component:
     return dmc.Menu(
         [
             dmc.MenuTarget(
-                dmc.Button("Edit", variant="default", rightSection=icon("chevron", 14), id=names.CLIP_EDIT_MENU)
+                dmc.Button(
+                    "Edit",
+                    variant="default",
+                    rightSection=icon("chevron", 14),
+                    id=names.CLIP_EDIT_MENU,
+                    className="for-editors",
+                )
             ),
             dmc.MenuDropdown([dmc.MenuLabel("The clip itself stays as it is"), *items]),
         ],

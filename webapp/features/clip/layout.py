@@ -259,6 +259,7 @@ def range_bar(clip: str, fps: float, frames: int, start: int | None, end: int | 
         ),
         dmc.Button(
             "Make it a clip",
+            className="for-editors",
             size="compact-sm",
             variant="default",
             **sends(names.CLIP_EDIT, {"action": "trim"}, every_time=True),

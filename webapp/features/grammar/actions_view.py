@@ -69,6 +69,7 @@ def _one() -> list[Component]:
                 ),
                 dmc.TextInput(
                     id=names.ACTION_NAME,
+                    className="for-editors-to-change",
                     label="Name",
                     placeholder="side step",
                     debounce=True,

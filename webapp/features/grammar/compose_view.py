@@ -108,7 +108,9 @@ def _save() -> list[Component]:
             size="xs",
             attributes={"input": {"maxLength": 60, "autoComplete": "off"}},
         ),
-        html.Button([icon("check", 14), "Keep"], id=names.COMPOSE_SAVE, type="button", className="walk-button"),
+        html.Button(
+            [icon("check", 14), "Keep"], id=names.COMPOSE_SAVE, type="button", className="walk-button for-editors"
+        ),
         html.Div(id=names.COMPOSE_SAVE_STATUS, className="muted", role="status"),
     ]
 

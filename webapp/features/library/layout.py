@@ -36,7 +36,9 @@ def page() -> Component:
                 dmc.Button(
                     "Trash", id=names.TRASH_OPEN, variant="subtle", color="gray", leftSection=icon("restore", 16)
                 ),
-                dmc.Button("Add recordings", id=names.UPLOAD_OPEN, leftSection=icon("upload", 16)),
+                dmc.Button(
+                    "Add recordings", id=names.UPLOAD_OPEN, className="for-editors", leftSection=icon("upload", 16)
+                ),
             ),
             html.Div(id=names.DATASET_CARDS),
             html.Div(id=names.DATASET_DETAIL),
@@ -57,8 +59,16 @@ def page() -> Component:
 def dataset_cards(datasets: Sequence[DatasetInfo], chosen: str | None) -> Component:
     """All datasets as cards; an invitation where there are none."""
     if not datasets:
-        demo = dmc.Button("Open the demo", id=names.DEMO("empty"), leftSection=icon("spark", 16))
-        add = dmc.Button("Add recordings", id=names.ADD("empty"), variant="default", leftSection=icon("upload", 16))
+        demo = dmc.Button(
+            "Open the demo", id=names.DEMO("empty"), className="for-editors", leftSection=icon("spark", 16)
+        )
+        add = dmc.Button(
+            "Add recordings",
+            id=names.ADD("empty"),
+            className="for-editors",
+            variant="default",
+            leftSection=icon("upload", 16),
+        )
         return html.Div(
             empty_state(
                 "person",
@@ -124,11 +134,13 @@ def _card_menu(name: str) -> Component:
                 [
                     dmc.MenuItem(
                         "Add recordings or labels",
+                        className="for-editors",
                         leftSection=icon("upload", 16),
                         **sends(names.UPLOAD_INTO, {"dataset": name}, every_time=True),
                     ),
                     dmc.MenuItem(
                         "Rename",
+                        className="for-editors",
                         leftSection=icon("edit", 16),
                         **sends(names.DATASET_ACTION, {"action": "rename", "dataset": name}, every_time=True),
                     ),
@@ -144,6 +156,7 @@ def _card_menu(name: str) -> Component:
                     ),
                     dmc.MenuItem(
                         "Delete",
+                        className="for-editors",
                         color="red",
                         leftSection=icon("trash", 16),
                         **sends(names.DATASET_ACTION, {"action": "trash", "dataset": name}, every_time=True),
@@ -215,6 +228,7 @@ def clips_chosen(chosen: int) -> Component | None:
             html.Span(words, className="muted number", role="status"),
             dmc.Button(
                 "Remove",
+                className="for-editors",
                 size="compact-sm",
                 color="red",
                 variant="light",
@@ -266,6 +280,7 @@ def trash_list(trashed: Sequence[DatasetInfo]) -> Component:
                 html.Span(f"{info.clips:,} clips · {duration(info.seconds)}", className="muted number"),
                 dmc.Button(
                     "Restore",
+                    className="for-editors",
                     size="compact-sm",
                     variant="default",
                     **sends(UNDO, {"restore": info.id}, every_time=True),
@@ -276,6 +291,7 @@ def trash_list(trashed: Sequence[DatasetInfo]) -> Component:
     ]
     empty = dmc.Button(
         "Empty the trash for good",
+        className="for-owners",
         color="red",
         variant="light",
         size="compact-sm",

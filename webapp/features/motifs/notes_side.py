@@ -29,7 +29,7 @@ def layout() -> Component:
             html.P("Choose a motif to name it, tag it, or write a note.", id=names.NOTES_HINT, className="muted"),
             html.Div(
                 id=names.NOTES_FORM,
-                className="notes-form hidden",
+                className="notes-form for-editors-to-change hidden",
                 children=[
                     html.Div(html.H2(id=names.NOTES_TITLE), className="section-head"),
                     dmc.TextInput(
@@ -80,10 +80,19 @@ def register(app: Dash, workspace: Workspace) -> None:
         graph = results.motif_graph(workspace, name, view) if name else None
         motif = find_motif(graph, (selection or {}).get("motif")) if graph else None
         if motif is None:
-            return "muted", "notes-form hidden", "", "", [], "", None, ""
+            return "muted", "notes-form for-editors-to-change hidden", "", "", [], "", None, ""
         note = results.motif_notes(workspace, name, view).get(motif.id, MotifNote())
         status = CARRIED if note.carried else ""
-        return "hidden", "notes-form", f"Motif {motif.id}", note.name, list(note.tags), note.note, motif.id, status
+        return (
+            "hidden",
+            "notes-form for-editors-to-change",
+            f"Motif {motif.id}",
+            note.name,
+            list(note.tags),
+            note.note,
+            motif.id,
+            status,
+        )
 
     @app.callback(
         Output(names.NOTES_STATUS, "children", allow_duplicate=True),

@@ -97,6 +97,7 @@ def _query() -> Component:
                         [icon("upload", 14), "Upload a file"],
                         "upload",
                         "Search for an uploaded motion: BVH, or AMC with its ASF",
+                        "for-editors",
                     ),
                     _button(
                         [icon("plus", 14), "Combine"], "combine", "Take other parts of the body from another motion"

@@ -1,0 +1,41 @@
+// Says in words when the server no longer knows who one is, or refuses what one may not do; requests go on as they are.
+import { notify } from "../shared/dash.mjs";
+
+const QUIET = 10_000; // milliseconds in which the same is not said again
+/** @type {Map<number, number>} */
+const said = new Map();
+
+/**
+ * What to say of an answer: title and text, or null where there is nothing to say.
+ * @param {number} status
+ * @param {{ title?: unknown, error?: unknown }} body
+ * @returns {[string, string] | null}
+ */
+export function words(status, body) {
+  if (status === 401) return ["Nobody is signed in", "Your session has ended. Reload the page to sign in again; what you see stays until then."];
+  if (status === 403 && typeof body.error === "string") return [typeof body.title === "string" ? body.title : "You may not do this", body.error];
+  return null;
+}
+
+/** @param {Response} answer */
+async function tell(answer) {
+  const body = await answer.json().catch(() => ({}));
+  const now = Date.now();
+  if (now - (said.get(answer.status) ?? -QUIET) < QUIET) return;
+  const text = words(answer.status, body ?? {});
+  if (!text) return;
+  said.set(answer.status, now);
+  notify(text[0], text[1], "red");
+}
+
+/** Listens to the answers that all other modules and Dash get. */
+function listen() {
+  const send = window.fetch;
+  window.fetch = async (address, options) => {
+    const answer = await send.call(window, address, options);
+    if ((answer.status === 401 || answer.status === 403) && new URL(answer.url, location.href).origin === location.origin) void tell(answer.clone());
+    return answer;
+  };
+}
+
+if (typeof window !== "undefined") listen();
