@@ -25,11 +25,16 @@ for (const [name, entryPoints] of Object.entries(ENTRIES)) {
   });
   outputFiles.push(...made.outputFiles);
 }
-// Plotly is too big for the bundle: a file of its own, which pages load when they show a chart.
-const PLOTLY = "plotly.js-cartesian-dist-min";
-const copies = { "plotly-cartesian.min.js": "plotly-cartesian.min.js", LICENSE: "plotly-cartesian.LICENSE.txt" };
-for (const [source, copy] of Object.entries(copies)) {
-  const text = readFileSync(`${folder}/node_modules/${PLOTLY}/${source}`, "utf8");
+// Libraries that are too big for the bundle: files of their own, which pages load when they need them.
+const COPIES = {
+  "plotly.js-cartesian-dist-min/plotly-cartesian.min.js": "plotly-cartesian.min.js",
+  "plotly.js-cartesian-dist-min/LICENSE": "plotly-cartesian.LICENSE.txt",
+  "gridstack/dist/gridstack-all.js": "gridstack.js",
+  "gridstack/dist/gridstack.min.css": "gridstack.css",
+  "gridstack/LICENSE": "gridstack.LICENSE.txt",
+};
+for (const [source, copy] of Object.entries(COPIES)) {
+  const text = readFileSync(`${folder}/node_modules/${source}`, "utf8").replace(/\n\/\/# sourceMappingURL=.*\n?$/, "\n");
   outputFiles.push({ path: `${folder}/bundle/vendor/${copy}`, text });
 }
 const current = (path) => {

@@ -8,6 +8,8 @@ import "./shell/selecting.mjs";
 import "./shell/settings.mjs";
 import "./shell/views.mjs";
 import "./jobs/job_bar.mjs";
+import "./boards/boards.mjs";
+import "./report/blocks.mjs";
 import "./library/clips.mjs";
 import "./library/upload.mjs";
 import "./clip/gait.mjs";

@@ -1,8 +1,8 @@
 // What blocks draw and what they may ask of the page around them.
 import type { Figure } from "../stage/figure.mjs";
-import type { Item } from "../stage/types.d.ts";
+import type { Item, StageRequest } from "../stage/types.d.ts";
 import type { Selection } from "../shared/types.d.ts";
-export type { Figure, Item, Selection };
+export type { Figure, Item, Selection, StageRequest };
 
 /** A stretch of a clip: its name, first frame and the one after the last. */
 export type Segment = [string, number, number];
@@ -18,14 +18,18 @@ export interface Context {
   /** Choose something: everything that shows it lights up, and it plays. */
   select(selection: Selection, playing?: Playing): void;
   /** Figures for these items, in their order; those that are not there are left out. */
-  figures(items: Item[]): Promise<Figure[]>;
+  figures(items: Item[], request?: StageRequest): Promise<Figure[]>;
   dark(): boolean;
+  /** Links of the app can be opened. */
+  opens: boolean;
 }
 
 /** A drawn block. */
 export interface Drawn {
   /** Show what is selected. */
   light?(selection: Selection): void;
+  /** Fade what has nothing to do with a label; "" fades nothing. */
+  narrow?(label: string): void;
   /** The page is light or dark now. */
   recolour?(): void;
   close?(): void;

@@ -3,9 +3,12 @@
 /** @import { StoreId } from "../shared/ids.mjs" */
 
 /**
- * The board that is open.
+ * The board that is open, and whether only to look at it.
  * @typedef {object} View
  * @property {string} [board]
+ * @property {string} [screen]
  */
 
 export const BOARDS_PLACE = "boards-place";
+export const SAVE_VIEW = "save-view";
+export const BOARDS_SHOWN = /** @type {StoreId<any>} */ ("boards-shown");

@@ -751,27 +751,27 @@
     });
   }
   function standIn(namespace, { source, components }) {
-    let library = null;
+    let library2 = null;
     let arrive;
     const arrived = new Promise((resolve) => {
       arrive = resolve;
     });
     let loading = null;
     const load = () => (loading ||= loadScript(source)).then(() => arrived);
-    const suite = { getApiAsync: (...parts) => arrived.then(() => library?.getApiAsync(...parts)) };
+    const suite = { getApiAsync: (...parts) => arrived.then(() => library2?.getApiAsync(...parts)) };
     Object.defineProperty(window, namespace, {
       get: () => suite,
       set: (value) => {
         if (value === suite) return;
-        library = value;
-        delete library?.Cytoscape?.defaultProps?.wheelSensitivity;
+        library2 = value;
+        delete library2?.Cytoscape?.defaultProps?.wheelSensitivity;
         arrive();
       }
     });
     for (const name of components) suite[name] = component(name);
     function component(name) {
       const { createElement, lazy, Suspense, useLayoutEffect, useRef, useState } = window.React;
-      const Loaded = lazy(() => load().then(() => ({ default: library?.[name] })));
+      const Loaded = lazy(() => load().then(() => ({ default: library2?.[name] })));
       const Component = (props) => {
         const place5 = useRef(null);
         const [wanted2, setWanted] = useState(false);
@@ -782,24 +782,24 @@
         if (!wanted2) return createElement("div", { ref: place5 });
         return createElement(Suspense, { fallback: null }, createElement(Loaded, props));
       };
-      const ready2 = () => library?.[name]._dashprivate_isLazyComponentReady ?? true;
+      const ready2 = () => library2?.[name]._dashprivate_isLazyComponentReady ?? true;
       Object.defineProperty(Component, "_dashprivate_isLazyComponentReady", {
-        get: () => library ? ready2() : arrived.then(ready2)
+        get: () => library2 ? ready2() : arrived.then(ready2)
       });
       return Component;
     }
   }
   function plotlyLater() {
-    let library = null;
+    let library2 = null;
     let loading = null;
     const turn5 = () => new Promise((resolve) => {
       if (scriptsOf(location.pathname).includes(plotly)) resolve();
       else whenIdle(resolve);
     });
     Object.defineProperty(window, "Plotly", {
-      get: () => library || (loading ||= turn5().then(() => loadScript(plotly)).then(() => library)),
+      get: () => library2 || (loading ||= turn5().then(() => loadScript(plotly)).then(() => library2)),
       set: (value) => {
-        library = value;
+        library2 = value;
       }
     });
   }
@@ -876,8 +876,8 @@
     return rows2.map((row7) => row7.map(cell).join(",")).join("\n") + "\n";
   }
   function chart(target2, kind, name) {
-    const box2 = find(target2);
-    const plot = box2 && (box2.classList.contains("js-plotly-plot") ? box2 : box2.querySelector(".js-plotly-plot"));
+    const box4 = find(target2);
+    const plot = box4 && (box4.classList.contains("js-plotly-plot") ? box4 : box4.querySelector(".js-plotly-plot"));
     if (!plot) return;
     if (kind === "csv") save(table(plot), name + ".csv");
     else window.Plotly.downloadImage(plot, { format: kind, filename: name, scale: kind === "png" ? 2 : 1 });
@@ -910,10 +910,10 @@
     }
   });
   document.addEventListener("click", async (event) => {
-    const button4 = closest(event, "[data-save]");
-    if (!button4) return;
-    const { save: what, target: target2 = "", kind = "" } = button4.dataset;
-    const name = `${dataset()} ${button4.dataset.name}`;
+    const button5 = closest(event, "[data-save]");
+    if (!button5) return;
+    const { save: what, target: target2 = "", kind = "" } = button5.dataset;
+    const name = `${dataset()} ${button5.dataset.name}`;
     if (what === "chart") chart(target2, kind, name);
     else if (what === "drawing") drawing(target2, kind, name);
     else {
@@ -1143,7 +1143,7 @@
     return [0.085, -0.085, 0].map((lift) => oklch(lightness + lift, theme.dark ? 0.125 : 0.135, hue + 15 * round2));
   }
   function shades(theme, colours, fade) {
-    const levels = (change) => colours.map((rgb) => Array.from({ length: FOG_LEVELS }, (_, level) => css(mix(change(rgb), theme.haze, fade + (1 - fade) * 0.4 * (level / (FOG_LEVELS - 1))))));
+    const levels = (change2) => colours.map((rgb) => Array.from({ length: FOG_LEVELS }, (_, level) => css(mix(change2(rgb), theme.haze, fade + (1 - fade) * 0.4 * (level / (FOG_LEVELS - 1))))));
     const balls = [];
     return {
       /** @param {number} level */
@@ -1229,20 +1229,20 @@
   var TRAIL_WORDS = { off: "Trails off", root: "Trail of the body", limbs: "Trails of hands and feet" };
   function makeActions(stage2) {
     const { clock: clock2, camera, traces } = stage2;
-    const say2 = (text) => stage2.messages.say(text);
+    const say3 = (text) => stage2.messages.say(text);
     return {
       play: () => clock2.playing ? stage2.pause() : stage2.play(),
       back: () => stage2.step(-1),
       forward: () => stage2.step(1),
       start: () => stage2.seek(0),
       end: () => stage2.seek(clock2.duration),
-      slower: () => (clock2.changeSpeed(-1), say2(`Speed ${clock2.speed}×`)),
-      faster: () => (clock2.changeSpeed(1), say2(`Speed ${clock2.speed}×`)),
-      speed: () => (clock2.speed = 1, say2("Speed 1×")),
-      loop: () => (clock2.nextLoop(), say2(LOOP_WORDS[clock2.loop])),
-      ghosts: () => (traces.ghosts = !traces.ghosts, say2(traces.ghosts ? "Ghosts on" : "Ghosts off")),
-      trails: () => (traces.nextTrails(), say2(TRAIL_WORDS[traces.trails])),
-      follow: () => (camera.follow = !camera.follow, say2(camera.follow ? "Camera follows" : "Camera stands still")),
+      slower: () => (clock2.changeSpeed(-1), say3(`Speed ${clock2.speed}×`)),
+      faster: () => (clock2.changeSpeed(1), say3(`Speed ${clock2.speed}×`)),
+      speed: () => (clock2.speed = 1, say3("Speed 1×")),
+      loop: () => (clock2.nextLoop(), say3(LOOP_WORDS[clock2.loop])),
+      ghosts: () => (traces.ghosts = !traces.ghosts, say3(traces.ghosts ? "Ghosts on" : "Ghosts off")),
+      trails: () => (traces.nextTrails(), say3(TRAIL_WORDS[traces.trails])),
+      follow: () => (camera.follow = !camera.follow, say3(camera.follow ? "Camera follows" : "Camera stands still")),
       overlay: () => stage2.setLayout("overlay"),
       side: () => stage2.setLayout("side"),
       pose: () => stage2.setLayout("pose"),
@@ -1278,8 +1278,8 @@
   var ORBIT = { ArrowLeft: [-0.12, 0], ArrowRight: [0.12, 0], ArrowUp: [0, 0.08], ArrowDown: [0, -0.08] };
   function onKey(stage2, actions4, event) {
     if (event.ctrlKey || event.metaKey || event.altKey || event.defaultPrevented) return;
-    const button4 = closest(event, "button");
-    if (button4 && (event.key === " " || event.key === "Enter")) return;
+    const button5 = closest(event, "button");
+    if (button5 && (event.key === " " || event.key === "Enter")) return;
     if (event.key === "Escape" && stage2.messages.toggleHelp(false)) return;
     const orbit = event.shiftKey && ORBIT[event.key];
     const action = KEYS[event.key.length === 1 ? event.key.toLowerCase() : event.key];
@@ -1333,8 +1333,8 @@
   function watchSeeking(stage2, bar) {
     let resume = false;
     const seek = (event) => {
-      const box2 = bar.getBoundingClientRect();
-      stage2.seek(stage2.clock.duration * Math.min(Math.max((event.clientX - box2.left) / box2.width, 0), 1));
+      const box4 = bar.getBoundingClientRect();
+      stage2.seek(stage2.clock.duration * Math.min(Math.max((event.clientX - box4.left) / box4.width, 0), 1));
     };
     bar.addEventListener("pointerdown", (event) => {
       bar.setPointerCapture(event.pointerId);
@@ -1367,7 +1367,7 @@
       this.listed = "";
       this.shown = "";
       this.scrub = this.find(".ms-scrub");
-      for (const button4 of allWithin(root, "[data-icon]")) button4.innerHTML = iconMarkup(button4.dataset.icon ?? "");
+      for (const button5 of allWithin(root, "[data-icon]")) button5.innerHTML = iconMarkup(button5.dataset.icon ?? "");
       root.addEventListener("click", (event) => this.press(event));
       root.addEventListener("keydown", (event) => onKey(stage2, this.actions, event));
       watchPointer(stage2, stage2.scene.canvas);
@@ -1384,9 +1384,9 @@
     }
     /** @param {Event} event */
     press(event) {
-      const button4 = closest(event, "[data-action]");
-      if (!button4 || button4.disabled) return;
-      this.actions[button4.dataset.action ?? ""]?.();
+      const button5 = closest(event, "[data-action]");
+      if (!button5 || button5.disabled) return;
+      this.actions[button5.dataset.action ?? ""]?.();
       this.stage.touch(true);
     }
     /** Chips that name the figures and hide or show them; pointing at one makes it stand out. */
@@ -1432,13 +1432,13 @@
       const { stage: stage2 } = this;
       const { clock: clock2, traces, camera } = stage2;
       const show6 = (action, icon2, label, pressed) => {
-        const button4 = this.find(`.ms-tool[data-action="${action}"]`);
-        if (icon2 && button4.dataset.icon !== icon2) button4.innerHTML = iconMarkup(button4.dataset.icon = icon2);
+        const button5 = this.find(`.ms-tool[data-action="${action}"]`);
+        if (icon2 && button5.dataset.icon !== icon2) button5.innerHTML = iconMarkup(button5.dataset.icon = icon2);
         if (label) {
-          button4.setAttribute("aria-label", label);
-          button4.dataset.tip = `${label}${button4.dataset.key ? `  ·  ${button4.dataset.key}` : ""}`;
+          button5.setAttribute("aria-label", label);
+          button5.dataset.tip = `${label}${button5.dataset.key ? `  ·  ${button5.dataset.key}` : ""}`;
         }
-        if (pressed !== void 0) button4.setAttribute("aria-pressed", String(pressed));
+        if (pressed !== void 0) button5.setAttribute("aria-pressed", String(pressed));
       };
       show6("play", clock2.playing ? "pause" : "play", clock2.playing ? "Pause" : "Play");
       show6("loop", clock2.loop, LOOP_WORDS[clock2.loop]);
@@ -1519,36 +1519,36 @@
       figure2.path = null;
       figure2.stand(still ? figure2.frameAt(duration / 2) : 0);
     }
-    const shown7 = figures.filter((figure2) => figure2.visible);
-    if (layout === "overlay" || shown7.length < 2) return [];
-    for (const figure2 of shown7) figure2.turn(TURN);
-    if (still) return placeOnShelves(shown7, aspect, duration);
-    placeInLanes(shown7, aspect);
+    const shown8 = figures.filter((figure2) => figure2.visible);
+    if (layout === "overlay" || shown8.length < 2) return [];
+    for (const figure2 of shown8) figure2.turn(TURN);
+    if (still) return placeOnShelves(shown8, aspect, duration);
+    placeInLanes(shown8, aspect);
     return [];
   }
-  function placeInLanes(shown7, aspect) {
-    const boxes = shown7.map((figure2) => figure2.extent());
+  function placeInLanes(shown8, aspect) {
+    const boxes = shown8.map((figure2) => figure2.extent());
     const span = (low, high) => Math.max(...boxes.map((b) => b[high] - b[low]));
     const width = Math.min(Math.max(span(0, 1) + LANE.gap, LANE.least), LANE.most);
     const depth2 = Math.min(Math.max(span(2, 3) + LANE.gap, ROW.least), ROW.most);
-    const wanted2 = Math.round(Math.sqrt(shown7.length * aspect * (0.6 * depth2 + 0.8) / width));
-    inRows(shown7, Math.max(wanted2, 2), (figure2, k, row7, rows2, column) => {
-      const box2 = boxes[k];
+    const wanted2 = Math.round(Math.sqrt(shown8.length * aspect * (0.6 * depth2 + 0.8) / width));
+    inRows(shown8, Math.max(wanted2, 2), (figure2, k, row7, rows2, column) => {
+      const box4 = boxes[k];
       figure2.room = width;
-      figure2.walksInPlace = box2[1] - box2[0] > LANE.most || box2[3] - box2[2] > ROW.most;
-      const middle = figure2.walksInPlace ? [0, 0] : [(box2[0] + box2[1]) / 2, (box2[2] + box2[3]) / 2];
+      figure2.walksInPlace = box4[1] - box4[0] > LANE.most || box4[3] - box4[2] > ROW.most;
+      const middle = figure2.walksInPlace ? [0, 0] : [(box4[0] + box4[1]) / 2, (box4[2] + box4[3]) / 2];
       const stagger = rows2 > 1 ? (row7 % 2 ? 0.25 : -0.25) * width : 0;
       figure2.place = [column * width + stagger - middle[0], ((rows2 - 1) / 2 - row7) * depth2 - middle[1]];
     });
   }
-  function placeOnShelves(shown7, aspect, duration) {
-    const boxes = shown7.map((figure2) => figure2.extent(duration / 2, duration / 2, 1));
+  function placeOnShelves(shown8, aspect, duration) {
+    const boxes = shown8.map((figure2) => figure2.extent(duration / 2, duration / 2, 1));
     const width = Math.min(Math.max(...boxes.map((b) => b[1] - b[0] + SHELF.gap), SHELF.least), SHELF.most);
     const height = Math.max(...boxes.map((b) => b[4])) + SHELF.above;
-    const size = (columns2) => Math.min(aspect / (columns2 * width), 1 / (Math.ceil(shown7.length / columns2) * height));
-    const columns = shown7.map((_, k) => k + 1).reduce((best, k) => size(k) > size(best) ? k : best);
+    const size = (columns2) => Math.min(aspect / (columns2 * width), 1 / (Math.ceil(shown8.length / columns2) * height));
+    const columns = shown8.map((_, k) => k + 1).reduce((best, k) => size(k) > size(best) ? k : best);
     const shelves = [];
-    inRows(shown7, columns, (figure2, k, row7, rows2, column) => {
+    inRows(shown8, columns, (figure2, k, row7, rows2, column) => {
       figure2.room = width;
       figure2.level = (rows2 - 1 - row7) * height;
       figure2.place = [column * width - (boxes[k][0] + boxes[k][1]) / 2, 0];
@@ -1557,12 +1557,12 @@
     });
     return shelves;
   }
-  function inRows(shown7, wanted2, put5) {
-    const rows2 = Math.ceil(shown7.length / wanted2);
-    const columns = Math.ceil(shown7.length / rows2);
-    shown7.forEach((figure2, k) => {
+  function inRows(shown8, wanted2, put5) {
+    const rows2 = Math.ceil(shown8.length / wanted2);
+    const columns = Math.ceil(shown8.length / rows2);
+    shown8.forEach((figure2, k) => {
       const row7 = Math.floor(k / columns);
-      const inRow = row7 < rows2 - 1 ? columns : shown7.length - columns * (rows2 - 1);
+      const inRow = row7 < rows2 - 1 ? columns : shown8.length - columns * (rows2 - 1);
       put5(figure2, k, row7, rows2, k % columns - (inRow - 1) / 2);
     });
   }
@@ -1580,15 +1580,15 @@
     return out;
   }
   function measureStage(figures, duration, samples = 24) {
-    const shown7 = figures.filter((figure2) => figure2.visible);
-    const cloud = new Float32Array(samples * shown7.reduce((sum2, figure2) => sum2 + figure2.points.length, 0));
+    const shown8 = figures.filter((figure2) => figure2.visible);
+    const cloud = new Float32Array(samples * shown8.reduce((sum2, figure2) => sum2 + figure2.points.length, 0));
     const centre = [0, 0];
     let radius = 0.7;
     let n = 0;
     for (let s = 0; s < samples; s++) {
-      for (const figure2 of shown7) figure2.pose(duration * s / (samples - 1));
-      groundCentre(shown7, centre);
-      for (const { points } of shown7) {
+      for (const figure2 of shown8) figure2.pose(duration * s / (samples - 1));
+      groundCentre(shown8, centre);
+      for (const { points } of shown8) {
         for (let k = 0; k < points.length; k += 3) {
           cloud[n++] = points[k] - centre[0];
           cloud[n++] = points[k + 1];
@@ -1638,10 +1638,10 @@
       this.timer = window.setTimeout(() => toast.classList.remove("ms-shown"), NOTICE);
     }
     /** Open or close the list of keys; true when it was open. @param {boolean} [open] */
-    toggleHelp(open4) {
+    toggleHelp(open5) {
       const help = within(this.root, ".ms-help");
       const was = !help.hidden;
-      help.hidden = open4 === void 0 ? was : !open4;
+      help.hidden = open5 === void 0 ? was : !open5;
       return was;
     }
   };
@@ -1737,10 +1737,10 @@
      * @param {number} duration
      */
     show(figures, duration) {
-      const shown7 = figures.filter((figure2) => figure2.visible && figure2.spans.length).slice(0, MOST_ROWS);
-      this.holder.hidden = !shown7.length || !(duration > 0);
-      this.rows.classList.toggle("ms-band-thin", shown7.length > 3);
-      this.rows.replaceChildren(...this.holder.hidden ? [] : shown7.map((figure2) => row(figure2, duration)));
+      const shown8 = figures.filter((figure2) => figure2.visible && figure2.spans.length).slice(0, MOST_ROWS);
+      this.holder.hidden = !shown8.length || !(duration > 0);
+      this.rows.classList.toggle("ms-band-thin", shown8.length > 3);
+      this.rows.replaceChildren(...this.holder.hidden ? [] : shown8.map((figure2) => row(figure2, duration)));
     }
     /** @param {number} share */
     place(share2) {
@@ -1774,8 +1774,8 @@
       points[3 * s] = figure2.spare[root];
       points[3 * s + 2] = figure2.spare[root + 2];
       const colour = figure2.spanAt(figure2.recordedFrame(time))?.colour ?? plain3;
-      const last2 = runs.at(-1);
-      if (last2?.colour === colour) last2.to = s;
+      const last3 = runs.at(-1);
+      if (last3?.colour === colour) last3.to = s;
       else runs.push({ from: Math.max(s - 1, 0), to: s, colour });
     }
     return { points, runs, n };
@@ -2004,20 +2004,20 @@
      * @param {number} [samples]
      */
     extent(from = 0, to = this.duration, samples = 32) {
-      const box2 = [0, 0, 0, 0, 0];
+      const box4 = [0, 0, 0, 0, 0];
       const points = this.spare;
       for (let s = 0; s < samples; s++) {
         this.pose(from + (to - from) * s / Math.max(samples - 1, 1), points);
         for (let k = 0; k < points.length; k += 3) {
           const [x, z] = [points[k] - this.place[0], points[k + 2] - this.place[1]];
-          box2[0] = Math.min(box2[0], x);
-          box2[1] = Math.max(box2[1], x);
-          box2[2] = Math.min(box2[2], z);
-          box2[3] = Math.max(box2[3], z);
-          box2[4] = Math.max(box2[4], points[k + 1]);
+          box4[0] = Math.min(box4[0], x);
+          box4[1] = Math.max(box4[1], x);
+          box4[2] = Math.min(box4[2], z);
+          box4[3] = Math.max(box4[3], z);
+          box4[4] = Math.max(box4[4], points[k + 1]);
         }
       }
-      return box2;
+      return box4;
     }
   };
   function usableWarp(warp) {
@@ -2028,15 +2028,15 @@
   function makeLimbs(header, sides) {
     const { parents, roles, head: head3, nose } = header;
     const part2 = (j) => roles[j].split("_").pop() ?? "";
-    const known3 = roles.some((role) => role === "left_knee");
+    const known4 = roles.some((role) => role === "left_knee");
     const limbs = [];
     const limbOf2 = new Array(parents.length).fill(-1);
     const start3 = (side) => limbs.push({ side, bones: [], joints: [] }) - 1;
     parents.forEach((parent, j) => {
       if (parent < 0 || j === head3 || j === nose) return;
-      const inTrunk = known3 && TRUNK.has(part2(j)) && TRUNK.has(part2(parent));
-      const toHip = known3 && (part2(j) === "hip" || part2(j) === "shoulder");
-      if (!known3) limbOf2[j] = start3(sides[j]);
+      const inTrunk = known4 && TRUNK.has(part2(j)) && TRUNK.has(part2(parent));
+      const toHip = known4 && (part2(j) === "hip" || part2(j) === "shoulder");
+      if (!known4) limbOf2[j] = start3(sides[j]);
       else if (inTrunk || toHip) limbOf2[j] = limbs.findIndex((limb) => limb.trunk);
       else limbOf2[j] = limbOf2[parent] >= 0 && !limbs[limbOf2[parent]].trunk ? limbOf2[parent] : start3(sides[j]);
       if (limbOf2[j] < 0) {
@@ -2047,8 +2047,8 @@
     });
     for (const limb of limbs) limb.joints = [...new Set(limb.bones)];
     const flanks = ["left_shoulder", "left_hip", "right_shoulder", "right_hip"].map((role) => roles.indexOf(role));
-    const trunk = limbs.find((limb) => limb.trunk);
-    if (trunk && Math.min(...flanks) >= 0) trunk.flanks = flanks;
+    const trunk2 = limbs.find((limb) => limb.trunk);
+    if (trunk2 && Math.min(...flanks) >= 0) trunk2.flanks = flanks;
     return limbs;
   }
 
@@ -2139,9 +2139,9 @@
       for (const [address2, segments] of batches) {
         const answer2 = ask(address2).catch((error) => segments.map(() => error));
         segments.forEach(({ key }, k) => {
-          const motion = answer2.then((motions) => {
+          const motion = answer2.then((motions2) => {
             if (this.coming.get(key) === motion) this.coming.delete(key);
-            return motions[k] instanceof Error ? motions[k] : this.keep(key, motions[k]);
+            return motions2[k] instanceof Error ? motions2[k] : this.keep(key, motions2[k]);
           });
           this.coming.set(key, motion);
         });
@@ -2233,14 +2233,14 @@
     /** @param {StageRequest} request */
     async figures(request5) {
       const items = request5.items.slice(0, MOST_FIGURES);
-      const motions = await this.cache.load(this.api, request5, items);
+      const motions2 = await this.cache.load(this.api, request5, items);
       return {
-        figures: items.flatMap((item, k) => motions[k] instanceof Error ? [] : [new Figure(
+        figures: items.flatMap((item, k) => motions2[k] instanceof Error ? [] : [new Figure(
           { ...item, dataset: item.dataset ?? request5.dataset ?? void 0 },
-          motions[k],
+          motions2[k],
           k
         )]),
-        failed: motions.filter((motion) => motion instanceof Error)
+        failed: motions2.filter((motion) => motion instanceof Error)
       };
     }
     /**
@@ -2373,14 +2373,14 @@
      * @param {number[]} bones
      * @param {number} line
      */
-    bones(context, figure2, bones, line2) {
+    bones(context, figure2, bones, line3) {
       const { x, y, scale: scale3, radii } = figure2;
       for (let k = 0; k < bones.length; k += 2) {
         const a = bones[k];
         const b = bones[k + 1];
-        const around2 = line2 && line2 + 3e-3 * scale3[a];
-        const ra = radii[a] * this.girth * scale3[a] + around2;
-        capsule(context, x[a], y[a], ra, x[b], y[b], radii[b] * this.girth * scale3[b] + around2);
+        const around3 = line3 && line3 + 3e-3 * scale3[a];
+        const ra = radii[a] * this.girth * scale3[a] + around3;
+        capsule(context, x[a], y[a], ra, x[b], y[b], radii[b] * this.girth * scale3[b] + around3);
       }
     }
     /**
@@ -2525,8 +2525,8 @@
     platform(context, camera, cx, cz, radius) {
       let n = 0;
       const points = this.corners;
-      const last2 = ROUND.length - 1;
-      let [px, pz] = [cx + radius * ROUND[last2][0], cz + radius * ROUND[last2][1]];
+      const last3 = ROUND.length - 1;
+      let [px, pz] = [cx + radius * ROUND[last3][0], cz + radius * ROUND[last3][1]];
       let before2 = camera.depth(px, 0, pz) - 2 * NEAR;
       for (const [cos, sin] of ROUND) {
         const [x, z] = [cx + radius * cos, cz + radius * sin];
@@ -2754,10 +2754,10 @@
     }
     /** @param {Figure[]} figures @param {boolean} overlaid */
     paintLabels(figures, overlaid) {
-      const shown7 = figures.filter((figure2) => figure2.visible);
-      if (overlaid && shown7.length > LABELS_OVERLAID) return;
+      const shown8 = figures.filter((figure2) => figure2.visible);
+      if (overlaid && shown8.length > LABELS_OVERLAID) return;
       const taken = [];
-      for (const figure2 of shown7.sort((a, b) => a.depth[a.header.root] - b.depth[b.header.root])) {
+      for (const figure2 of shown8.sort((a, b) => a.depth[a.header.root] - b.depth[b.header.root])) {
         const top = figure2.header.head >= 0 ? figure2.header.head : figure2.header.root;
         if (figure2.depth[top] < NEAR) continue;
         const sprite = this.label(figure2, figure2.room * figure2.scale[top]);
@@ -2767,8 +2767,8 @@
         const x = Math.round(Math.min(Math.max(figure2.x[top] - sprite.width / 2, 0), Math.max(room, 0)));
         const highest = figure2.room === Infinity ? figure2.y[top] : Math.min(...figure2.y) + 0.12 * figure2.size * figure2.scale[top];
         let y = Math.round(highest - (0.17 * figure2.size * figure2.scale[top] + 1.2 * sprite.height));
-        const hits = (box2) => Math.abs(box2[0] - x) < (box2[2] + sprite.width) / 2 && Math.abs(box2[1] - y) < sprite.height;
-        for (let tries = 0; tries < 4 && shown7.length <= 4 && taken.some(hits); tries++) y -= sprite.height + 2;
+        const hits = (box4) => Math.abs(box4[0] - x) < (box4[2] + sprite.width) / 2 && Math.abs(box4[1] - y) < sprite.height;
+        for (let tries = 0; tries < 4 && shown8.length <= 4 && taken.some(hits); tries++) y -= sprite.height + 2;
         if (taken.some(hits) || y < 0) continue;
         taken.push([x, y, sprite.width]);
         this.context.drawImage(sprite, x, y);
@@ -2843,16 +2843,16 @@
     }
     /** @param {CanvasRenderingContext2D} context @param {Camera} camera @param {Figure[]} figures @param {Clock} clock */
     paint(context, camera, figures, clock2) {
-      const shown7 = figures.filter((figure2) => figure2.visible);
+      const shown8 = figures.filter((figure2) => figure2.visible);
       context.lineJoin = "round";
       context.lineCap = "round";
-      if (this.trails === "root") this.paths.paint(context, camera, shown7, clock2.duration);
-      if (this.trails !== "off") for (const figure2 of shown7) this.paintTrails(context, camera, figure2, clock2);
-      if (!this.ghosts || !shown7.length) return;
-      const count = Math.min(Math.max(Math.floor(24 / shown7.length), 1), 4);
+      if (this.trails === "root") this.paths.paint(context, camera, shown8, clock2.duration);
+      if (this.trails !== "off") for (const figure2 of shown8) this.paintTrails(context, camera, figure2, clock2);
+      if (!this.ghosts || !shown8.length) return;
+      const count = Math.min(Math.max(Math.floor(24 / shown8.length), 1), 4);
       for (let g = count; g >= 1; g--) {
         context.globalAlpha = 0.34 * (1 - (g - 1) / (count + 0.5));
-        for (const figure2 of shown7) {
+        for (const figure2 of shown8) {
           if (clock2.time - g * GHOST_GAP > 0) this.paintGhost(context, camera, figure2, clock2.time - g * GHOST_GAP);
           if (g <= count / 2 && clock2.time + g * GHOST_GAP < clock2.duration) {
             this.paintGhost(context, camera, figure2, clock2.time + g * GHOST_GAP);
@@ -2870,14 +2870,14 @@
         context.strokeStyle = figure2.shades.fill[limb.side][0];
         context.lineWidth = Math.max(1.4 * figure2.radii[limb.bones[1]] * this.scale[limb.bones[0]], 1.5);
         context.beginPath();
-        let last2 = -1;
+        let last3 = -1;
         for (let k = 0; k < limb.bones.length; k += 2) {
           const a = limb.bones[k];
           const b = limb.bones[k + 1];
           if (this.depth[a] < NEAR || this.depth[b] < NEAR) continue;
-          if (a !== last2) context.moveTo(this.x[a], this.y[a]);
+          if (a !== last3) context.moveTo(this.x[a], this.y[a]);
           context.lineTo(this.x[b], this.y[b]);
-          last2 = b;
+          last3 = b;
         }
         context.stroke();
       }
@@ -3143,9 +3143,9 @@
      * @param {PointerEvent} event
      */
     describe(event) {
-      const box2 = this.canvas.getBoundingClientRect();
-      const row7 = Math.floor((event.clientY - box2.top) / box2.height * this.speeds.length);
-      const share2 = (event.clientX - box2.left) / box2.width;
+      const box4 = this.canvas.getBoundingClientRect();
+      const row7 = Math.floor((event.clientY - box4.top) / box4.height * this.speeds.length);
+      const share2 = (event.clientX - box4.left) / box4.width;
       const speed = this.speeds[row7]?.[Math.floor(share2 * this.speeds[row7].length)];
       if (!(speed > 0)) return "";
       const pace = speed > 1.05 ? `${speed.toFixed(1)}× as fast` : speed < 0.95 ? `${(1 / speed).toFixed(1)}× as slow` : "as fast";
@@ -3164,8 +3164,8 @@
     for (let c = 0; c < columns; c++) {
       const share2 = Math.log(Math.max(speed[Math.floor((c + 0.5) * speed.length / columns)], 0.05)) / RANGE;
       const level = Math.round(LEVELS * Math.min(Math.max(share2, -1), 1));
-      const last2 = runs.at(-1);
-      if (last2?.level === level) last2.to = (c + 1) / columns;
+      const last3 = runs.at(-1);
+      if (last3?.level === level) last3.to = (c + 1) / columns;
       else runs.push({ from: c / columns, to: (c + 1) / columns, level });
     }
     return runs;
@@ -3266,10 +3266,10 @@
       this.prepare(keepView);
     }
     /** Do what changes the length of time; the clock goes on at the same share of it. @param {() => void} change */
-    keepingShare(change) {
+    keepingShare(change2) {
       const { clock: clock2 } = this;
       const share2 = clock2.duration ? clock2.time / clock2.duration : 0;
-      change();
+      change2();
       clock2.seek(share2 * clock2.duration);
     }
     /**
@@ -3604,8 +3604,8 @@
     },
     // What the server changes of the view.
     /** @param {ViewChange & { at?: number } | null} change */
-    change(change) {
-      const keys = { ...change };
+    change(change2) {
+      const keys = { ...change2 };
       delete keys.at;
       changeView(keys);
       return clientside.no_update;
@@ -3673,20 +3673,20 @@
     }
   }
   document.addEventListener("click", async (event) => {
-    const button4 = closest(event, "[data-copy]");
-    if (!button4) return;
-    const done = await copy(button4.dataset.copy ?? "");
+    const button5 = closest(event, "[data-copy]");
+    if (!button5) return;
+    const done = await copy(button5.dataset.copy ?? "");
     if (done) notify("Copied", "Paste it where you want to run it.", "accent");
-    else notify("Could not copy", button4.dataset.copy ?? "");
+    else notify("Could not copy", button5.dataset.copy ?? "");
   });
   function watchTheme() {
     const root = document.documentElement;
-    let last2 = "light";
+    let last3 = "light";
     const ready2 = () => "set_props" in clientside && Boolean(find(SHELL));
     const tell4 = () => {
       const scheme = root.dataset.mantineColorScheme;
-      if (scheme !== "dark" && scheme !== "light" || scheme === last2 || !ready2()) return;
-      last2 = scheme;
+      if (scheme !== "dark" && scheme !== "light" || scheme === last3 || !ready2()) return;
+      last3 = scheme;
       setStore(THEME, scheme);
     };
     new MutationObserver(tell4).observe(root, { attributes: true, attributeFilter: ["data-mantine-color-scheme"] });
@@ -3811,8 +3811,8 @@
   }
   var target = (event) => closest(event, '[data-store="selection"]');
   document.addEventListener("pointerover", (event) => {
-    const button4 = target(event);
-    if (button4) ahead.prepare(JSON.parse(button4.dataset.value ?? "{}"), true);
+    const button5 = target(event);
+    if (button5) ahead.prepare(JSON.parse(button5.dataset.value ?? "{}"), true);
   });
   document.addEventListener("pointerout", (event) => target(event) && ahead.leave());
 
@@ -3822,10 +3822,10 @@
     setStore(store, stamp ? { ...value, at: Date.now() } : value);
   };
   document.addEventListener("click", (event) => {
-    const button4 = closest(event, "[data-store]");
-    if (!button4 || button4.disabled) return;
-    put(button4.dataset.store ?? "", JSON.parse(button4.dataset.value ?? "{}"), button4.dataset.stamp);
-    if (button4.dataset.page) clientside.set_props(URL2, { pathname: button4.dataset.page, search: "" });
+    const button5 = closest(event, "[data-store]");
+    if (!button5 || button5.disabled) return;
+    put(button5.dataset.store ?? "", JSON.parse(button5.dataset.value ?? "{}"), button5.dataset.stamp);
+    if (button5.dataset.page) clientside.set_props(URL2, { pathname: button5.dataset.page, search: "" });
   });
   gridFunctions.chooseRow = (params) => {
     const at3 = params.event && params.event.type === "click" && params.event.target;
@@ -3855,12 +3855,12 @@
     async mark(selection, rows2, id) {
       chosen = selection;
       const api = await gridApi(id);
-      const box2 = find(id);
-      if (!api || !box2) return clientside.no_update;
+      const box4 = find(id);
+      if (!api || !box4) return clientside.no_update;
       api.forEachNode((node) => {
         if (gridFunctions.isChosen(node)) api.ensureNodeVisible(node);
       });
-      for (const row7 of allWithin(box2, ".ag-row")) {
+      for (const row7 of allWithin(box4, ".ag-row")) {
         const node = api.getRowNode(row7.getAttribute("row-id"));
         row7.classList.toggle("row-chosen", Boolean(node) && gridFunctions.isChosen(node));
       }
@@ -3923,9 +3923,9 @@
       const panels = allWithin(document, `.view-panel[data-key="${key}"]`);
       if (!panels.length) return clientside.no_update;
       const wanted2 = view4?.[key];
-      const shown7 = panels.find((panel) => panel.dataset.value === wanted2) || panels[0];
-      for (const panel of panels) panel.classList.toggle("hidden", panel !== shown7);
-      return shown7.dataset.value;
+      const shown8 = panels.find((panel) => panel.dataset.value === wanted2) || panels[0];
+      for (const panel of panels) panel.classList.toggle("hidden", panel !== shown8);
+      return shown8.dataset.value;
     }
   });
 
@@ -3964,10 +3964,10 @@
     );
   }
   function update(row7, { stage: stage2, percent: percent3, stopping }) {
-    const progress = within(row7, ".job-progress"), known3 = percent3 !== null;
-    progress.classList.toggle("waiting", !known3);
+    const progress = within(row7, ".job-progress"), known4 = percent3 !== null;
+    progress.classList.toggle("waiting", !known4);
     childrenOf(progress)[0].style.width = (percent3 || 0) + "%";
-    if (known3) progress.setAttribute("aria-valuenow", String(percent3));
+    if (known4) progress.setAttribute("aria-valuenow", String(percent3));
     else progress.removeAttribute("aria-valuenow");
     const words3 = within(row7, ".job-words");
     if (words3.textContent !== stage2) words3.textContent = stage2;
@@ -3991,24 +3991,1975 @@
   register("jobs", {
     /** @param {Job[] | null} jobs */
     show(jobs) {
-      const box2 = need(JOB_LIST);
+      const box4 = need(JOB_LIST);
       const wanted2 = (jobs || []).map((job) => (
         /** @type {[string, Job]} */
         [job.error ? `${job.id} failed` : String(job.id), job]
       ));
       const names2 = new Set(wanted2.map(([name]) => name));
-      for (const row7 of childrenOf(box2)) if (!names2.has(row7.dataset.job ?? "")) row7.remove();
+      for (const row7 of childrenOf(box4)) if (!names2.has(row7.dataset.job ?? "")) row7.remove();
       wanted2.forEach(([name, job], k) => {
-        let row7 = childrenOf(box2)[k];
+        let row7 = childrenOf(box4)[k];
         if (!row7 || row7.dataset.job !== name) {
           row7 = job.error ? failed(job) : alive(job);
           row7.dataset.job = name;
-          box2.insertBefore(row7, box2.children[k] || null);
+          box4.insertBefore(row7, box4.children[k] || null);
         }
         if (!job.error) allWithin(document, `[data-job="${name}"]`).forEach((place5) => update(place5, job));
       });
       return clientside.no_update;
     }
+  });
+
+  // boards/api.mjs
+  var NAME = "motionscape-name";
+  var Refused = class extends Error {
+    /** @param {number} status @param {any} answer */
+    constructor(status2, answer2) {
+      super(answer2?.error || `The server answered with an error (${status2}).`);
+      this.status = status2;
+      this.answer = answer2 ?? {};
+    }
+  };
+  var person = {
+    get name() {
+      return localStorage.getItem(NAME) ?? "";
+    },
+    set name(name) {
+      localStorage.setItem(NAME, name.trim().slice(0, 80));
+    }
+  };
+  async function ask3(path2, body2, mark3 = "") {
+    const options = body2 ? { method: "POST", headers: { "Content-Type": "application/json", "X-Motionscape": "boards" }, body: JSON.stringify({ author: person.name, ...body2 }) } : { headers: mark3 ? { "If-None-Match": mark3 } : {}, cache: mark3 ? "no-store" : "no-cache" };
+    const answer2 = await fetch(`/api/${path2}`, options).catch(() => {
+      throw new Error("The server cannot be reached. Is Motionscape still running?");
+    });
+    if (answer2.status === 304) return null;
+    const content = await answer2.json().catch(() => null);
+    if (!answer2.ok) throw new Refused(answer2.status, content);
+    if (content && !body2 && answer2.headers.get("ETag")) content.etag = answer2.headers.get("ETag");
+    return content;
+  }
+
+  // blocks/registry.mjs
+  var offered = {};
+  var offer = (blocks) => Object.assign(offered, blocks);
+  function drawBlock(place5, kind, content, context) {
+    place5.classList.add("block", `block-of-${kind}`);
+    if (Object.hasOwn(offered, kind)) return offered[kind](place5, content, context);
+    place5.append(element("p", "muted", `This version cannot show a block of the kind “${kind}”.`));
+    return {};
+  }
+
+  // shared/words.mjs
+  function clock(seconds) {
+    const tenths = Math.round(seconds * 10);
+    return `${Math.floor(tenths / 600)}:${(tenths % 600 / 10).toFixed(1).padStart(4, "0")}`;
+  }
+  var plural = (n, one, more2 = `${one}s`) => `${n} ${n === 1 ? one : more2}`;
+  var percent = (share2) => `${Math.round(100 * share2)} %`;
+
+  // boards/dialogs.mjs
+  function button2(name, act2, className = "") {
+    const node = element("button", `boards-button ${className}`.trim(), name);
+    node.type = "button";
+    node.addEventListener("click", act2);
+    return node;
+  }
+  function iconButton(symbol, name, act2) {
+    const node = button2("", act2, "boards-icon");
+    node.append(icon(symbol, 16));
+    node.title = name;
+    node.setAttribute("aria-label", name);
+    return node;
+  }
+  function openWindow(title, ...parts) {
+    const dialog2 = element("dialog", "boards-dialog", element("h2", "", title), ...parts);
+    dialog2.setAttribute("aria-label", title);
+    dialog2.addEventListener("close", () => dialog2.remove());
+    dialog2.addEventListener("click", (event) => {
+      if (targetOf(event) === /** @type {unknown} */
+      dialog2) dialog2.close();
+    });
+    document.body.append(dialog2);
+    dialog2.showModal();
+    return dialog2;
+  }
+  function openForm(title, fields, action, save2) {
+    const problem2 = element("p", "form-problem");
+    problem2.setAttribute("role", "alert");
+    const form = element("form", "boards-form", ...fields.map(fieldOf), problem2);
+    const send4 = element("button", "boards-button primary", action);
+    const dialog2 = openWindow(title, form);
+    form.append(element("div", "boards-actions", button2("Cancel", () => dialog2.close()), send4));
+    form.addEventListener("submit", async (event) => {
+      event.preventDefault();
+      send4.disabled = true;
+      try {
+        await save2(Object.fromEntries([...new FormData(form)].map(([name, value]) => [name, String(value)])));
+        dialog2.close();
+      } catch (error) {
+        problem2.textContent = error instanceof Error ? error.message : String(error);
+      }
+      send4.disabled = false;
+    });
+    form.querySelector("input, textarea, select")?.focus();
+    return dialog2;
+  }
+  function fieldOf({ name, label, value = "", kind = "line", choices: choices2 = [], hint = "" }) {
+    let control;
+    if (kind === "choice") {
+      control = element("select", "", ...choices2.map(([key, words3]) => withAttributes(element("option", "", words3), { value: key })));
+    } else control = kind === "text" ? withAttributes(element("textarea"), { rows: 7 }) : element("input");
+    control.name = name;
+    control.value = value;
+    return element("label", "boards-field", element("span", "", label), control, hint && element("small", "muted", hint));
+  }
+  function openMenu(anchor, entries) {
+    const menu = element("div", "boards-menu", ...entries.map(([name, act2]) => {
+      const entry = button2(name, () => {
+        close();
+        act2();
+      });
+      entry.setAttribute("role", "menuitem");
+      return entry;
+    }));
+    menu.setAttribute("role", "menu");
+    const { left, right, bottom } = anchor.getBoundingClientRect();
+    const stop = new AbortController();
+    const close = () => {
+      stop.abort();
+      menu.remove();
+    };
+    (document.fullscreenElement ?? document.body).append(menu);
+    menu.style.top = `${Math.min(bottom + 4, innerHeight - menu.offsetHeight - 8)}px`;
+    menu.style.left = `${Math.max(8, Math.min(left, right - menu.offsetWidth, innerWidth - menu.offsetWidth - 8))}px`;
+    const leave3 = (event) => {
+      if (!menu.contains(
+        /** @type {Node} */
+        event.target
+      )) close();
+    };
+    document.addEventListener("pointerdown", leave3, { signal: stop.signal, capture: true });
+    menu.addEventListener("keydown", (event) => {
+      const at3 = [...menu.children].indexOf(
+        /** @type {Element} */
+        document.activeElement
+      );
+      const step3 = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+      if (event.key === "Escape") close();
+      else if (step3) menu.children[(at3 + step3 + entries.length) % entries.length].focus();
+    });
+    menu.firstElementChild.focus();
+  }
+  var line2 = null;
+  function say(words3, undo) {
+    line2?.remove();
+    const shown8 = element("div", "boards-toast", element("span", "", words3), undo ? button2("Undo", () => {
+      shown8.remove();
+      undo();
+    }) : null);
+    shown8.setAttribute("role", "status");
+    line2 = shown8;
+    (document.fullscreenElement ?? document.body).append(shown8);
+    setTimeout(() => shown8.remove(), undo ? 12e3 : 4e3);
+  }
+  function ago(moment) {
+    const minutes = Math.max(0, (Date.now() / 1e3 - moment) / 60);
+    if (minutes < 1) return "just now";
+    if (minutes < 60) return `${Math.floor(minutes)} min ago`;
+    return minutes < 1440 ? `${Math.floor(minutes / 60)} h ago` : new Date(moment * 1e3).toLocaleDateString("en-CA");
+  }
+
+  // boards/state.mjs
+  var shown3 = {
+    /** @type {Record<string, string>} */
+    view: {},
+    dataset: "",
+    /** @type {Selection} */
+    selection: {}
+  };
+  var known = { listing: null };
+  var kindOf = (kind) => known.listing?.kinds.find((one) => one.kind === kind);
+  var isDark = () => document.documentElement.dataset.mantineColorScheme === "dark";
+
+  // boards/card.mjs
+  var POLL = 1500;
+  var Card = class {
+    /**
+     * @param {string} board
+     * @param {BlockData} block
+     * @param {boolean} still
+     * @param {Context} context
+     * @param {CardActions} actions
+     */
+    constructor(board, block2, still, context, actions4) {
+      this.board = board;
+      this.still = still;
+      this.last = "";
+      this.block = block2;
+      this.context = context;
+      this.actions = actions4;
+      this.drawn = {};
+      this.mark = "";
+      this.waiting = 0;
+      this.title = element("h3", "board-title ellipsis");
+      this.badge = iconButton("note", "Comments", () => actions4.comment(this));
+      this.note = element("div", "board-note");
+      this.body = element("div", "board-body");
+      const more2 = iconButton("dots", "More", () => actions4.menu(this, more2));
+      this.head = element("header", "board-head", this.title, this.badge, still ? null : more2);
+      this.head.tabIndex = still ? -1 : 0;
+      this.item = element("div", "grid-stack-item", element("section", "grid-stack-item-content board-block", this.head, this.note, this.body));
+      this.item.dataset.block = block2.id;
+      this.item.dataset.kind = block2.kind;
+      this.show(block2);
+    }
+    /** What it is called: its title, or what its kind is called. */
+    get name() {
+      return this.block.settings.title || kindOf(this.block.kind)?.label || this.block.kind;
+    }
+    /** Take over a block as it is now; its content is asked for again where that may be another. @param {BlockData} block */
+    show(block2) {
+      const mark3 = JSON.stringify([block2.kind, block2.settings, block2.data, block2.dataset]);
+      this.block = block2;
+      this.title.textContent = block2.settings.title ?? "";
+      this.head.classList.toggle("board-head-bare", !block2.settings.title);
+      this.head.setAttribute("aria-label", `${this.name}. Arrow keys move it, with shift they resize it.`);
+      if (mark3 === this.mark) return;
+      this.mark = mark3;
+      this.load();
+    }
+    /** @param {number} open @param {number} all */
+    count(open5, all) {
+      this.badge.dataset.count = open5 ? String(open5) : "";
+      this.badge.classList.toggle("board-quiet", !all);
+    }
+    async load() {
+      clearTimeout(this.waiting);
+      const mark3 = this.mark;
+      let answer2;
+      try {
+        answer2 = await ask3(`boards/${this.board}/blocks/${this.block.id}`);
+      } catch (error) {
+        answer2 = { state: "broken", content: null, words: error instanceof Error ? error.message : String(error), job: null };
+      }
+      if (mark3 !== this.mark) return;
+      this.fill(answer2);
+    }
+    /** @param {BlockAnswer} answer */
+    fill(answer2) {
+      const { state: state3, content, words: words3, job } = answer2;
+      this.item.dataset.state = state3;
+      this.note.replaceChildren();
+      if (content === null) this.clear(element("p", "muted board-empty", words3));
+      else if (JSON.stringify(content) !== this.last) this.draw(content);
+      if (state3 === "changed") this.note.append(words3, this.still ? "" : button2("Recompute", () => this.actions.renew(this)));
+      else if (state3 === "gone") this.note.append(words3);
+      if (job?.state === "failed") this.note.append(job.error);
+      else if (job) {
+        this.note.append(`Computing: ${percent(job.fraction)}`);
+        this.waiting = window.setTimeout(() => this.load(), POLL);
+      } else if (state3 === "missing" && !this.still && kindOf(this.block.kind)?.computes) {
+        this.note.append(button2("Compute", () => this.compute()));
+      }
+    }
+    async compute() {
+      await ask3(`boards/${this.board}/blocks/${this.block.id}/compute`, {}).catch((error) => this.note.replaceChildren(error.message));
+      await this.load();
+    }
+    /** @param {any} content */
+    draw(content) {
+      this.clear();
+      this.last = JSON.stringify(content);
+      const place5 = element("div", "board-content");
+      this.body.append(place5);
+      this.drawn = drawBlock(place5, this.block.kind, content, this.context);
+      this.drawn.light?.(shown3.selection);
+      this.drawn.narrow?.(this.actions.label());
+    }
+    /** @param {...Node} parts */
+    clear(...parts) {
+      this.drawn.close?.();
+      this.drawn = {};
+      this.last = "";
+      this.body.replaceChildren(...parts);
+    }
+    close() {
+      clearTimeout(this.waiting);
+      this.drawn.close?.();
+      this.mark = "closed";
+    }
+  };
+
+  // boards/comments.mjs
+  function countOf(comments, block2) {
+    const own2 = comments.filter((comment) => comment.block === block2 && !comment.parent);
+    return [own2.filter((comment) => !comment.resolved).length, own2.length];
+  }
+  var Comments = class {
+    /** @param {() => Promise<unknown>} again asks for the board anew */
+    constructor(again) {
+      this.again = again;
+      this.node = element("aside", "boards-comments");
+      this.node.setAttribute("aria-label", "Comments");
+      this.node.hidden = true;
+      this.block = "";
+      this.title = "";
+      this.last = "";
+      this.board = null;
+    }
+    /** @param {Board} board @param {string} block @param {string} title */
+    open(board, block2, title) {
+      Object.assign(this, { block: block2, title });
+      this.node.hidden = false;
+      this.last = "";
+      this.show(board);
+      this.node.querySelector("textarea")?.focus();
+    }
+    close() {
+      this.node.hidden = true;
+    }
+    /** Draw what has been said, unless nothing has changed or someone is writing an answer. @param {Board} board */
+    show(board) {
+      this.board = board;
+      const own2 = board.comments.filter((comment) => comment.block === this.block);
+      const mark3 = JSON.stringify(own2);
+      if (this.node.hidden || mark3 === this.last) return;
+      const draft = this.node.querySelector("textarea")?.value ?? "";
+      this.last = mark3;
+      const threads = own2.filter((comment) => !comment.parent).sort((a, b) => Number(a.resolved) - Number(b.resolved) || b.created - a.created);
+      this.node.replaceChildren(
+        element("div", "boards-bar", element("h3", "ellipsis", this.title), iconButton("close", "Close the comments", () => this.close())),
+        this.form("Say something; @name tells someone", "Comment", (text) => this.send({ action: "add", text, place: this.place() }), draft),
+        ...threads.map((comment) => this.thread(comment, own2.filter((answer2) => answer2.parent === comment.id))),
+        threads.length ? "" : element("p", "muted", "Nobody has said anything yet.")
+      );
+    }
+    place() {
+      return this.block ? `board:${this.board?.id}/block:${this.block}` : `board:${this.board?.id}`;
+    }
+    /** @param {CommentData} comment @param {CommentData[]} answers */
+    thread(comment, answers) {
+      const act2 = comment.resolved ? "reopen" : "resolve";
+      const folded2 = comment.resolved;
+      const node = element("article", `boards-comment${folded2 ? " resolved" : ""}`, this.said(comment), ...answers.map((answer2) => this.said(answer2)));
+      const actions4 = element(
+        "div",
+        "boards-comment-actions",
+        button2(folded2 ? "Reopen" : "Resolve", () => this.send({ action: act2, id: comment.id })),
+        folded2 ? null : button2("Answer", () => {
+          actions4.replaceWith(this.form("Answer", "Answer", (text) => this.send({ action: "add", text, place: this.place(), parent: comment.id })));
+          node.querySelector("textarea")?.focus();
+        })
+      );
+      node.append(actions4);
+      return node;
+    }
+    /** @param {CommentData} comment */
+    said({ author, created, text, resolved }) {
+      const words3 = text.split(/(@[\w][\w.-]*)/).map((part2) => part2.startsWith("@") ? element("mark", "boards-mention", part2) : part2);
+      return element("div", "boards-said", element("div", "muted", `${author || "Someone"}, ${ago(created)}${resolved ? ", resolved" : ""}`), element("p", "", ...words3));
+    }
+    /** @param {string} hint @param {string} action @param {(text: string) => Promise<void>} send @param {string} [draft] */
+    form(hint, action, send4, draft = "") {
+      const text = withAttributes(element("textarea"), { rows: 2, placeholder: hint, "aria-label": hint });
+      text.value = draft;
+      const names2 = element("div", "boards-names");
+      text.addEventListener("input", () => this.offer(text, names2));
+      const problem2 = element("p", "form-problem");
+      const form = element("form", "boards-form", text, names2, problem2, element("button", "boards-button primary", action));
+      form.addEventListener("submit", async (event) => {
+        event.preventDefault();
+        const said2 = text.value;
+        text.value = "";
+        await send4(said2).catch((error) => {
+          text.value = said2;
+          problem2.textContent = error.message;
+        });
+      });
+      return form;
+    }
+    /** Names to mention, while one types after an @. @param {HTMLTextAreaElement} text @param {HTMLElement} names */
+    offer(text, names2) {
+      const begun = /@([\w.-]*)$/.exec(text.value.slice(0, text.selectionStart));
+      const known4 = begun ? (this.board?.names ?? []).filter((name) => name.toLowerCase().startsWith(begun[1].toLowerCase())).slice(0, 5) : [];
+      names2.replaceChildren(...known4.map((name) => button2(`@${name}`, () => {
+        const at3 = text.selectionStart;
+        text.setRangeText(`@${name.replace(/\s+/g, ".")} `, at3 - (begun?.[0].length ?? 0), at3, "end");
+        names2.replaceChildren();
+        text.focus();
+      })));
+    }
+    /** @param {Record<string, any>} body */
+    async send(body2) {
+      if (body2.action === "add" && !this.board?.me && !person.name) person.name = window.prompt("Your name, for the others:") ?? "";
+      await ask3("comments", body2);
+      await this.again();
+    }
+  };
+  var wordsOf = (comments) => {
+    const open5 = comments.filter((comment) => !comment.resolved && !comment.parent).length;
+    return open5 ? plural(open5, "open comment") : "Comments";
+  };
+
+  // boards/edit.mjs
+  var viewOf = (kind) => Object.fromEntries(Object.entries(shown3.view).filter(([key, text]) => text && kind?.keys.includes(key)));
+  function addBlock(board, row7, take3) {
+    const kinds2 = known.listing?.kinds ?? [];
+    const dialog2 = openWindow("Add a block", element("div", "boards-kinds", ...kinds2.map((kind) => button2(kind.label, () => {
+      dialog2.close();
+      fillIn(board, kind, row7, take3);
+    }))), element("p", "muted", "A block takes over the settings of the page as they are now; a Stage loop plays what is selected."));
+  }
+  function fillIn(board, kind, row7, take3) {
+    const settings = { title: kind.kind === "text" || kind.kind === "numbers" ? "" : kind.label, view: viewOf(kind), options: {} };
+    if (kind.kind === "stage") settings.options = { selection: JSON.stringify(shown3.selection) };
+    const [w, h] = kind.size;
+    const add3 = async (filled2) => take3(await ask3(`boards/${board.id}`, { action: "add", block: { kind: kind.kind, x: 0, y: row7, w, h, settings: filled2 } }));
+    if (!["text", "view"].includes(kind.kind)) return add3(settings);
+    return openForm(`Add: ${kind.label}`, fieldsOf(board, kind.kind, settings), "Add", (values) => add3(settingsOf(settings, values)));
+  }
+  function editBlock(board, block2, take3) {
+    openForm("Change the block", fieldsOf(board, block2.kind, block2.settings), "Save", async (values) => {
+      const settings = settingsOf(block2.settings, values);
+      try {
+        take3(await saveBlock(board, block2, settings));
+      } catch (error) {
+        if (!(error instanceof Refused) || !error.answer.conflict) throw error;
+        tellConflict(board, block2, settings, error.answer, take3);
+      }
+    });
+  }
+  var saveBlock = (board, { id, kind, version: own2 }, settings, version = own2) => ask3(`boards/${board.id}`, { action: "change", version, block: { id, kind, settings } });
+  function tellConflict(board, block2, mine2, { error, theirs, author }, take3) {
+    const column = (title, text, choice2) => element("div", "boards-version", element("h3", "", title), element("pre", "", text), choice2);
+    const dialog2 = openWindow("Someone was faster", element("p", "", error), element(
+      "div",
+      "boards-versions",
+      column("Yours", wordsOf2(mine2), theirs ? button2("Save mine over it", async () => {
+        take3(await saveBlock(board, block2, mine2, theirs.version));
+        dialog2.close();
+      }, "primary") : button2("Add mine again", async () => {
+        take3(await ask3(`boards/${board.id}`, { action: "add", block: { ...block2, settings: mine2 } }));
+        dialog2.close();
+      }, "primary")),
+      column(theirs ? `Of ${author || "someone else"}` : "Removed", theirs ? wordsOf2(theirs.settings) : "The block is no longer on the board.", button2("Keep theirs", () => dialog2.close()))
+    ));
+    dialog2.classList.add("boards-conflict");
+  }
+  var wordsOf2 = ({ title, note, dataset: dataset2, view: view4, options }) => [
+    ["Title", title],
+    ["Note", note],
+    ["Dataset", dataset2],
+    ...Object.entries(view4 ?? {}),
+    ...Object.entries(options ?? {})
+  ].filter(([, value]) => value).map(([name, value]) => `${name}: ${value}`).join("\n");
+  function fieldsOf(board, kind, { title = "", dataset: dataset2 = "", view: view4 = {}, options = {} }) {
+    const fields = [{ name: "title", label: "Title", value: title }];
+    if (kind === "text") return [...fields, { name: "option-markdown", label: "Text", kind: "text", value: options.markdown ?? "", hint: "Markdown: ## heading, **bold**, - list, [words](address)" }];
+    if (kind === "view") {
+      return [...fields, { name: "option-view", label: "Saved view", kind: "choice", value: options.view ?? "", choices: (known.listing?.views ?? []).map(({ id, title: name }) => [id, name]) }];
+    }
+    fields.push({ name: "dataset", label: "Dataset", kind: "choice", value: dataset2, choices: [["", "that of the board"], ...board.datasets.map((name) => (
+      /** @type {[string, string]} */
+      [name, name]
+    ))] });
+    if (kindOf(kind)?.keys.length) fields.push({ name: "view", label: "Settings", value: Object.entries(view4).map(([key, text]) => `${key}=${text}`).join("; "), hint: `As in links, such as kappa=200; gamma=2. Known: ${kindOf(kind)?.keys.join(", ")}` });
+    for (const [name, hint] of Object.entries(kindOf(kind)?.options ?? {})) {
+      if (kind === "stage") fields.push({ name: `option-${name}`, label: "What plays", kind: "choice", value: options[name] ?? "", choices: playable(options[name]) });
+      else fields.push({ name: `option-${name}`, label: name[0].toUpperCase() + name.slice(1), value: options[name] ?? "", hint });
+    }
+    return fields;
+  }
+  function playable(own2) {
+    const now6 = JSON.stringify(shown3.selection);
+    const choices2 = own2 ? [[own2, `as it is: ${own2}`]] : [];
+    return now6 === "{}" || now6 === own2 ? choices2 : [...choices2, [now6, `what is selected now: ${now6}`]];
+  }
+  function settingsOf(before2, values) {
+    const options = Object.entries(values).filter(([name]) => name.startsWith("option-")).map(([name, value]) => [name.slice(7), value]);
+    const settings = { ...before2, title: values.title ?? before2.title ?? "", options: { ...before2.options, ...Object.fromEntries(options) } };
+    if (values.dataset !== void 0) settings.dataset = values.dataset;
+    if (values.view !== void 0) settings.view = Object.fromEntries(values.view.split(";").map((pair) => pair.split("=").map((part2) => part2.trim())).filter(([key, text]) => key && text));
+    delete settings.pinned;
+    return settings;
+  }
+
+  // boards/grid.mjs
+  var COLUMNS2 = 12;
+  var ROW2 = 64;
+  var NARROW = 620;
+  var library = null;
+  function gridstack() {
+    library ??= new Promise((resolve, reject) => {
+      document.head.append(withAttributes(element("link"), { rel: "stylesheet", href: "/assets/vendor/gridstack.css" }));
+      const script = element("script");
+      script.src = "/assets/vendor/gridstack.js";
+      script.onload = () => resolve(
+        /** @type {any} */
+        globalThis.GridStack
+      );
+      script.onerror = () => {
+        library = null;
+        reject(new Error("The grid could not be loaded; reload the page."));
+      };
+      document.head.append(script);
+    });
+    return library;
+  }
+  var Grid = class _Grid {
+    /**
+     * @param {HTMLElement} place
+     * @param {boolean} still nothing may be moved
+     * @param {(places: Record<string, number[]>) => void} moved
+     */
+    static async open(place5, still, moved2) {
+      const GridStack = await gridstack();
+      return new _Grid(GridStack, place5, still, moved2);
+    }
+    /** @param {any} GridStack @param {HTMLElement} place @param {boolean} still @param {(places: Record<string, number[]>) => void} moved */
+    constructor(GridStack, place5, still, moved2) {
+      this.quiet = 0;
+      this.grid = GridStack.init({
+        column: COLUMNS2,
+        cellHeight: ROW2,
+        margin: 6,
+        float: false,
+        animate: false,
+        staticGrid: still,
+        handle: ".board-head",
+        columnOpts: { breakpoints: [{ w: NARROW, c: 1 }] },
+        resizable: { handles: "e,se,s,sw,w" }
+      }, place5);
+      this.grid.on("change", () => {
+        if (!this.quiet && this.grid.getColumn() === COLUMNS2) moved2(this.places());
+      });
+    }
+    /** @returns {Record<string, number[]>} */
+    places() {
+      return Object.fromEntries(this.grid.engine.nodes.map(({ el, x, y, w, h }) => [el.dataset.block, [x, y, w, h]]));
+    }
+    /** @param {() => void} change */
+    silently(change2) {
+      this.quiet += 1;
+      change2();
+      this.quiet -= 1;
+    }
+    /** @param {HTMLElement} item @param {BlockData} block */
+    add(item, { x, y, w, h }) {
+      this.silently(() => this.grid.makeWidget(item, { x, y, w, h, minW: 2, minH: 2 }));
+    }
+    /** @param {HTMLElement} item */
+    remove(item) {
+      this.silently(() => this.grid.removeWidget(item));
+    }
+    /** Put blocks where others have put them. @param {[HTMLElement, BlockData][]} items */
+    place(items) {
+      if (this.grid.getColumn() !== COLUMNS2 || document.querySelector(".ui-draggable-dragging, .ui-resizable-resizing")) return;
+      const now6 = this.places();
+      this.silently(() => {
+        this.grid.batchUpdate();
+        for (const [item, { id, x, y, w, h }] of items) {
+          if (JSON.stringify(now6[id]) !== JSON.stringify([x, y, w, h])) this.grid.update(item, { x, y, w, h });
+        }
+        this.grid.batchUpdate(false);
+      });
+    }
+    /**
+     * Arrow keys move a block, with shift they resize it.
+     * @param {HTMLElement} item
+     * @param {KeyboardEvent} event
+     */
+    key(item, event) {
+      const steps2 = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+      const step3 = steps2[event.key];
+      const node = this.grid.engine.nodes.find((one) => one.el === item);
+      if (!step3 || !node || this.grid.opts.staticGrid) return;
+      event.preventDefault();
+      const { x, y, w, h } = node;
+      if (event.shiftKey) this.grid.update(item, { w: Math.min(Math.max(w + step3[0], 2), COLUMNS2 - x), h: Math.max(h + step3[1], 2) });
+      else {
+        this.grid.update(item, { x: Math.min(Math.max(x + step3[0], 0), COLUMNS2 - w), y: Math.max(y + step3[1] * (step3[1] > 0 ? h : 1), 0) });
+      }
+    }
+    /** The first free row below all blocks. */
+    bottom() {
+      return this.grid.engine.getRow();
+    }
+    close() {
+      this.grid.destroy(false);
+    }
+  };
+
+  // boards/list.mjs
+  var COLOURS = { graph: 0, motifs: 0, matrix: 0, map: 1, overview: 2, tracks: 2, actions: 3, sweep: 4, hits: 5, stage: 6 };
+  async function refresh() {
+    known.listing = await ask3("boards");
+    return (
+      /** @type {Listing} */
+      known.listing
+    );
+  }
+  async function showList(place5) {
+    const listing = await refresh();
+    const search2 = withAttributes(element("input", "boards-search"), { type: "search", placeholder: "Search boards and views", "aria-label": "Search boards and views" });
+    const [boards, views] = [element("div", "boards-cards"), element("div", "boards-cards")];
+    const again = async () => {
+      await refresh();
+      fill();
+    };
+    const fill = () => {
+      const { boards: all, views: saved } = (
+        /** @type {Listing} */
+        known.listing
+      );
+      const words3 = search2.value.toLowerCase().split(/\s+/).filter(Boolean);
+      const found = (texts) => words3.every((word) => texts.join(" ").toLowerCase().includes(word));
+      const [some, more2] = [all.filter((board) => found([board.title, board.note, board.author, board.dataset])), saved.filter((one) => found([one.title, one.note, one.author, ...one.tags]))];
+      boards.replaceChildren(...some.map((board) => boardCard(board, again)), ...some.length ? [] : [empty(all.length ? "No board is called so." : "There is no board yet: begin with a template.")]);
+      views.replaceChildren(...more2.map((one) => viewCard(one, again)), ...more2.length ? [] : [empty(saved.length ? "No view is called so." : "Save a view with “Save view” at the top, on any page.")]);
+    };
+    search2.addEventListener("input", fill);
+    fill();
+    const { damaged } = listing;
+    place5.replaceChildren(
+      element("div", "boards-bar", element("h2", "", "Boards"), search2, button2("New board", openGallery, "primary")),
+      ...damaged.length ? [element("p", "boards-warning", `${damaged.length} saved ${damaged.length > 1 ? "things are" : "thing is"} damaged and not listed: ${damaged.join(", ")}.`)] : [],
+      boards,
+      element("h2", "", "Saved views"),
+      views
+    );
+  }
+  var empty = (words3) => element("p", "muted", words3);
+  function boardCard(board, again) {
+    const open5 = button2("", () => changeView({ board: board.id, screen: "" }), "boards-open");
+    open5.append(drawShape(board.shape), element("strong", "ellipsis", board.title));
+    const about = [board.dataset, board.author, ago(board.updated)].filter(Boolean).join(" · ");
+    const more2 = iconButton("dots", `More for ${board.title}`, () => openMenu(more2, [
+      ["Rename", () => renameBoard(board, again)],
+      ["Duplicate", () => change(board.id, { action: "duplicate" }).then(again)],
+      ["History", () => showHistory(`boards/${board.id}`, board.title, (version) => change(board.id, { action: "restore", version }).then(again))],
+      ["Delete", () => deleteBoard(board, again)]
+    ]));
+    return element("article", "boards-card", open5, element("div", "boards-card-foot", element("span", "muted ellipsis", about), more2));
+  }
+  var change = (id, body2) => ask3(`boards/${id}`, body2).catch((error) => say(error.message));
+  var renameBoard = (board, again) => openForm("Rename the board", [
+    { name: "title", label: "Title", value: board.title },
+    { name: "note", label: "Note", kind: "text", value: board.note }
+  ], "Save", (values) => ask3(`boards/${board.id}`, { action: "rename", ...values }).then(again));
+  async function deleteBoard(board, again) {
+    if (!await change(board.id, { action: "delete" })) return;
+    again();
+    say(`“${board.title}” was deleted.`, () => change(board.id, { action: "undelete" }).then(again));
+  }
+  function viewCard(saved, again) {
+    const picture = withAttributes(element("img", "boards-picture"), { src: saved.picture, alt: "", loading: "lazy" });
+    picture.addEventListener("error", () => picture.replaceWith(element("div", "boards-picture boards-no-picture", new URL(saved.address, location.href).pathname.slice(1))));
+    const open5 = button2("", () => followLink(saved.address), "boards-open");
+    open5.append(picture, element("strong", "ellipsis", saved.title));
+    if (saved.note) open5.title = saved.note;
+    const about = [saved.author, ago(saved.updated), ...saved.tags.map((tag) => `#${tag}`)].filter(Boolean).join(" · ");
+    const act2 = (body2) => ask3(`views/${saved.id}`, body2).then(again, (error) => say(error.message));
+    const more2 = iconButton("dots", `More for ${saved.title}`, () => openMenu(more2, [
+      ["Edit", () => openForm("Edit the saved view", viewFields(saved), "Save", (values) => ask3("views", { id: saved.id, version: saved.version, address: saved.address, ...values, tags: tagsOf(values.tags) }).then(again))],
+      ["Versions", () => showHistory(`views/${saved.id}`, saved.title, (version) => act2({ action: "restore", version }))],
+      ["Delete", async () => {
+        await act2({ action: "delete" });
+        say(`“${saved.title}” was deleted.`, () => act2({ action: "undelete" }));
+      }]
+    ]));
+    return element("article", "boards-card", open5, element("div", "boards-card-foot", element("span", "muted ellipsis", about), more2));
+  }
+  var viewFields = (saved) => [
+    { name: "title", label: "Title", value: saved.title ?? "" },
+    { name: "note", label: "Note", kind: "text", value: saved.note ?? "" },
+    { name: "tags", label: "Tags", value: (saved.tags ?? []).join(", "), hint: "separated by commas" }
+  ];
+  var tagsOf = (text) => text.split(",").map((tag) => tag.trim()).filter(Boolean);
+  var followLink = (address2) => openPage(address2);
+  async function showHistory(path2, title, restore) {
+    const { history: history2 } = await ask3(`${path2}/history`);
+    const dialog2 = openWindow(`History of ${title}`, element("ol", "boards-history", ...history2.map((entry, k) => element(
+      "li",
+      "",
+      element("span", "", `Version ${entry.version}: ${entry.what}`),
+      element("span", "muted", [entry.author, ago(entry.saved)].filter(Boolean).join(", ")),
+      k ? button2("Restore", () => {
+        dialog2.close();
+        restore(entry.version);
+      }) : element("span", "muted", "present")
+    ))));
+  }
+  function openGallery() {
+    const { templates } = (
+      /** @type {Listing} */
+      known.listing
+    );
+    const dialog2 = openWindow("New board", element("div", "boards-cards", ...templates.map((template) => {
+      const card4 = button2("", () => {
+        dialog2.close();
+        openForm(`New board: ${template.title}`, [{ name: "title", label: "Title", value: template.name === "empty" ? "" : `${shown3.dataset}: ${template.title.toLowerCase()}` }], "Make it", async ({ title }) => {
+          const board = await ask3("boards", { template: template.name, title, dataset: shown3.dataset });
+          changeView({ board: board.id, screen: "" });
+        });
+      }, "boards-open boards-card");
+      card4.append(drawShape(template.shape), element("strong", "", template.title), element("span", "muted", template.words));
+      return card4;
+    })));
+  }
+  function drawShape(shape2) {
+    const height = Math.max(6, ...shape2.map(([, y, , h]) => y + h));
+    const svg = svgElement("svg", { class: "boards-shape", viewBox: `0 0 12 ${height}`, preserveAspectRatio: "none", "aria-hidden": "true" });
+    for (const [x, y, w, h, kind] of shape2) {
+      svg.append(svgElement("rect", { x: x + 0.1, y: y + 0.15, width: w - 0.2, height: h - 0.3, rx: 0.15, class: `boards-shade-${COLOURS[
+        /** @type {keyof typeof COLOURS} */
+        kind
+      ] ?? 7}` }));
+    }
+    return svg;
+  }
+
+  // boards/board.mjs
+  var EVERY = 1e3;
+  var SETTLED = 350;
+  var motions = new MotionCache();
+  var OpenBoard = class {
+    /** @param {HTMLElement} place @param {string} id @param {string} look "read", "present" or "" */
+    constructor(place5, id, look) {
+      this.place = place5;
+      this.id = id;
+      this.look = look;
+      this.cards = /* @__PURE__ */ new Map();
+      this.comments = new Comments(() => this.update(true));
+      this.mark = "";
+      this.closed = false;
+      this.timer = 0;
+      this.moving = 0;
+      this.board = null;
+      this.grid = null;
+      this.warning = element("p", "boards-warning");
+      this.warning.setAttribute("role", "alert");
+      this.warning.hidden = true;
+      this.note = element("p", "muted boards-note");
+      this.stale = element("div", "boards-stale");
+      this.bar = element("div", "boards-bar");
+      this.barMark = "";
+      this.area = void 0;
+    }
+    get still() {
+      return this.look !== "" || !this.board?.may_edit;
+    }
+    async open() {
+      if (!known.listing) await refresh();
+      let board;
+      try {
+        board = /** @type {Board} */
+        await ask3(`boards/${this.id}`);
+      } catch (error) {
+        return this.fail(error);
+      }
+      this.board = board;
+      this.mark = board.etag ?? "";
+      const area = element("div", "grid-stack boards-grid");
+      this.place.replaceChildren(element("div", "boards-open-board", element("div", "boards-main", this.bar, this.note, this.warning, this.stale, area), this.comments.node));
+      this.grid = await Grid.open(area, this.still, (places) => this.moved(places));
+      if (this.closed) return void 0;
+      this.area = area;
+      this.show(board);
+      if (board.filters.dataset && board.filters.dataset !== shown3.dataset && board.datasets.includes(board.filters.dataset)) {
+        setStore(DATASET_CHOICE, { dataset: board.filters.dataset, at: Date.now() });
+      }
+      this.poll();
+      return void 0;
+    }
+    close() {
+      this.closed = true;
+      clearTimeout(this.timer);
+      for (const card4 of this.cards.values()) card4.close();
+    }
+    /** @param {unknown} error */
+    fail(error) {
+      const words3 = error instanceof Error ? error.message : String(error);
+      this.place.replaceChildren(element("div", "empty-state", element("h2", "", "This board cannot be shown"), element("p", "muted", words3), button2("All boards", () => changeView({ board: "", screen: "" }))));
+    }
+    poll() {
+      this.timer = window.setTimeout(async () => {
+        if (this.closed || !this.place.isConnected) return this.close();
+        if (document.visibilityState === "visible") await this.update();
+        return this.poll();
+      }, EVERY);
+    }
+    /** Ask whether the board has changed. @param {boolean} [surely] */
+    async update(surely) {
+      try {
+        const board = await ask3(`boards/${this.id}`, void 0, surely ? "" : this.mark);
+        this.warn("");
+        if (board && !this.closed) {
+          this.mark = board.etag ?? "";
+          this.show(board);
+        }
+      } catch (error) {
+        if (error instanceof Refused && error.status === 404) this.warn("This board has been deleted, or its link renewed. What you see is its last state.");
+        else this.warn(`${error instanceof Error ? error.message : error} Trying again; what you change now is not saved.`);
+      }
+    }
+    /** @param {string} words */
+    warn(words3) {
+      this.warning.hidden = !words3;
+      this.warning.textContent = words3;
+    }
+    /** @param {Board} board */
+    show(board) {
+      if (this.moving && this.board) board = { ...board, blocks: board.blocks.map((block2) => ({ ...block2, ...placeOf(this.board, block2.id) })) };
+      this.board = board;
+      this.showBar(board);
+      this.note.textContent = board.note;
+      const ids = new Set(board.blocks.map(({ id }) => id));
+      for (const [id, card4] of this.cards) if (!ids.has(id)) this.drop(id, card4);
+      for (const block2 of board.blocks) this.put(block2);
+      this.grid?.place(board.blocks.map((block2) => [
+        /** @type {Card} */
+        this.cards.get(block2.id).item,
+        block2
+      ]));
+      for (const [id, card4] of this.cards) {
+        const [open5, all] = countOf(board.comments, id);
+        card4.count(open5, all);
+      }
+      this.showStale(board);
+      this.comments.show(board);
+    }
+    /** @param {BlockData} block */
+    put(block2) {
+      const card4 = this.cards.get(block2.id);
+      if (card4?.block.kind === block2.kind) return card4.show(block2);
+      if (card4) this.drop(block2.id, card4);
+      const fresh = new Card(this.id, block2, this.still, this.contextOf(block2), {
+        menu: (one, anchor) => this.menu(one, anchor),
+        comment: (one) => this.comments.open(
+          /** @type {Board} */
+          this.board,
+          one.block.id,
+          one.name
+        ),
+        renew: (one) => this.change({ action: "renew", block: one.block.id }).then(() => one.compute()),
+        label: () => this.board?.filters.label ?? ""
+      });
+      fresh.head.addEventListener("keydown", (event) => {
+        if (event.target === fresh.head) this.grid?.key(fresh.item, event);
+      });
+      this.cards.set(block2.id, fresh);
+      this.area?.append(fresh.item);
+      this.grid?.add(fresh.item, block2);
+      return void 0;
+    }
+    /** @param {string} id @param {Card} card */
+    drop(id, card4) {
+      card4.close();
+      this.cards.delete(id);
+      this.grid?.remove(card4.item);
+    }
+    /** What a block may ask of the page. @param {BlockData} block @returns {Context} */
+    contextOf(block2) {
+      const now6 = () => this.cards.get(block2.id)?.block ?? block2;
+      return {
+        opens: true,
+        dark: isDark,
+        select: (selection) => this.select(now6(), selection),
+        figures: async (items, request5) => {
+          const found = await motions.load("/api", request5 ?? { dataset: now6().dataset, items }, items);
+          return found.flatMap((motion, k) => motion instanceof Error ? [] : [new Figure(items[k], motion, k)]);
+        }
+      };
+    }
+    /** Select something as the block shows it: with its dataset and its settings. @param {BlockData} block @param {Selection} selection */
+    select(block2, selection) {
+      if (block2.dataset && block2.dataset !== shown3.dataset) setStore(DATASET_CHOICE, { dataset: block2.dataset, at: Date.now() });
+      const keys = kindOf(block2.kind)?.keys ?? [];
+      const view4 = block2.settings.view ?? {};
+      if (kindOf(block2.kind)?.computes) changeView(Object.fromEntries(keys.map((key) => [key, view4[key] ?? ""])));
+      setStore(SELECTION, selection);
+    }
+    /** @param {Selection} selection */
+    light(selection) {
+      for (const card4 of this.cards.values()) card4.drawn.light?.(selection);
+    }
+    recolour() {
+      for (const card4 of this.cards.values()) card4.drawn.recolour?.();
+    }
+    reload() {
+      for (const card4 of this.cards.values()) card4.load();
+    }
+    /** @param {Board} board */
+    showBar(board) {
+      const mark3 = JSON.stringify([board.title, board.filters, board.datasets, board.comments.length, wordsOf(board.comments), this.still, this.look]);
+      if (mark3 === this.barMark) return;
+      this.barMark = mark3;
+      const title = element("h2", "ellipsis", board.title);
+      const more2 = iconButton("dots", "More", () => openMenu(more2, this.boardMenu()));
+      const parts = [iconButton("left", "All boards", () => changeView({ board: "", screen: "" })), title, ...this.look === "present" ? [] : [this.datasetPicker(board), this.labelField(board)]];
+      if (!this.still) parts.push(button2("Add block", () => addBlock(
+        /** @type {Board} */
+        this.board,
+        this.grid?.bottom() ?? 0,
+        (made) => this.take(made)
+      ), "primary"));
+      if (this.look !== "present") parts.push(button2(wordsOf(board.comments), () => this.comments.open(
+        /** @type {Board} */
+        this.board,
+        "",
+        "The whole board"
+      )), button2("Share board", () => this.share()));
+      parts.push(button2(this.look === "present" ? "Leave" : "Present", () => this.present()));
+      if (!this.still) parts.push(more2);
+      this.bar.replaceChildren(...parts);
+    }
+    /** @param {Board} board */
+    datasetPicker(board) {
+      const names2 = [.../* @__PURE__ */ new Set(["", board.filters.dataset ?? "", ...board.datasets])];
+      const picker = withAttributes(element("select", "boards-select", ...names2.map((name) => withAttributes(element("option", "", name || "no dataset"), { value: name }))), { "aria-label": "Dataset of the board" });
+      picker.value = board.filters.dataset ?? "";
+      picker.disabled = this.still;
+      picker.addEventListener("change", () => this.change({ action: "filter", filters: { ...this.board?.filters, dataset: picker.value } }));
+      return picker;
+    }
+    /** @param {Board} board */
+    labelField(board) {
+      const field = withAttributes(element("input", "boards-label"), { placeholder: "Label", "aria-label": "Narrow the board to a label", type: "search" });
+      field.value = board.filters.label ?? "";
+      field.addEventListener("change", () => {
+        const filters = { ...this.board?.filters, label: field.value.trim() };
+        if (this.still && this.board) this.board = { ...this.board, filters };
+        else this.change({ action: "filter", filters });
+        this.narrow(filters.label);
+      });
+      this.narrow(field.value);
+      return field;
+    }
+    /** @param {string} label */
+    narrow(label) {
+      for (const card4 of this.cards.values()) card4.drawn.narrow?.(label);
+    }
+    /** @param {Board} board */
+    showStale(board) {
+      const changed2 = board.blocks.filter((block2) => block2.data === "changed");
+      this.stale.replaceChildren(...changed2.length ? [
+        element("span", "", `The data of ${changed2.length === 1 ? "a block has" : `${changed2.length} blocks has`} changed since ${changed2.length === 1 ? "it was" : "they were"} made.`),
+        this.still ? "" : button2("Recompute all", () => this.change({ action: "renew" }).then(() => {
+          for (const card4 of this.cards.values()) if (kindOf(card4.block.kind)?.computes) card4.compute();
+        }))
+      ] : []);
+    }
+    /** Change the board; what the server gives back is shown. @param {Record<string, any>} body */
+    async change(body2) {
+      try {
+        this.take(await ask3(`boards/${this.id}`, body2));
+      } catch (error) {
+        say(error instanceof Error ? error.message : String(error));
+        await this.update(true);
+      }
+    }
+    /** @param {Board} board */
+    take(board) {
+      this.mark = "";
+      this.show(board);
+    }
+    /** @param {Record<string, number[]>} places */
+    moved(places) {
+      clearTimeout(this.moving);
+      if (this.board) this.board = { ...this.board, blocks: this.board.blocks.map((block2) => ({ ...block2, ...asPlace(places[block2.id]) })) };
+      this.moving = window.setTimeout(async () => {
+        this.moving = 0;
+        await this.change({ action: "move", places });
+      }, SETTLED);
+    }
+    /** @param {Card} card @param {Element} anchor */
+    menu(card4, anchor) {
+      const { block: block2 } = card4;
+      openMenu(anchor, [
+        ["Change", () => editBlock(
+          /** @type {Board} */
+          this.board,
+          card4.block,
+          (board) => this.take(board)
+        )],
+        ["Duplicate", () => this.change({ action: "add", block: { ...block2, id: "", y: block2.y + block2.h } })],
+        ["Comment", () => this.comments.open(
+          /** @type {Board} */
+          this.board,
+          block2.id,
+          card4.name
+        )],
+        ["Remove", () => this.remove(block2, card4.name)]
+      ]);
+    }
+    /** @param {BlockData} block @param {string} name */
+    async remove(block2, name) {
+      await this.change({ action: "remove", block: block2.id, version: block2.version });
+      if (!this.cards.has(block2.id)) say(`“${name}” was removed.`, () => this.change({ action: "add", block: block2 }));
+    }
+    /** @returns {[string, () => void][]} */
+    boardMenu() {
+      const board = (
+        /** @type {Board} */
+        this.board
+      );
+      return [
+        ["Rename", () => renameBoard(board, () => this.update(true))],
+        ["Duplicate", async () => {
+          const copy2 = await ask3(`boards/${this.id}`, { action: "duplicate" });
+          changeView({ board: copy2.id });
+        }],
+        ["History", () => showHistory(`boards/${this.id}`, board.title, (version) => this.change({ action: "restore", version }))],
+        ["Delete", () => deleteBoard(board, () => changeView({ board: "", screen: "" }))]
+      ];
+    }
+    share() {
+      const { links } = (
+        /** @type {Board} */
+        this.board
+      );
+      const row7 = (name, words3, address2) => {
+        const field = withAttributes(element("input"), { readonly: "", "aria-label": name });
+        field.value = location.origin + address2;
+        return element("label", "boards-field", element("span", "", name), field, element("small", "muted", words3));
+      };
+      const parts = [row7("To look at", "Whoever has it sees this board and nothing else.", links.read)];
+      if (links.edit) {
+        parts.push(row7("To change", "Whoever has it can change this board as well.", links.edit));
+        parts.push(button2("Renew the links", () => this.change({ action: "renew-links" }).then(() => say("The links that were given away open this board no more."))));
+      }
+      const dialog2 = openWindow("Share this board", element("div", "boards-form", ...parts));
+      dialog2.querySelector("input")?.select();
+    }
+    async present() {
+      const leaving = this.look === "present";
+      if (leaving && document.fullscreenElement) await document.exitFullscreen().catch(() => {
+      });
+      if (!leaving) await document.documentElement.requestFullscreen?.().catch(() => {
+      });
+      changeView({ screen: leaving ? "" : "present" });
+    }
+  };
+  var asPlace = (place5) => place5 ? { x: place5[0], y: place5[1], w: place5[2], h: place5[3] } : {};
+  function placeOf(board, id) {
+    const block2 = board?.blocks.find((one) => one.id === id);
+    return block2 ? { x: block2.x, y: block2.y, w: block2.w, h: block2.h } : {};
+  }
+
+  // boards/ids.mjs
+  var BOARDS_PLACE = "boards-place";
+  var SAVE_VIEW = "save-view";
+
+  // boards/save_view.mjs
+  var [WIDTH, HEIGHT, BESIDE] = [360, 220, 130];
+  document.addEventListener("click", async (event) => {
+    if (!closest(event, `#${SAVE_VIEW}`)) return;
+    const address2 = location.pathname + location.search;
+    const picture = await pictureOfPage().catch(() => "");
+    const title = find(PAGE)?.querySelector("h1, h2")?.textContent ?? "";
+    const name = { name: "author", label: "Your name", value: person.name, hint: "where the server does not know it" };
+    openForm("Save this view", [...viewFields({ title }), name], "Save", async (values) => {
+      if (values.author.trim()) person.name = values.author;
+      await ask3("views", { ...values, address: address2, picture, tags: tagsOf(values.tags) });
+      notify("View saved", "It is listed on the Boards page.", "accent");
+    });
+  });
+  async function pictureOfPage() {
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = [WIDTH, HEIGHT];
+    const context = context2d(canvas);
+    context.fillStyle = getComputedStyle(document.body).backgroundColor;
+    context.fillRect(0, 0, WIDTH, HEIGHT);
+    const page2 = find(PAGE);
+    const main = page2 ? largest(page2) : null;
+    const stage2 = (
+      /** @type {HTMLCanvasElement | null} */
+      /** @type {unknown} */
+      find(STAGE_CANVAS)
+    );
+    const width = stage2 ? WIDTH - BESIDE : WIDTH;
+    if (main) {
+      const box4 = main.getBoundingClientRect();
+      const scale3 = Math.min(width / box4.width, HEIGHT / box4.height);
+      for (const part2 of allWithin(main, "canvas, svg")) await draw(context, part2, box4, scale3, (width - box4.width * scale3) / 2, (HEIGHT - box4.height * scale3) / 2);
+    }
+    if (stage2?.width) {
+      const share2 = Math.min(1, BESIDE * stage2.height / (HEIGHT * stage2.width));
+      context.drawImage(stage2, stage2.width * (1 - share2) / 2, 0, stage2.width * share2, stage2.height, WIDTH - BESIDE, 0, BESIDE, HEIGHT);
+    }
+    return canvas.toDataURL("image/jpeg", 0.72);
+  }
+  function largest(page2) {
+    const area = (node) => {
+      const { width, height } = node.getBoundingClientRect();
+      return width * height;
+    };
+    const drawings2 = allWithin(page2, "canvas, svg").sort((a, b) => area(b) - area(a));
+    return drawings2.length && area(drawings2[0]) > 1e4 ? drawings2[0].parentElement : null;
+  }
+  async function draw(context, part2, frame, scale3, left, top) {
+    const box4 = part2.getBoundingClientRect();
+    if (!box4.width || !box4.height) return;
+    let image;
+    if (part2 instanceof HTMLCanvasElement) {
+      if (!part2.width || !part2.height) return;
+      image = part2;
+    } else {
+      const copy2 = (
+        /** @type {Element} */
+        part2.cloneNode(true)
+      );
+      copy2.setAttribute("width", String(box4.width));
+      copy2.setAttribute("height", String(box4.height));
+      const text = new XMLSerializer().serializeToString(copy2);
+      image = new Image();
+      image.src = `data:image/svg+xml;utf8,${encodeURIComponent(text)}`;
+      await image.decode();
+    }
+    context.drawImage(image, left + (box4.left - frame.left) * scale3, top + (box4.top - frame.top) * scale3, box4.width * scale3, box4.height * scale3);
+  }
+
+  // boards/boards.mjs
+  var open = null;
+  var last = { place: null, board: "", look: "", dark: false, ended: "" };
+  register("boards", {
+    // Called whenever something of what is shown changes, while the page is there.
+    /** @param {View | null} view @param {string | null} dataset @param {Selection | null} selection @param {string} _theme @param {string | null} ended */
+    show(view4, dataset2, selection, _theme, ended) {
+      Object.assign(shown3, { view: view4 ?? {}, dataset: dataset2 ?? "", selection: selection ?? {} });
+      const place5 = find(BOARDS_PLACE);
+      if (!place5) return clientside.no_update;
+      const now6 = { place: place5, board: view4?.board ?? "", look: view4?.screen ?? "", dark: isDark(), ended: ended ?? "" };
+      const before2 = last;
+      last = now6;
+      document.getElementById(SHELL)?.classList.toggle("presenting", now6.look === "present" && now6.board !== "");
+      if (now6.place !== before2.place || now6.board !== before2.board || now6.look !== before2.look) {
+        open?.close();
+        open = null;
+        if (now6.board) {
+          open = new OpenBoard(place5, now6.board, now6.look);
+          open.open();
+        } else showList(place5).catch((error) => place5.replaceChildren(element("p", "boards-warning", error.message)));
+      } else if (now6.ended !== before2.ended) open?.reload();
+      if (now6.dark !== before2.dark) requestAnimationFrame(() => open?.recolour());
+      open?.light(shown3.selection);
+      return clientside.no_update;
+    }
+  });
+  new MutationObserver(() => {
+    if (find(BOARDS_PLACE)) return;
+    document.getElementById(SHELL)?.classList.remove("presenting");
+    open?.close();
+    open = null;
+    last = { ...last, place: null };
+  }).observe(document.documentElement, { childList: true, subtree: true });
+
+  // blocks/player.mjs
+  var calm2 = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
+  var Player = class {
+    /** @param {HTMLCanvasElement} canvas */
+    constructor(canvas) {
+      this.canvas = canvas;
+      this.scene = new Scene(canvas, readTheme(canvas));
+      this.camera = new Camera();
+      this.clock = new Clock();
+      this.traces = new Traces();
+      this.figures = [];
+      this.layout = "overlay";
+      this.closed = false;
+      this.dirty = true;
+      this.before = 0;
+      this.onFrame = () => {
+      };
+      this.sizes = new ResizeObserver(() => this.fit());
+      this.sizes.observe(canvas);
+      this.takeHand();
+      this.recolour();
+      this.frame = (now6) => this.tick(now6);
+      requestAnimationFrame(this.frame);
+    }
+    close() {
+      this.closed = true;
+      this.sizes.disconnect();
+    }
+    /** @param {Figure[]} figures */
+    show(figures) {
+      this.figures = figures;
+      nameFigures(figures);
+      this.clock.duration = makeTimeline(figures, "warp", this.layout).duration;
+      this.clock.seek(0);
+      this.camera.reset(homeView(figures, this.layout));
+      this.traces.suit(figures);
+      this.place();
+      this.recolour();
+      if (calm2()) this.clock.playing = false;
+      else this.clock.play();
+    }
+    /** @param {string} layout "overlay" or "side" */
+    lay(layout) {
+      this.layout = layout;
+      this.camera.reset(homeView(this.figures, layout));
+      this.place();
+    }
+    place() {
+      this.scene.resize();
+      const aspect = this.scene.width / Math.max(this.scene.height, 1);
+      this.scene.ground.shelves = placeFigures(this.figures, this.layout, aspect, this.clock.duration);
+      this.scene.bodies.collect(this.figures, this.layout === "overlay");
+      this.fit();
+      this.clock.jumped = true;
+    }
+    fit() {
+      this.scene.resize();
+      if (this.figures.length) {
+        const { cloud, radius } = measureStage(this.figures, this.clock.duration);
+        this.camera.fit(cloud, this.scene.width / Math.max(this.scene.height, 1));
+        this.scene.ground.radius = Math.max(2.2, radius * 1.5 + 0.6);
+      }
+      this.dirty = true;
+    }
+    recolour() {
+      this.scene.setTheme(readTheme(this.canvas));
+      this.figures.forEach((figure2, k) => {
+        figure2.colours = figureColours(this.scene.theme, k, this.figures.length, figure2.item.colour);
+        figure2.shades = shades(this.scene.theme, figure2.colours, 0);
+      });
+      this.dirty = true;
+    }
+    /** @param {number} share of the time, 0 to 1 */
+    seek(share2) {
+      this.clock.seek(share2 * this.clock.duration);
+      this.dirty = true;
+    }
+    toggle() {
+      if (this.clock.playing) this.clock.playing = false;
+      else this.clock.play();
+      this.dirty = true;
+    }
+    takeHand() {
+      const { canvas } = this;
+      canvas.addEventListener("pointerdown", (event) => canvas.setPointerCapture(event.pointerId));
+      canvas.addEventListener("pointermove", (event) => {
+        if (!(event.buttons & 3)) return;
+        if (event.shiftKey || event.buttons & 2) this.camera.shift(event.movementX, event.movementY, canvas.clientHeight);
+        else this.camera.orbit(event.movementX / 160, event.movementY / 200);
+        this.dirty = true;
+      });
+      canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+      canvas.addEventListener("wheel", (event) => {
+        if (!event.ctrlKey && document.activeElement !== canvas) return;
+        event.preventDefault();
+        this.camera.zoom(event.deltaY > 0 ? 1.1 : 1 / 1.1);
+        this.dirty = true;
+      }, { passive: false });
+      canvas.addEventListener("keydown", (event) => this.key(event));
+    }
+    /** @param {KeyboardEvent} event */
+    key(event) {
+      const keys = {
+        " ": () => this.toggle(),
+        ArrowLeft: () => this.camera.orbit(-0.1, 0),
+        ArrowRight: () => this.camera.orbit(0.1, 0),
+        "+": () => this.camera.zoom(1 / 1.15),
+        "-": () => this.camera.zoom(1.15)
+      };
+      if (!keys[event.key] || event.ctrlKey || event.metaKey) return;
+      event.preventDefault();
+      keys[event.key]();
+      this.dirty = true;
+    }
+    /** @param {number} now */
+    tick(now6) {
+      if (this.closed) return;
+      requestAnimationFrame(this.frame);
+      const seconds = Math.min(Math.max((now6 - this.before) / 1e3, 0), 0.25);
+      this.before = now6;
+      if (this.clock.playing) this.clock.advance(seconds);
+      if (!this.clock.playing && !this.dirty) return;
+      this.dirty = false;
+      for (const figure2 of this.figures) if (figure2.visible) figure2.pose(this.clock.time);
+      if (this.figures.length) {
+        const [x, z] = groundCentre(this.figures, [0, 0]);
+        if (this.camera.follow) this.camera.track(x, z, seconds, this.clock.jumped || !this.clock.playing);
+        this.clock.jumped = false;
+      }
+      this.scene.paint(this.camera, this.figures, this.traces, this.clock, this.layout === "overlay");
+      this.onFrame();
+    }
+  };
+
+  // boards/own_blocks.mjs
+  function drawText(place5, { html: html2 }) {
+    const text = element("div", "block-text");
+    text.innerHTML = html2;
+    place5.append(text);
+    return {};
+  }
+  function drawStage(place5, { request: request5 }, context) {
+    const canvas = element("canvas", "block-canvas");
+    canvas.tabIndex = 0;
+    canvas.setAttribute("aria-label", `${request5.title ?? "Motion"}: drag to turn, space to stop`);
+    place5.append(canvas);
+    const player2 = new Player(canvas);
+    player2.layout = request5.layout === "side" ? "side" : "overlay";
+    context.figures(request5.items, request5).then((figures) => {
+      if (figures.length) player2.show(figures);
+      else place5.replaceChildren(element("p", "muted", "The motion that plays here is not there."));
+    });
+    return { recolour: () => player2.recolour(), close: () => player2.close() };
+  }
+  function drawView(place5, { title, note, tags, address: address2, author, picture }, context) {
+    const image = picture ? withAttributes(element("img", "block-view-picture"), { src: picture, alt: `Picture of ${title}` }) : null;
+    const link2 = context.opens ? withAttributes(element("a", "text-link", title), { href: address2 }) : element("strong", "", title);
+    place5.append(element("div", "block-view", image, link2, note && element("p", "", note), element("p", "muted", [author, ...tags.map((tag) => `#${tag}`)].filter(Boolean).join(" · "))));
+    return {};
+  }
+
+  // blocks/tip.mjs
+  var box = null;
+  function tipBox() {
+    if (!box || !box.isConnected) {
+      box = element("div", "block-tip");
+      box.setAttribute("role", "tooltip");
+      box.hidden = true;
+      document.body.append(box);
+    }
+    return box;
+  }
+  function showTip(at3, ...parts) {
+    const tip = tipBox();
+    tip.replaceChildren(...parts.map((part2) => typeof part2 === "string" ? element("div", "", part2) : part2));
+    tip.hidden = false;
+    const { offsetWidth: width, offsetHeight: height } = tip;
+    tip.style.left = `${Math.max(4, Math.min(at3.clientX + 14, innerWidth - width - 8))}px`;
+    tip.style.top = `${at3.clientY + 18 + height > innerHeight ? Math.max(4, at3.clientY - height - 10) : at3.clientY + 18}px`;
+  }
+  function hideTip() {
+    if (box) box.hidden = true;
+  }
+  function tipOn(node, parts) {
+    node.addEventListener("pointermove", (event) => showTip(
+      /** @type {PointerEvent} */
+      event,
+      ...parts()
+    ));
+    node.addEventListener("pointerleave", hideTip);
+    node.addEventListener("focus", () => {
+      const { left, bottom } = node.getBoundingClientRect();
+      if (node.matches(":focus-visible")) showTip({ clientX: left, clientY: bottom - 12 }, ...parts());
+    });
+    node.addEventListener("blur", hideTip);
+    return node;
+  }
+  function asButton(node, name, act2) {
+    node.setAttribute("role", "button");
+    node.setAttribute("tabindex", "0");
+    node.setAttribute("aria-label", name);
+    node.addEventListener("click", act2);
+    node.addEventListener("keydown", (event) => {
+      const { key } = (
+        /** @type {KeyboardEvent} */
+        event
+      );
+      if (key !== "Enter" && key !== " ") return;
+      event.preventDefault();
+      act2(event);
+    });
+    return node;
+  }
+
+  // blocks/rows.mjs
+  var [LANE2, GAP] = [14, 3];
+  function legend2(names2, colours) {
+    return element("div", "block-legend", ...names2.map((name, k) => {
+      const key = element("span", "block-key", name);
+      key.style.setProperty("--colour", colours[k]);
+      return key;
+    }));
+  }
+  function drawRows(place5, tracks) {
+    const longest2 = Math.max(...tracks.map(({ seconds }) => seconds), 1e-9);
+    const drawn7 = [];
+    const rows2 = tracks.map((track) => {
+      const height = Math.max(track.lanes.length, 1) * (LANE2 + GAP);
+      const svg = svgElement("svg", { class: "block-track", viewBox: `0 0 1000 ${height}`, height, preserveAspectRatio: "none" });
+      track.lanes.forEach((lane, row7) => {
+        for (const stretch of lane) {
+          const [x, width] = [1e3 * stretch.start / longest2, 1e3 * (stretch.end - stretch.start) / longest2];
+          const node = svgElement("rect", { x, y: row7 * (LANE2 + GAP), width: Math.max(width - 0.6, 0.8), height: LANE2, fill: stretch.colour, class: "block-stretch" });
+          tipOn(node, () => [stretch.tip]);
+          asButton(node, stretch.tip, stretch.choose);
+          node.setAttribute("tabindex", "-1");
+          drawn7.push([stretch, node]);
+          svg.append(node);
+        }
+      });
+      const name = element("span", "block-row-name ellipsis", track.brief);
+      name.title = track.clip;
+      return { clip: track.clip, node: element("div", "block-row", name, svg, element("span", "block-row-end number", clock(track.seconds))) };
+    });
+    place5.append(element("div", "block-rows", ...rows2.map(({ node }) => node)));
+    return (keys, clip) => {
+      const some = drawn7.some(([{ key }]) => keys.has(key));
+      for (const [{ key }, node] of drawn7) node.classList.toggle("faint", some && !keys.has(key));
+      for (const row7 of rows2) row7.node.classList.toggle("chosen", row7.clip === clip);
+    };
+  }
+
+  // grammar/actions_block.mjs
+  function drawActions(place5, content, context) {
+    const tracks = content.rows.map((row7) => ({
+      clip: row7.clip,
+      brief: row7.brief,
+      seconds: row7.seconds,
+      lanes: [row7.pieces.map(([start3, end, id, number2]) => {
+        const action = content.actions[id];
+        return {
+          start: start3,
+          end,
+          colour: action.colour,
+          ink: action.ink,
+          text: action.short,
+          key: `action ${id}`,
+          tip: `${action.name}, ${clock(start3)} to ${clock(end)} (${action.count} in all)`,
+          choose: () => context.select({ action: id }, {
+            title: action.name,
+            items: action.segments.map(([clip, from, to]) => ({ clip, start: from, end: to, label: `${clip}, ${number2 + 1}` }))
+          })
+        };
+      })]
+    }));
+    const lit4 = drawRows(place5, tracks);
+    return { light: (selection) => lit4(new Set(selection.action === void 0 ? [] : [`action ${selection.action}`]), selection.clip) };
+  }
+
+  // blocks/table.mjs
+  function tableRow(cells, strip, name, act2) {
+    const picture = element("td", "block-strip");
+    picture.innerHTML = strip;
+    return asButton(element("tr", "", ...cells.map((cell2, k) => element("td", k && k < 4 ? "number" : "", cell2 || " ")), picture), name, act2);
+  }
+  function tableOf(heads, rows2, note) {
+    return element("div", "block-table", element("table", "", element("thead", "", element("tr", "", ...heads.map((head3, k) => element("th", k && k < 4 ? "number" : "", head3)))), element("tbody", "", ...rows2)), note && element("p", "muted", note));
+  }
+
+  // library/overview_block.mjs
+  function drawOverview(place5, { facts, clips, more: more2 }, context) {
+    place5.append(element("dl", "block-facts", ...facts.map(([name, value]) => element("div", "", element("dt", "", name), element("dd", "number", value)))));
+    const rows2 = clips.map((clip) => tableRow(
+      [clip.name, clock(clip.seconds), `${clip.frames.toLocaleString("en")}`, `${clip.fps}`, clip.labels + (clip.verdict === "ok" ? "" : ` (${clip.verdict})`)],
+      clip.strip,
+      `Play ${clip.name}`,
+      () => context.select({ clip: clip.name }, { title: clip.name, items: [{ clip: clip.name, start: 0, end: clip.frames, label: clip.name }] })
+    ));
+    place5.append(tableOf(["Clip", "Duration", "Frames", "Rate", "Labels", "Motion"], rows2, more2 ? `${plural(more2, "more clip")} not listed.` : ""));
+    return {
+      light: (selection) => clips.forEach(({ name }, k) => rows2[k].classList.toggle("chosen", name === selection.clip)),
+      narrow: (label) => clips.forEach(({ labels: labels2 }, k) => rows2[k].classList.toggle("faint", Boolean(label) && !labels2.split(", ").includes(label)))
+    };
+  }
+
+  // blocks/selection.mjs
+  function motifsIn(selection) {
+    const text = selection.motifs ?? selection.edge ?? (selection.motif === void 0 ? "" : String(selection.motif));
+    return new Set(text ? text.split("-").map(Number) : []);
+  }
+
+  // library/tracks_block.mjs
+  function drawTracks(place5, content, context) {
+    const tracks = content.rows.map((row7) => {
+      const choose6 = (from, to) => () => {
+        const [start3, end] = [Math.round(from * row7.fps), Math.round(to * row7.fps)];
+        context.select({ clip: row7.clip, start: start3, end }, { title: row7.clip, items: [{ clip: row7.clip, start: start3, end, label: row7.clip }] });
+      };
+      const labels2 = row7.labels.map(([start3, end, action]) => ({
+        start: start3,
+        end,
+        colour: content.colours[action],
+        text: content.actions[action],
+        key: `label ${content.actions[action]}`,
+        tip: `${content.actions[action]}, ${clock(start3)} to ${clock(end)}`,
+        choose: choose6(start3, end)
+      }));
+      const motions2 = row7.motions.map(([start3, end, motif, number2]) => ({
+        start: start3,
+        end,
+        colour: content.motifs[motif].colour,
+        text: String(motif),
+        key: `motif ${motif}`,
+        tip: `${content.motifs[motif].name}, motion ${number2 + 1}, ${clock(start3)} to ${clock(end)}`,
+        choose: () => context.select({ motif, motion: number2 }, {
+          title: `${content.motifs[motif].name}, motion ${number2 + 1}`,
+          items: [{ clip: row7.clip, start: Math.round(start3 * row7.fps), end: Math.round(end * row7.fps), label: row7.clip }]
+        })
+      }));
+      return { clip: row7.clip, brief: row7.brief, seconds: row7.seconds, lanes: [labels2, motions2].filter((lane) => lane.length) };
+    });
+    const lit4 = drawRows(place5, tracks);
+    if (content.actions.length) place5.append(legend2(content.actions, content.colours));
+    let [wanted2, clip] = [
+      "",
+      /** @type {string | undefined} */
+      void 0
+    ];
+    let keys = /* @__PURE__ */ new Set();
+    const show6 = () => lit4(wanted2 ? /* @__PURE__ */ new Set([...keys, `label ${wanted2}`]) : keys, clip);
+    return {
+      light(selection) {
+        keys = new Set([...motifsIn(selection)].map((motif) => `motif ${motif}`));
+        ({ clip } = selection);
+        show6();
+      },
+      narrow(label) {
+        wanted2 = label;
+        show6();
+      }
+    };
+  }
+
+  // blocks/pan_zoom.mjs
+  var [CLOSEST, STEP] = [12, 1.3];
+  function panZoom(svg, whole3) {
+    let [x, y, width, height] = whole3;
+    const show6 = () => svg.setAttribute("viewBox", `${x} ${y} ${width} ${height}`);
+    const scale3 = () => Math.min(svg.clientWidth / width, svg.clientHeight / height) || 1;
+    function zoom4(factor, px = 0.5, py = 0.5) {
+      const next2 = clamp(width / factor, whole3[2] / CLOSEST, whole3[2] * 1.5);
+      const real = width / next2;
+      x += px * (width - next2);
+      y += py * (height - height / real);
+      [width, height] = [next2, height / real];
+      show6();
+    }
+    const reset2 = () => {
+      [x, y, width, height] = whole3;
+      show6();
+    };
+    function move6(dx, dy) {
+      x = clamp(x - dx / scale3(), whole3[0] - width / 2, whole3[0] + whole3[2] - width / 2);
+      y = clamp(y - dy / scale3(), whole3[1] - height / 2, whole3[1] + whole3[3] - height / 2);
+      show6();
+    }
+    svg.addEventListener("wheel", (event) => {
+      if (!event.ctrlKey && !svg.matches(":focus-within, :focus")) return;
+      event.preventDefault();
+      const box4 = svg.getBoundingClientRect();
+      zoom4(event.deltaY < 0 ? 1.15 : 1 / 1.15, (event.clientX - box4.left) / box4.width, (event.clientY - box4.top) / box4.height);
+    }, { passive: false });
+    let drag = null;
+    svg.addEventListener("pointerdown", (event) => {
+      if (event.button === 0) drag = { x: event.clientX, y: event.clientY, moved: false };
+    });
+    svg.addEventListener("pointermove", (event) => {
+      if (!drag || !(event.buttons & 1)) return;
+      const [dx, dy] = [event.clientX - drag.x, event.clientY - drag.y];
+      if (!drag.moved && Math.hypot(dx, dy) < 4) return;
+      if (!drag.moved) svg.setPointerCapture(event.pointerId);
+      drag = { x: event.clientX, y: event.clientY, moved: true };
+      move6(dx, dy);
+    });
+    svg.addEventListener("click", (event) => {
+      if (drag?.moved) event.stopPropagation();
+      drag = null;
+    }, { capture: true });
+    svg.addEventListener("dblclick", reset2);
+    svg.addEventListener("keydown", (event) => {
+      const keys = {
+        ArrowLeft: () => move6(40, 0),
+        ArrowRight: () => move6(-40, 0),
+        ArrowUp: () => move6(0, 40),
+        ArrowDown: () => move6(0, -40),
+        "+": () => zoom4(STEP),
+        "=": () => zoom4(STEP),
+        "-": () => zoom4(1 / STEP),
+        0: reset2
+      };
+      if (event.ctrlKey || event.metaKey || event.altKey || !keys[event.key]) return;
+      event.preventDefault();
+      event.stopPropagation();
+      keys[event.key]();
+    });
+    show6();
+    return zoomButtons(zoom4, reset2);
+  }
+  function zoomButtons(zoom4, reset2) {
+    const kinds2 = [["+", "Closer", () => zoom4(STEP)], ["−", "Further", () => zoom4(1 / STEP)], ["⤢", "Show all", reset2]];
+    return element("div", "block-zoom", ...kinds2.map(([sign, name, act2]) => {
+      const button5 = element("button", "", sign);
+      button5.type = "button";
+      button5.title = name;
+      button5.setAttribute("aria-label", name);
+      button5.addEventListener("click", act2);
+      return button5;
+    }));
+  }
+
+  // motion_map/posture_block.mjs
+  var [YAW, PITCH] = [35 * Math.PI / 180, 8 * Math.PI / 180];
+  function readPostures(text) {
+    const bytes2 = Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0));
+    return new Int16Array(bytes2.buffer);
+  }
+  function drawPosture({ parents, sides, roles }, postures, node, size = 120) {
+    const n = parents.length;
+    const seen3 = (joint) => {
+      const at3 = 3 * (node * n + joint);
+      const [x, y, z] = joint < 0 ? [0, 0, 0] : [postures[at3], postures[at3 + 1], postures[at3 + 2]];
+      const away = Math.cos(YAW) * z - Math.sin(YAW) * x;
+      return [Math.cos(YAW) * x + Math.sin(YAW) * z, -(y * Math.cos(PITCH) - away * Math.sin(PITCH)), away];
+    };
+    const points = parents.map((_, joint) => seen3(joint));
+    const lows = [0, 1].map((k) => Math.min(0, ...points.map((point) => point[k])) - 160);
+    const highs = [0, 1].map((k) => Math.max(0, ...points.map((point) => point[k])) + 90);
+    const svg = svgElement("svg", { class: "block-posture", viewBox: `${lows[0]} ${lows[1]} ${highs[0] - lows[0]} ${highs[1] - lows[1]}`, width: size, height: size });
+    const bones = parents.map((parent, joint) => ({ joint, side: trunk(roles[joint]) ? "centre" : sides[joint], from: seen3(parent), to: points[joint] }));
+    for (const { from, to, side } of bones.sort((a, b) => a.from[2] + a.to[2] - b.from[2] - b.to[2])) {
+      svg.append(svgElement("path", { d: `M${from[0]} ${from[1]}L${to[0]} ${to[1]}`, class: `block-bone block-${side}` }));
+    }
+    const head3 = roles.indexOf("head");
+    if (head3 >= 0) svg.append(svgElement("circle", { cx: points[head3][0], cy: points[head3][1] - 85, r: 100, class: "block-skull" }));
+    return svg;
+  }
+  var trunk = (role) => /_(clavicle|shoulder|hip)$/.test(role);
+
+  // motion_map/map_block.mjs
+  function drawMap(place5, content, context) {
+    const [nx, ny] = content.grid;
+    const postures = readPostures(content.postures);
+    const highest = Math.max(...content.heights, 1e-9);
+    const svg = svgElement("svg", { class: "block-map", tabindex: 0, role: "application", "aria-label": "Motion map: arrow keys move over it, Enter plays what passes" });
+    const ground = svgElement("g", { class: "block-nodes" });
+    content.heights.forEach((height, node) => {
+      ground.append(svgElement("rect", { x: Math.floor(node / ny) - 0.5, y: node % ny - 0.5, width: 1.02, height: 1.02, "fill-opacity": (height / highest).toFixed(3) }));
+    });
+    const icons = svgElement("g", { class: "block-icons" });
+    const mark3 = svgElement("rect", { class: "block-mark", width: 1, height: 1, x: -9, y: -9 });
+    svg.append(ground, icons, mark3);
+    const zoom4 = panZoom(svg, [-0.5, -0.5, nx, ny]);
+    place5.append(svg, zoom4);
+    const paint2 = () => {
+      icons.innerHTML = content.icons[context.dark() ? "dark" : "light"];
+      const picture = icons.firstElementChild;
+      for (const [name, value] of Object.entries({ x: -0.5, y: -0.5, width: nx, height: ny })) picture?.setAttribute(name, String(value));
+    };
+    paint2();
+    let current2 = -1;
+    const point = (x, y) => {
+      current2 = clamp(x, 0, nx - 1) * ny + clamp(y, 0, ny - 1);
+      mark3.setAttribute("x", String(Math.floor(current2 / ny) - 0.5));
+      mark3.setAttribute("y", String(current2 % ny - 0.5));
+    };
+    const tell4 = (at3) => showTip(
+      at3,
+      drawPosture(content, postures, current2),
+      `${content.seconds[current2].toFixed(1)} s of motion here${content.passes[current2].length ? ", click to play" : ""}`
+    );
+    const play7 = () => {
+      const passes = current2 < 0 ? [] : content.passes[current2];
+      if (!passes.length) return;
+      const [clip, start3, end] = passes[0];
+      context.select({ clip, start: start3, end }, {
+        title: `Motion through node ${Math.floor(current2 / ny)}, ${current2 % ny}`,
+        items: passes.map(([name, from, to]) => ({ clip: name, start: from, end: to, label: name }))
+      });
+    };
+    svg.addEventListener("pointermove", (event) => {
+      const matrix = svg.getScreenCTM()?.inverse();
+      if (!matrix || event.buttons) return;
+      const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix);
+      if (x < -0.5 || y < -0.5 || x > nx - 0.5 || y > ny - 0.5) return hideTip();
+      point(Math.round(x), Math.round(y));
+      tell4(event);
+    });
+    svg.addEventListener("pointerleave", hideTip);
+    svg.addEventListener("blur", hideTip);
+    svg.addEventListener("click", play7);
+    svg.addEventListener("keydown", (event) => {
+      const steps2 = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+      if (event.key === "Enter") play7();
+      const step3 = steps2[event.key];
+      if (!step3) return;
+      event.preventDefault();
+      event.stopImmediatePropagation();
+      point(Math.floor(Math.max(current2, 0) / ny) + step3[0], Math.max(current2, 0) % ny + step3[1]);
+      const box4 = mark3.getBoundingClientRect();
+      tell4({ clientX: box4.right, clientY: box4.bottom });
+    }, { capture: true });
+    if (!content.heights.length) place5.append(element("p", "muted", "This map has no nodes."));
+    return {
+      recolour: paint2,
+      light(selection) {
+        const { clip, start: start3, end } = selection;
+        const node = clip === void 0 ? -1 : content.passes.findIndex((passes) => passes.some(([name, from, to]) => name === clip && from === start3 && to === end));
+        if (node >= 0) point(Math.floor(node / ny), node % ny);
+      }
+    };
+  }
+
+  // motifs/motif_blocks.mjs
+  var playingOf = (motif) => ({
+    title: `${motif.name}, ${motif.count} motions`,
+    items: motif.motions.map(([clip, start3, end], k) => ({ clip, start: start3, end, label: clip, warp: motif.warps[k] ?? null }))
+  });
+  var choose = (context, motif) => context.select({ motif: motif.id }, playingOf(motif));
+  var fits = (motif, label) => !label || Boolean(motif.label?.startsWith(`${label} (`));
+  var factsOf = (motif) => [
+    motif.name,
+    `${motif.count} motions of ${motif.seconds.toFixed(1)} s${motif.label ? `, mostly ${motif.label}` : ""}`
+  ];
+  function drawMotifs(place5, { motifs: motifs2, more: more2 }, context) {
+    const rows2 = motifs2.map((motif) => tableRow(
+      [motif.name, String(motif.count), motif.seconds.toFixed(1), String(motif.clips ?? ""), [motif.label, motif.note].filter(Boolean).join(" · ")],
+      motif.strip ?? "",
+      `Play ${motif.name}`,
+      () => choose(context, motif)
+    ));
+    place5.append(tableOf(["Motif", "Motions", "Seconds", "Clips", "Mostly", "Motion"], rows2, more2 ? `${plural(more2, "more motif")} not listed.` : ""));
+    return {
+      light(selection) {
+        const chosen3 = motifsIn(selection);
+        motifs2.forEach(({ id }, k) => rows2[k].classList.toggle("chosen", chosen3.has(id)));
+      },
+      narrow: (label) => motifs2.forEach((motif, k) => rows2[k].classList.toggle("faint", !fits(motif, label)))
+    };
+  }
+  function drawNumbers(place5, { figures }) {
+    place5.append(element("div", "block-numbers", ...figures.map(([name, value, unit2, words3]) => {
+      const tile = element("div", "block-number", element("span", "block-number-value number", value, unit2 && element("small", "", ` ${unit2}`)), element("span", "muted", name));
+      tile.tabIndex = 0;
+      return tipOn(tile, () => [words3]);
+    })));
+    return {};
+  }
+
+  // motifs/graph_block.mjs
+  var AIR = 46;
+  function drawGraph(place5, { motifs: motifs2, edges }, context) {
+    if (!motifs2.length) {
+      place5.append(element("p", "muted", "No movement recurs with these settings."));
+      return {};
+    }
+    const byId = new Map(motifs2.map((motif) => [motif.id, motif]));
+    const svg = svgElement("svg", { class: "block-graph", tabindex: 0, role: "group", "aria-label": "Motif graph" });
+    svg.append(svgElement("defs", {}, svgElement("marker", {
+      id: "block-arrow",
+      viewBox: "0 0 8 8",
+      refX: 7,
+      refY: 4,
+      markerWidth: 9,
+      markerHeight: 9,
+      orient: "auto",
+      markerUnits: "userSpaceOnUse"
+    }, svgElement("path", { d: "M0 0L8 4L0 8z", class: "block-arrow" }))));
+    const ways = /* @__PURE__ */ new Map();
+    for (const [source, target2, count, width] of edges) {
+      const [from, to] = [byId.get(source), byId.get(target2)];
+      if (!from || !to) continue;
+      const line3 = svgElement("path", { d: way(from, to), class: "block-edge", "stroke-width": width, "marker-end": "url(#block-arrow)" });
+      tipOn(line3, () => [`${from.name} to ${to.name}`, `${count} times`]);
+      ways.set(line3, [source, target2]);
+      svg.append(line3);
+    }
+    const boxes = new Map(motifs2.map((motif) => [motif.id, box2(motif, context)]));
+    svg.append(...boxes.values());
+    place5.append(svg, panZoom(svg, around2(motifs2)));
+    return {
+      narrow(label) {
+        for (const motif of motifs2) boxes.get(motif.id)?.classList.toggle("faint", !fits(motif, label));
+      },
+      light(selection) {
+        const chosen3 = motifsIn(selection);
+        for (const [id, node] of boxes) node.classList.toggle("chosen", chosen3.has(id));
+        for (const [line3, [source, target2]] of ways) {
+          const near = selection.edge ? selection.edge === `${source}-${target2}` : chosen3.has(source) || chosen3.has(target2);
+          line3.classList.toggle("near", near);
+        }
+        svg.classList.toggle("lit", chosen3.size > 0 && motifs2.some((motif) => chosen3.has(motif.id)));
+      }
+    };
+  }
+  function box2(motif, context) {
+    const [w, h] = motif.size;
+    const side = 0.86 * Math.min(w, h);
+    const node = svgElement(
+      "g",
+      { class: "block-motif", transform: `translate(${motif.place[0]} ${motif.place[1]})` },
+      svgElement("rect", { x: -w / 2, y: -h / 2, width: w, height: h, rx: 8, stroke: motif.part })
+    );
+    const picture = svgElement("g", {});
+    picture.innerHTML = motif.icon;
+    const icon2 = picture.firstElementChild;
+    if (icon2) withAttributes(icon2, { x: -side / 2, y: -side / 2, width: side, height: side, "aria-hidden": "true" });
+    node.append(picture, svgElement("text", { y: h / 2 + 15, "text-anchor": "middle" }, `${motif.id} · ${motif.count}×`));
+    tipOn(node, () => factsOf(motif));
+    return asButton(node, factsOf(motif).join(", "), () => choose(context, motif));
+  }
+  function way(from, to) {
+    const [[x1, y1], [x2, y2]] = [from.place, to.place];
+    if (from === to) {
+      const [w, h] = from.size;
+      return `M${x1 - w / 4} ${y1 - h / 2}C${x1 - w / 2} ${y1 - h / 2 - 36} ${x1 + w / 2} ${y1 - h / 2 - 36} ${x1 + w / 4} ${y1 - h / 2}`;
+    }
+    const [dx, dy] = [x2 - x1, y2 - y1];
+    const length = Math.hypot(dx, dy) || 1;
+    const bend = Math.min(26, 0.12 * length);
+    const [mx, my] = [(x1 + x2) / 2 - dy / length * bend, (y1 + y2) / 2 + dx / length * bend];
+    const [a, b] = [border(from, mx - x1, my - y1), border(to, mx - x2, my - y2)];
+    return `M${a[0]} ${a[1]}Q${mx.toFixed(1)} ${my.toFixed(1)} ${b[0]} ${b[1]}`;
+  }
+  function border({ place: [x, y], size: [w, h] }, dx, dy) {
+    const share2 = Math.min(w / 2 / Math.abs(dx || 1e-9), h / 2 / Math.abs(dy || 1e-9), 1);
+    return [(x + dx * share2).toFixed(1), (y + dy * share2).toFixed(1)];
+  }
+  function around2(motifs2) {
+    const low = [0, 1].map((k) => Math.min(...motifs2.map(({ place: place5, size }) => place5[k] - size[k] / 2)) - AIR);
+    const high = [0, 1].map((k) => Math.max(...motifs2.map(({ place: place5, size }) => place5[k] + size[k] / 2)) + AIR);
+    return [low[0], low[1], high[0] - low[0], high[1] - low[1]];
+  }
+
+  // motifs/matrix_block.mjs
+  function drawMatrix(place5, { motifs: motifs2, cells }, context) {
+    const n = motifs2.length;
+    if (!n) {
+      place5.append(element("p", "muted", "No movement recurs with these settings."));
+      return {};
+    }
+    const most = Math.max(...cells.map(([, , count]) => count), 1);
+    const svg = svgElement("svg", { class: "block-matrix", viewBox: `-3 -3 ${n + 3.5} ${n + 3.5}`, role: "group", "aria-label": "What follows what" });
+    svg.append(svgElement("rect", { x: 0, y: 0, width: n, height: n, class: "block-ground" }));
+    const bars = motifs2.flatMap((_, k) => [
+      svgElement("rect", { x: 0, y: k, width: n, height: 1, class: "block-line" }),
+      svgElement("rect", { x: k, y: 0, width: 1, height: n, class: "block-line" })
+    ]);
+    svg.append(...bars);
+    for (const [row7, column, count] of cells) {
+      const cell2 = svgElement("rect", { x: column + 0.06, y: row7 + 0.06, width: 0.88, height: 0.88, class: "block-cell", "fill-opacity": 0.25 + 0.75 * Math.sqrt(count / most) });
+      tipOn(cell2, () => [`${motifs2[row7].name} to ${motifs2[column].name}`, `${count} times`]);
+      cell2.addEventListener("click", () => context.select({ edge: `${motifs2[row7].id}-${motifs2[column].id}` }));
+      svg.append(cell2);
+    }
+    motifs2.forEach((motif, k) => {
+      for (const across of [false, true]) {
+        const at3 = across ? { x: k + 0.5, y: -0.35, "text-anchor": "middle" } : { x: -0.35, y: k + 0.72, "text-anchor": "end" };
+        const name = svgElement("text", { ...at3, class: "block-head", style: `fill: ${motif.colour}` }, String(motif.id));
+        tipOn(name, () => [motif.name]);
+        svg.append(across ? name : asButton(name, motif.name, () => choose(context, motif)));
+        if (across) name.addEventListener("click", () => choose(context, motif));
+      }
+    });
+    place5.append(svg);
+    return {
+      light(selection) {
+        const chosen3 = motifsIn(selection);
+        motifs2.forEach((motif, k) => {
+          bars[2 * k].classList.toggle("chosen", chosen3.has(motif.id));
+          bars[2 * k + 1].classList.toggle("chosen", chosen3.has(motif.id));
+        });
+      }
+    };
+  }
+
+  // search/hits_block.mjs
+  function drawHits(place5, { query, hits }, context) {
+    const rows2 = hits.map(({ clip, start: start3, end, seconds, score, label, strip }) => tableRow(
+      [clip, seconds.toFixed(1), score.toFixed(2), `${start3} to ${end}`, label],
+      strip,
+      `Play ${clip}, frames ${start3} to ${end}`,
+      () => context.select({ clip, start: start3, end }, { title: `${clip}, ${start3} to ${end}`, items: [{ clip, start: start3, end, label: clip }] })
+    ));
+    place5.append(element("p", "muted", `Like ${query}`), tableOf(["Clip", "Seconds", "Score", "Frames", "Mostly", "Motion"], rows2, hits.length ? "" : "Nothing is like it."));
+    return {
+      light: (selection) => hits.forEach((hit, k) => rows2[k].classList.toggle("chosen", hit.clip === selection.clip && hit.start === selection.start && hit.end === selection.end)),
+      narrow: (label) => hits.forEach((hit, k) => rows2[k].classList.toggle("faint", Boolean(label) && !hit.label.startsWith(`${label} (`)))
+    };
+  }
+
+  // sweeps/sweep_block.mjs
+  var SERIES = ["#3b6abf", "#d2762b", "#3a9b7a", "#a45fc0", "#c2486a", "#7f8a2e", "#2f95b0", "#8c6d53"];
+  var [WIDTH2, HEIGHT2, LEFT, RIGHT, TOP, BOTTOM] = [640, 300, 52, 12, 12, 44];
+  function drawSweep(place5, content) {
+    const picker = element("select", "block-select", ...content.measures.map(([key, name]) => {
+      const option2 = element("option", "", name);
+      option2.value = key;
+      return option2;
+    }));
+    picker.setAttribute("aria-label", "What the chart shows");
+    const chart2 = element("div", "block-chart");
+    const show6 = () => chart2.replaceChildren(lines(content, picker.value));
+    picker.addEventListener("change", show6);
+    show6();
+    place5.append(element("div", "block-chart-head", picker, content.series.length > 1 ? legend3(content.series) : null), chart2);
+    return {};
+  }
+  function legend3(series) {
+    return element("span", "block-legend", ...series.map((name, k) => {
+      const key = element("span", "block-key", name);
+      key.style.setProperty("--colour", SERIES[k % SERIES.length]);
+      return key;
+    }));
+  }
+  function lines({ x, series, measures, figures }, measure2) {
+    const [, name, unit2, digits] = measures.find(([key]) => key === measure2) ?? measures[0];
+    const rows2 = figures[measure2];
+    const values = rows2.flat().flatMap((cell2) => cell2 ?? []);
+    const [low, high] = range(Math.min(...values), Math.max(...values));
+    const n = x.values.length;
+    const across = (k) => LEFT + (k + 0.5) / n * (WIDTH2 - LEFT - RIGHT);
+    const up = (value) => HEIGHT2 - BOTTOM - (value - low) / (high - low) * (HEIGHT2 - TOP - BOTTOM);
+    const svg = svgElement("svg", { viewBox: `0 0 ${WIDTH2} ${HEIGHT2}`, class: "block-lines", role: "img", "aria-label": `${name} over ${x.name}` });
+    for (const value of ticks(low, high)) {
+      svg.append(
+        svgElement("path", { d: `M${LEFT} ${up(value)}H${WIDTH2 - RIGHT}`, class: "block-grid" }),
+        svgElement("text", { x: LEFT - 6, y: up(value) + 4, "text-anchor": "end" }, String(Number(value.toPrecision(6))))
+      );
+    }
+    x.values.forEach((value, k) => svg.append(svgElement("text", { x: across(k), y: HEIGHT2 - BOTTOM + 17, "text-anchor": "middle" }, value)));
+    svg.append(svgElement("text", { x: (LEFT + WIDTH2 - RIGHT) / 2, y: HEIGHT2 - 6, "text-anchor": "middle" }, x.name));
+    rows2.forEach((row7, s) => {
+      const colour = SERIES[s % SERIES.length];
+      const there = row7.flatMap((cell2, k) => cell2 ? [[k, cell2[0]]] : []);
+      svg.append(svgElement("path", { d: there.map(([k, value], i) => `${i ? "L" : "M"}${across(k)} ${up(value)}`).join(""), stroke: colour, class: "block-line-of" }));
+      row7.forEach((cell2, k) => {
+        if (!cell2) return;
+        svg.append(svgElement("path", { d: `M${across(k)} ${up(cell2[1])}V${up(cell2[2])}`, stroke: colour, class: "block-spread" }));
+        const dot3 = svgElement("circle", { cx: across(k), cy: up(cell2[0]), r: 4.5, fill: colour, tabindex: 0 });
+        const words3 = cell2.map((value) => value.toFixed(digits));
+        tipOn(dot3, () => [`${name}: ${words3[0]}${unit2 && ` ${unit2}`}`, `${x.name} ${x.values[k]}${series[s] && `, ${series[s]}`}`, words3[1] === words3[2] ? "" : `${words3[1]} to ${words3[2]} over the seeds`]);
+        svg.append(dot3);
+      });
+    });
+    return svg;
+  }
+  function range(low, high) {
+    const air = 0.08 * (high - low) || Math.abs(high) * 0.1 || 1;
+    return [low >= 0 ? Math.max(0, low - air) : low - air, high + air];
+  }
+  function ticks(low, high) {
+    const rough = (high - low) / 5;
+    const power = 10 ** Math.floor(Math.log10(rough));
+    const step3 = ([1, 2, 5, 10].find((k) => k * power >= rough) ?? 10) * power;
+    const first = Math.ceil(low / step3);
+    return Array.from({ length: Math.floor(high / step3) - first + 1 }, (_, k) => (first + k) * step3);
+  }
+
+  // report/blocks.mjs
+  offer({
+    overview: drawOverview,
+    tracks: drawTracks,
+    graph: drawGraph,
+    motifs: drawMotifs,
+    matrix: drawMatrix,
+    numbers: drawNumbers,
+    map: drawMap,
+    actions: drawActions,
+    sweep: drawSweep,
+    hits: drawHits,
+    text: drawText,
+    stage: drawStage,
+    view: drawView
   });
 
   // library/clips.mjs
@@ -4020,7 +5971,7 @@
     { className: "verdict verdict-mark verdict-" + props.value, role: "img", "aria-label": WORDS[props.value], title: props.data && props.data.messages || WORDS[props.value] },
     reactElement("span", { className: "icon icon-" + ICONS2[props.value], style: { width: 14, height: 14 }, "aria-hidden": "true" })
   ) : null;
-  function open(clip) {
+  function open2(clip) {
     setStore(SELECTION, { clip });
     openPage("/clip");
   }
@@ -4029,7 +5980,7 @@
     if (!link2 || event.button || event.metaKey || event.ctrlKey || event.shiftKey || event.altKey) return;
     event.preventDefault();
     event.stopPropagation();
-    open(link2.dataset.clip);
+    open2(link2.dataset.clip);
   }, true);
   document.addEventListener("keydown", (event) => {
     const cell2 = event.key === "Enter" && closest(event, ".ag-cell[col-id='clip']");
@@ -4037,37 +5988,37 @@
     if (!link2) return;
     event.preventDefault();
     event.stopPropagation();
-    open(link2.dataset.clip);
+    open2(link2.dataset.clip);
   }, true);
   var USUAL = { tab: "clips", files: "all" };
   var set = {};
   register("library", {
     /** @param {string} tab @param {string} files @param {View | null} view */
     look(tab, files, view4) {
-      const change = {};
+      const change2 = {};
       for (
         const [key, value] of
         /** @type {[ViewKey, string][]} */
         [["tab", tab], ["files", files]]
       ) {
         const wanted2 = value === USUAL[key] ? "" : value || "";
-        if (value && value !== set[key] && (view4?.[key] || "") !== wanted2) change[key] = wanted2;
+        if (value && value !== set[key] && (view4?.[key] || "") !== wanted2) change2[key] = wanted2;
       }
       set = {};
-      if (Object.keys(change).length) changeView(change);
+      if (Object.keys(change2).length) changeView(change2);
       return clientside.no_update;
     },
     /** @param {View | null} view @param {{ value: string }[] | null} choices */
     show(view4, choices2) {
       const wanted2 = { ...USUAL, ...view4 };
-      const known3 = (choices2 || []).some((choice2) => choice2.value === wanted2.files);
-      set = { tab: wanted2.tab === "report" ? "report" : "clips", files: known3 ? wanted2.files : "all" };
+      const known4 = (choices2 || []).some((choice2) => choice2.value === wanted2.files);
+      set = { tab: wanted2.tab === "report" ? "report" : "clips", files: known4 ? wanted2.files : "all" };
       return [set.tab, set.files];
     },
     /** @param {string | null} shown @param {any[] | null} rows */
-    filter(shown7, rows2) {
-      if (!shown7 || shown7 === "all") return rows2 || [];
-      return (rows2 || []).filter((row7) => shown7 === "added" ? row7.added : row7.verdict === shown7);
+    filter(shown8, rows2) {
+      if (!shown8 || shown8 === "all") return rows2 || [];
+      return (rows2 || []).filter((row7) => shown8 === "added" ? row7.added : row7.verdict === shown8);
     }
   });
 
@@ -4179,7 +6130,7 @@
     if (!files.length) return;
     if (!batch || batch.stopped) batch = freshBatch();
     const mine2 = batch;
-    for (const item of takeFiles(mine2, files, limits())) draw(mine2, item);
+    for (const item of takeFiles(mine2, files, limits())) draw2(mine2, item);
     tell2(mine2);
     if (!mine2.token) {
       try {
@@ -4189,7 +6140,7 @@
       } catch {
         for (const item of mine2.queue.splice(0)) {
           refuse(item, "the server cannot be reached");
-          draw(mine2, item);
+          draw2(mine2, item);
         }
         tell2(mine2);
         return;
@@ -4210,7 +6161,7 @@
     request5.setRequestHeader("Content-Type", "application/octet-stream");
     request5.upload.onprogress = (event) => {
       item.sent = event.loaded;
-      draw(mine2, item);
+      draw2(mine2, item);
       summary(mine2);
     };
     request5.onloadend = () => {
@@ -4227,13 +6178,13 @@
         }
         refuse(item, message2);
       }
-      draw(mine2, item);
+      draw2(mine2, item);
       while (mine2.active < AT_ONCE && mine2.queue.length && !mine2.stopped) next(mine2);
       tell2(mine2);
     };
     request5.send(item.file);
   }
-  function draw(mine2, item) {
+  function draw2(mine2, item) {
     const list2 = find(UPLOAD_LIST);
     if (!list2 || mine2 !== batch) return;
     if (!item.row) {
@@ -4313,12 +6264,12 @@
     whenShown(() => add(files));
   });
   document.addEventListener("click", (event) => {
-    const button4 = closest(event, "[data-chooses]");
-    if (!button4) return;
+    const button5 = closest(event, "[data-chooses]");
+    if (!button5) return;
     const chooser = document.createElement("input");
     chooser.type = "file";
     chooser.multiple = true;
-    chooser.webkitdirectory = button4.dataset.chooses === "folder";
+    chooser.webkitdirectory = button5.dataset.chooses === "folder";
     chooser.onchange = () => add([...chooser.files ?? []].map((file) => ({ file, path: file.webkitRelativePath || file.name })));
     chooser.click();
   });
@@ -4357,12 +6308,12 @@
 
   // clip/gait.mjs
   var MOST_EVENTS = 600;
-  function sends(button4, store, value) {
-    button4.type = "button";
-    button4.dataset.store = store;
-    button4.dataset.value = JSON.stringify(value);
-    button4.dataset.stamp = store === "selection" ? "" : "yes";
-    return button4;
+  function sends(button5, store, value) {
+    button5.type = "button";
+    button5.dataset.store = store;
+    button5.dataset.value = JSON.stringify(value);
+    button5.dataset.stamp = store === "selection" ? "" : "yes";
+    return button5;
   }
   function table2(head3, rows2) {
     const made = element("table", "gait-table number");
@@ -4382,21 +6333,21 @@
     }
     return made;
   }
-  function folding(className, head3, open4, fill) {
+  function folding(className, head3, open5, fill) {
     const part2 = element("details", className);
     part2.append(head3);
     part2.addEventListener("toggle", () => {
       if (part2.open && part2.children.length === 1) part2.append(fill());
     });
-    part2.open = open4;
+    part2.open = open5;
     return part2;
   }
-  function bout(data2, one, open4) {
+  function bout(data2, one, open5) {
     const head3 = element("summary", "gait-head");
     const select2 = sends(element("button", "gait-select", "Select"), "selection", { clip: data2.clip, start: one.start, end: one.end });
     select2.setAttribute("aria-label", `Select the frames of ${one.title}`);
     head3.append(element("b", "", one.title), element("span", "muted number", one.facts), select2);
-    return folding("gait-bout", head3, open4, () => table2(data2.head, one.rows));
+    return folding("gait-bout", head3, open5, () => table2(data2.head, one.rows));
   }
   function events(data2) {
     const list2 = element("div", "gait-events");
@@ -4448,11 +6399,11 @@
     );
     const full = graph && graph._fullLayout;
     if (!full || !full.xaxis || !full.meta || !at.shown || full.meta.clip !== at.shown.clip) return null;
-    const box2 = need(CLIP_BOX).getBoundingClientRect();
+    const box4 = need(CLIP_BOX).getBoundingClientRect();
     const own2 = graph.getBoundingClientRect();
     const { xaxis, yaxis, meta } = full;
-    const dx = own2.left - box2.left + xaxis._offset;
-    const dy = own2.top - box2.top;
+    const dx = own2.left - box4.left + xaxis._offset;
+    const dy = own2.top - box4.top;
     return {
       graph,
       meta,
@@ -4483,18 +6434,18 @@
     dot2(part("dot"), plot && plot.meta.kind === "path" ? at.frame : null, plot);
     if (time) tell3(plot);
   }
-  function upright(line2, seconds, plot) {
+  function upright(line3, seconds, plot) {
     const x = seconds === null || !plot ? null : plot.x(seconds);
-    line2.hidden = !plot || x === null || x < plot.left - 1 || x > plot.left + plot.width + 1;
-    if (line2.hidden || !plot || x === null) return;
-    line2.style.height = `${plot.height}px`;
-    line2.style.transform = `translate(${x.toFixed(1)}px, ${plot.top}px)`;
+    line3.hidden = !plot || x === null || x < plot.left - 1 || x > plot.left + plot.width + 1;
+    if (line3.hidden || !plot || x === null) return;
+    line3.style.height = `${plot.height}px`;
+    line3.style.transform = `translate(${x.toFixed(1)}px, ${plot.top}px)`;
   }
-  function band(area, range, plot) {
-    area.hidden = !range;
-    if (!range || !plot) return;
+  function band(area, range2, plot) {
+    area.hidden = !range2;
+    if (!range2 || !plot) return;
     const clamp2 = (x) => Math.min(Math.max(x, plot.left), plot.left + plot.width);
-    const [a, b] = range.map((frame) => clamp2(plot.x(frame / plot.meta.fps)));
+    const [a, b] = range2.map((frame) => clamp2(plot.x(frame / plot.meta.fps)));
     Object.assign(area.style, { height: `${plot.height}px`, width: `${Math.max(b - a, 1)}px`, transform: `translate(${a}px, ${plot.top}px)` });
   }
   function dot2(mark3, frame, plot) {
@@ -4523,12 +6474,12 @@
       if (chip2.textContent !== text) chip2.textContent = text;
     });
   }
-  function valueAt(plot, line2, k, frame) {
+  function valueAt(plot, line3, k, frame) {
     const { fps, frames, thinned } = plot.meta;
     const whole3 = at.values && at.values.length >= (k + 1) * frames ? at.values[k * frames + Math.min(Math.round(frame), frames - 1)] : null;
     if (thinned) return whole3;
-    const i = nearest(line2.x, frame / fps);
-    return i < 0 || Math.abs(line2.x[i] - frame / fps) > 1 / fps ? whole3 : line2.y[i];
+    const i = nearest(line3.x, frame / fps);
+    return i < 0 || Math.abs(line3.x[i] - frame / fps) > 1 / fps ? whole3 : line3.y[i];
   }
   var CHART_KEYS = ["chart", "angles", "joints", "rig", "channels"];
   async function fetchValues(view4) {
@@ -4549,13 +6500,13 @@
     placeMarks();
   }
   function seekFrame(frame) {
-    const { shown: shown7 } = at;
-    if (!shown7) return;
-    const wanted2 = Math.min(Math.max(Math.round(frame), 0), shown7.frames - 1);
+    const { shown: shown8 } = at;
+    if (!shown8) return;
+    const wanted2 = Math.min(Math.max(Math.round(frame), 0), shown8.frames - 1);
     const there = at.items.some((item) => isShown(item) && wanted2 >= item.start && wanted2 < item.end);
-    if (there && player.seek({ clip: shown7.clip, frame: wanted2 })) return;
-    at.pending = { clip: shown7.clip, frame: wanted2 };
-    setStore(SELECTION, { clip: shown7.clip });
+    if (there && player.seek({ clip: shown8.clip, frame: wanted2 })) return;
+    at.pending = { clip: shown8.clip, frame: wanted2 };
+    setStore(SELECTION, { clip: shown8.clip });
   }
   function standing2() {
     const items = [];
@@ -4587,8 +6538,8 @@
   register("clip", {
     // A chart was drawn: lay everything over it again, now and after every redrawing.
     /** @param {any} figure @param {unknown} legend @param {ShownClip | null} shown @param {View | null} view */
-    drawn(figure2, legend3, shown7, view4) {
-      at.shown = shown7;
+    drawn(figure2, legend5, shown8, view4) {
+      at.shown = shown8;
       const graph = (
         /** @type {any} */
         document.querySelector(`#${CLIP_GRAPH} .js-plotly-plot`)
@@ -4611,10 +6562,10 @@
       return figure2?.layout?.meta?.kind ?? null;
     },
     /** @param {Selection | null} selection @param {ShownClip | null} shown */
-    mark(selection, shown7) {
-      at.shown = shown7;
+    mark(selection, shown8) {
+      at.shown = shown8;
       const { clip, start: start3 = 0, end = 0 } = selection ?? {};
-      at.range = shown7 && clip === shown7.clip && end > start3 ? [start3, Math.min(end, shown7.frames)] : null;
+      at.range = shown8 && clip === shown8.clip && end > start3 ? [start3, Math.min(end, shown8.frames)] : null;
       follow(standing2());
       return clientside.no_update;
     },
@@ -4625,11 +6576,11 @@
      * @param {string[]} names
      * @param {ShownClip | null} shown
      */
-    pick(value, _back, _next, names2, shown7) {
+    pick(value, _back, _next, names2, shown8) {
       const trigger = (clientside.callback_context.triggered[0] || {}).prop_id || "";
       const step3 = trigger.startsWith(CLIP_PREVIOUS) ? -1 : trigger.startsWith(CLIP_NEXT) ? 1 : 0;
-      const clip = step3 ? names2[names2.indexOf(shown7 ? shown7.clip : value) + step3] : value;
-      if (clip && (!shown7 || clip !== shown7.clip)) {
+      const clip = step3 ? names2[names2.indexOf(shown8 ? shown8.clip : value) + step3] : value;
+      if (clip && (!shown8 || clip !== shown8.clip)) {
         changeView({ span: "" });
         setStore(SELECTION, { clip });
       }
@@ -4648,16 +6599,16 @@
       const now6 = view4 || {};
       const same4 = (a, b) => JSON.stringify(a || []) === JSON.stringify(b || []);
       const trigger = (clientside.callback_context.triggered[0] || {}).prop_id || "";
-      const change = {};
-      if (trigger.startsWith(CLIP_CHART)) Object.assign(change, { chart: chart2 === "angles" ? "" : chart2, joints: "" });
-      if (trigger.startsWith(CLIP_KIND)) change.angles = kind === "body" ? "" : kind;
-      if (trigger.startsWith(CLIP_JOINTS)) change[kind === "file" && chart2 === "angles" ? "rig" : "joints"] = (joints || []).join(",");
-      if (trigger.startsWith(CLIP_CHANNELS)) change.channels = (channels || []).join(",");
+      const change2 = {};
+      if (trigger.startsWith(CLIP_CHART)) Object.assign(change2, { chart: chart2 === "angles" ? "" : chart2, joints: "" });
+      if (trigger.startsWith(CLIP_KIND)) change2.angles = kind === "body" ? "" : kind;
+      if (trigger.startsWith(CLIP_JOINTS)) change2[kind === "file" && chart2 === "angles" ? "rig" : "joints"] = (joints || []).join(",");
+      if (trigger.startsWith(CLIP_CHANNELS)) change2.channels = (channels || []).join(",");
       if (trigger.startsWith(CLIP_JOINTS) && same4(joints, choice2 && choice2.joints)) return clientside.no_update;
       if (trigger.startsWith(CLIP_CHANNELS) && same4(channels, choice2 && choice2.channels)) return clientside.no_update;
       if (trigger.startsWith(CLIP_CHART) && (now6.chart || "angles") === chart2) return clientside.no_update;
       if (trigger.startsWith(CLIP_KIND) && (now6.angles || "body") === kind) return clientside.no_update;
-      changeView(change);
+      changeView(change2);
       return clientside.no_update;
     },
     /** @param {{ clip: string, frame: number } | null} to */
@@ -4682,7 +6633,7 @@
 
   // clip/range.mjs
   var CLOSE = 4;
-  var box = (target2) => closest({ target: target2 }, `#${CLIP_BOX}`);
+  var box3 = (target2) => closest({ target: target2 }, `#${CLIP_BOX}`);
   var press = null;
   var frameAt = (plot, pixel) => clamp(Math.round(plot.time(pixel) * plot.meta.fps), 0, plot.meta.frames - 1);
   var inside = (plot, x, y) => x >= plot.left - 6 && x <= plot.left + plot.width + 6 && y >= plot.top && y <= plot.top + plot.height;
@@ -4694,16 +6645,16 @@
     return { plot, x: event.clientX - left, y: event.clientY - top };
   }
   document.addEventListener("pointerdown", (event) => {
-    if (event.button || !box(targetOf(event))) return;
+    if (event.button || !box3(targetOf(event))) return;
     const spot = locate(event);
     if (!spot) return;
     const grip = Boolean(closest(event, ".clip-grip"));
     if (!grip && !inside(spot.plot, spot.x, spot.y)) return;
     press = { ...spot, id: event.pointerId, grip, moved: false };
-    if (spot.plot.meta.kind === "time") box(targetOf(event))?.setPointerCapture(event.pointerId);
+    if (spot.plot.meta.kind === "time") box3(targetOf(event))?.setPointerCapture(event.pointerId);
   });
   document.addEventListener("pointermove", (event) => {
-    const over = box(targetOf(event));
+    const over = box3(targetOf(event));
     if (!press) {
       const spot2 = over && locate(event);
       const hover = spot2 && spot2.plot.meta.kind === "time" && inside(spot2.plot, spot2.x, spot2.y) ? frameAt(spot2.plot, spot2.x) : null;
@@ -4746,12 +6697,12 @@
     placeMarks();
   });
   document.addEventListener("pointerout", (event) => {
-    if (at.hover === null || box(event.relatedTarget)) return;
+    if (at.hover === null || box3(event.relatedTarget)) return;
     at.hover = null;
     placeMarks();
   });
-  function select(range) {
-    const [start3, end] = range;
+  function select(range2) {
+    const [start3, end] = range2;
     if (at.shown && end - start3 >= 2) setStore(SELECTION, { clip: at.shown.clip, start: start3, end });
     else placeMarks();
   }
@@ -4782,10 +6733,10 @@
   var wanted = null;
   async function move() {
     const plot = chartPlot();
-    const range = wanted;
-    if (plot && range) await window.Plotly.relayout(plot.graph, { "xaxis.range": range });
+    const range2 = wanted;
+    if (plot && range2) await window.Plotly.relayout(plot.graph, { "xaxis.range": range2 });
     moving = 0;
-    if (range !== wanted) moving = requestAnimationFrame(move);
+    if (range2 !== wanted) moving = requestAnimationFrame(move);
     else wanted = null;
   }
   function show(low, high) {
@@ -4802,10 +6753,10 @@
     if (!plot) return;
     const [low, high] = plot.range;
     if (what === "whole") return show(0, Infinity === high ? 1 : plot.meta.frames / plot.meta.fps);
-    const range = chosenRange();
+    const range2 = chosenRange();
     if (what === "range") {
-      if (!range) return;
-      const [a, b] = range.map((frame) => frame / plot.meta.fps);
+      if (!range2) return;
+      const [a, b] = range2.map((frame) => frame / plot.meta.fps);
       return show(a - 0.05 * (b - a), b + 0.05 * (b - a));
     }
     const cursor3 = at.frame === null ? NaN : at.frame / plot.meta.fps;
@@ -4816,7 +6767,7 @@
     show(about + (low - about) * factor, about + (high - about) * factor);
   }
   document.addEventListener("wheel", (event) => {
-    const spot = box(targetOf(event)) && locate(event);
+    const spot = box3(targetOf(event)) && locate(event);
     if (!spot || spot.plot.meta.kind !== "time") return;
     const [low, high] = wanted || spot.plot.range;
     if (event.ctrlKey || event.metaKey) {
@@ -4824,13 +6775,13 @@
       scale(Math.exp(clamp(event.deltaY, -80, 80) / 200), spot.plot.time(spot.x));
     } else if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY)) {
       event.preventDefault();
-      const way2 = (event.deltaX || event.deltaY) / spot.plot.width * (high - low);
-      show(low + way2, high + way2);
+      const way3 = (event.deltaX || event.deltaY) / spot.plot.width * (high - low);
+      show(low + way3, high + way3);
     }
   }, { passive: false });
   document.addEventListener("click", (event) => {
-    const button4 = closest(event, "[data-clip-zoom]");
-    if (button4) zoom(button4.dataset.clipZoom);
+    const button5 = closest(event, "[data-clip-zoom]");
+    if (button5) zoom(button5.dataset.clipZoom);
   });
   function setEnd(which) {
     const frame = frameNow();
@@ -4861,14 +6812,6 @@
     event.preventDefault();
     KEYS3[event.key](event.shiftKey);
   });
-
-  // shared/words.mjs
-  function clock(seconds) {
-    const tenths = Math.round(seconds * 10);
-    return `${Math.floor(tenths / 600)}:${(tenths % 600 / 10).toFixed(1).padStart(4, "0")}`;
-  }
-  var plural = (n, one, more2 = `${one}s`) => `${n} ${n === 1 ? one : more2}`;
-  var percent = (share2) => `${Math.round(100 * share2)} %`;
 
   // motifs/ids.mjs
   var MOTIF_GRAPH = "motif-graph";
@@ -4909,7 +6852,7 @@
   // motifs/triangle.mjs
   var CORNERS = [[150, 26], [28, 214], [272, 214]];
   var CORNER = 0.03;
-  var placeOf = (weights) => [0, 1].map((axis) => weights.reduce((total3, w, k) => total3 + w * CORNERS[k][axis], 0));
+  var placeOf2 = (weights) => [0, 1].map((axis) => weights.reduce((total3, w, k) => total3 + w * CORNERS[k][axis], 0));
   function weightsAt(x, y) {
     const [[ax, ay], [bx, by], [cx, cy]] = CORNERS;
     const area = (by - cy) * (ax - cx) + (cx - bx) * (ay - cy);
@@ -4935,7 +6878,7 @@
   // motifs/blend_controls.mjs
   var html = (name, attributes, text) => withAttributes(element(name, "", text), attributes);
   var LABELS = [[150, 14], [18, 232], [282, 232]];
-  var STEP = 0.02;
+  var STEP2 = 0.02;
   function triangle(state3, actions4) {
     const svg = svgElement("svg", { viewBox: "0 0 300 240", class: "blend-triangle" });
     svg.append(svgElement("polygon", { points: CORNERS.map((c) => c.join()).join(" "), class: "blend-field" }));
@@ -4974,8 +6917,8 @@
   function press2(event, state3, actions4) {
     const ways = { ArrowUp: [0, -1], ArrowDown: [0, 1], ArrowLeft: [-1, 0], ArrowRight: [1, 0] };
     if (ways[event.key]) {
-      const [x, y] = placeOf(insideWeights(state3.values));
-      const far = (event.shiftKey ? 5 : 1) * STEP * 244;
+      const [x, y] = placeOf2(insideWeights(state3.values));
+      const far = (event.shiftKey ? 5 : 1) * STEP2 * 244;
       let weights = weightsAt(x + ways[event.key][0] * far, y + ways[event.key][1] * far);
       const corner = state3.values.findIndex((w) => w === 1);
       if (corner >= 0 && weights[corner] === 1) weights = awayFromCorner(corner, ways[event.key]);
@@ -4995,9 +6938,9 @@
     const middle = html("div", { class: "blend-middle" });
     middle.append(html("span", { class: "ellipsis blend-name", title: name }, `${brief} · ${when.split(" ")[0]}`));
     if (state3.chosen.length !== 3) {
-      const range = html("input", { type: "range", min: 0, max: 1, step: 0.01, "aria-label": `Weight of ${name}` });
-      range.addEventListener("input", () => actions4.set(state3.values.map((value, k) => k === i ? Number(range.value) : value)));
-      middle.append(range);
+      const range2 = html("input", { type: "range", min: 0, max: 1, step: 0.01, "aria-label": `Weight of ${name}` });
+      range2.addEventListener("input", () => actions4.set(state3.values.map((value, k) => k === i ? Number(range2.value) : value)));
+      middle.append(range2);
     }
     made.append(only, middle, html("span", { class: "number muted blend-share" }));
     if (state3.chosen.length > 2) {
@@ -5013,13 +6956,13 @@
     select2.addEventListener("change", () => act2(select2.value));
     return select2;
   }
-  function drawControls(box2, state3, shares2, actions4) {
+  function drawControls(box4, state3, shares2, actions4) {
     const { bodies, most } = state3.data;
     const controls = [];
     if (bodies.length > 1) {
-      const bodyChoice = choice("Body", bodies.map(({ motions }, k) => (
+      const bodyChoice = choice("Body", bodies.map(({ motions: motions2 }, k) => (
         /** @type {[number, string]} */
-        [k, `Body ${k + 1}: ${motions.length} motions`]
+        [k, `Body ${k + 1}: ${motions2.length} motions`]
       )), (value) => actions4.body(Number(value)));
       bodyChoice.value = String(state3.body);
       controls.push(bodyChoice);
@@ -5036,22 +6979,22 @@
       ))];
       controls.push(choice("Add a motion", options, (value) => value && actions4.add(Number(value))));
     }
-    box2.replaceChildren(...controls);
+    box4.replaceChildren(...controls);
     updateControls(state3, shares2);
   }
   function updateControls(state3, shares2) {
-    const box2 = find(BLEND_CONTROLS);
-    if (!box2) return;
-    allWithin(box2, ".blend-row").forEach((made, i) => {
+    const box4 = find(BLEND_CONTROLS);
+    if (!box4) return;
+    allWithin(box4, ".blend-row").forEach((made, i) => {
       within(made, ".blend-share").textContent = percent(shares2[i]);
       made.style.setProperty("--share", String(shares2[i]));
-      const range = made.querySelector("input");
-      if (range && Number(range.value) !== state3.values[i]) range.value = String(state3.values[i]);
-      if (range) range.setAttribute("aria-valuetext", percent(shares2[i]));
+      const range2 = made.querySelector("input");
+      if (range2 && Number(range2.value) !== state3.values[i]) range2.value = String(state3.values[i]);
+      if (range2) range2.setAttribute("aria-valuetext", percent(shares2[i]));
     });
-    const point = box2.querySelector(".blend-point");
+    const point = box4.querySelector(".blend-point");
     if (!point) return;
-    const [x, y] = placeOf(shares2);
+    const [x, y] = placeOf2(shares2);
     point.setAttribute("cx", x.toFixed(1));
     point.setAttribute("cy", y.toFixed(1));
     point.setAttribute("aria-valuenow", String(Math.round(100 * shares2[0])));
@@ -5061,7 +7004,7 @@
   // motifs/mixture.mjs
   var sum = (values) => values.reduce((total3, value) => total3 + value, 0);
   var rounded = (value) => String(Math.round(value * 100) / 100);
-  var writePairs = (motions, values) => motions.map((motion, i) => `${motion}:${rounded(values[i])}`).join(",");
+  var writePairs = (motions2, values) => motions2.map((motion, i) => `${motion}:${rounded(values[i])}`).join(",");
   var evenWeight = (n) => n > 3 ? 0.5 : 1 / n;
   function interpolate(x, xs, ys) {
     let k = 1;
@@ -5072,10 +7015,10 @@
   function inStep(used) {
     const knots = used[0].one.seconds.map((_, i) => i);
     const times = knots.map((i) => sum(used.map(({ one, share: share2 }) => share2 * one.seconds[i])));
-    const last2 = times.at(-1) ?? 0;
+    const last3 = times.at(-1) ?? 0;
     const fps = Math.max(...used.map(({ one }) => one.fps));
-    const n = Math.round(last2 * fps) + 1;
-    const at3 = Array.from({ length: n }, (_, j) => interpolate(j / Math.max(n - 1, 1) * last2, times, knots));
+    const n = Math.round(last3 * fps) + 1;
+    const at3 = Array.from({ length: n }, (_, j) => interpolate(j / Math.max(n - 1, 1) * last3, times, knots));
     const own2 = ({ one }) => at3.map((u) => Math.min(Math.round(interpolate(u, knots, one.seconds) * one.fps * 100) / 100, one.end - one.start - 1));
     return { mixture: at3.map((_, j) => j), sources: used.map(own2) };
   }
@@ -5107,7 +7050,7 @@
   }
   function read(text) {
     const pairs = readPairs(text);
-    const body2 = now.data.bodies.findIndex(({ motions }) => pairs.length > 1 && pairs.every(([k]) => motions.some((one) => one.motion === k)));
+    const body2 = now.data.bodies.findIndex(({ motions: motions2 }) => pairs.length > 1 && pairs.every(([k]) => motions2.some((one) => one.motion === k)));
     if (body2 < 0) return false;
     const kept = pairs.slice(0, now.data.most);
     Object.assign(now, { body: body2, chosen: kept.map(([k]) => k), values: kept.map(([, v]) => v), written: text ?? "" });
@@ -5204,12 +7147,12 @@
     }
   };
   document.addEventListener("click", (event) => {
-    const button4 = closest(event, "[data-blend]");
-    if (!button4 || !now) return;
-    const action = button4.dataset.blend;
+    const button5 = closest(event, "[data-blend]");
+    if (!button5 || !now) return;
+    const action = button5.dataset.blend;
     if (action === "middles") return player.show(now.data.middles);
     actions[action ?? ""]();
-    if (action === "sources") button4.setAttribute("aria-pressed", String(now.sources));
+    if (action === "sources") button5.setAttribute("aria-pressed", String(now.sources));
     changed();
   });
   function show2(quiet2) {
@@ -5284,9 +7227,9 @@
   var BAR = 12;
   var LABEL = 40;
   var LEAST_LABEL = 9;
-  var shown3 = null;
+  var shown4 = null;
   var drawing2 = (name, attributes, title) => svgElement(name, attributes, ...title ? [svgElement("title", {}, title)] : []);
-  function choose(a, b) {
+  function choose2(a, b) {
     if (a !== null && a !== void 0) return setStore(SELECTION, { motif: a });
     if (b === null || b === void 0) return;
     changeView({ gained: String(b) });
@@ -5294,7 +7237,7 @@
   }
   function here(bar) {
     if (bar.side === "a") return bar.motif;
-    const links = (shown3?.data.ribbons ?? []).filter((r) => r.b === bar.motif && r.a !== null && r.kind !== "rest");
+    const links = (shown4?.data.ribbons ?? []).filter((r) => r.b === bar.motif && r.a !== null && r.kind !== "rest");
     return links.length ? links.reduce((best, r) => r.h > best.h ? r : best).a : null;
   }
   function pressable(node, label, act2) {
@@ -5317,57 +7260,57 @@
       const at3 = { x: left ? x - 6 : x + BAR + 6, y: bar.y + bar.h / 2, "text-anchor": left ? "end" : "start" };
       group.appendChild(drawing2("text", { ...at3, "dominant-baseline": "central" })).textContent = bar.label;
     }
-    if (bar.motif !== null) pressable(group, bar.title, () => choose(here(bar), bar.motif));
+    if (bar.motif !== null) pressable(group, bar.title, () => choose2(here(bar), bar.motif));
     svg.appendChild(group);
   }
   function drawRibbon(svg, ribbon, width, changes) {
     const [x0, x1] = [LABEL + BAR + 1, width - LABEL - BAR - 1];
     const bend = (x0 + x1) / 2, { ya, yb, h } = ribbon;
     const path2 = `M${x0},${ya} C${bend},${ya} ${bend},${yb} ${x1},${yb} L${x1},${yb + h} C${bend},${yb + h} ${bend},${ya + h} ${x0},${ya + h} Z`;
-    const change = ribbon.kind === "kept" ? "kept" : ribbon.kind === "linked" ? changes(ribbon) : "none";
-    const one = drawing2("path", { d: path2, class: `flow-ribbon change-${change}`, "data-a": ribbon.a ?? "", "data-b": ribbon.b ?? "" }, ribbon.title);
-    one.addEventListener("click", () => choose(ribbon.a, ribbon.b));
+    const change2 = ribbon.kind === "kept" ? "kept" : ribbon.kind === "linked" ? changes(ribbon) : "none";
+    const one = drawing2("path", { d: path2, class: `flow-ribbon change-${change2}`, "data-a": ribbon.a ?? "", "data-b": ribbon.b ?? "" }, ribbon.title);
+    one.addEventListener("click", () => choose2(ribbon.a, ribbon.b));
     svg.appendChild(one);
   }
-  function draw2() {
-    const box2 = find(COMPARE_FLOW);
-    if (!box2 || !shown3 || !shown3.data || !box2.clientWidth) return;
-    const width = box2.clientWidth, { height, bars, ribbons } = shown3.data;
+  function draw3() {
+    const box4 = find(COMPARE_FLOW);
+    if (!box4 || !shown4 || !shown4.data || !box4.clientWidth) return;
+    const width = box4.clientWidth, { height, bars, ribbons } = shown4.data;
     const svg = drawing2("svg", { width, height, viewBox: `0 0 ${width} ${height}`, role: "group", "aria-label": "Motion that motifs of both results share" });
-    const change = new Map(bars.map((bar) => [bar.side + bar.motif, bar.change]));
-    const changes = (ribbon) => change.get("a" + ribbon.a) === "kept" ? change.get("b" + ribbon.b) : change.get("a" + ribbon.a);
+    const change2 = new Map(bars.map((bar) => [bar.side + bar.motif, bar.change]));
+    const changes = (ribbon) => change2.get("a" + ribbon.a) === "kept" ? change2.get("b" + ribbon.b) : change2.get("a" + ribbon.a);
     const rank = { rest: 0, linked: 1, kept: 2 };
     [...ribbons].sort((r, s) => rank[r.kind] - rank[s.kind]).forEach((ribbon) => drawRibbon(svg, ribbon, width, changes));
     bars.forEach((bar) => drawBar(svg, bar, width));
-    box2.replaceChildren(svg);
+    box4.replaceChildren(svg);
     mark();
   }
   function mark() {
-    const box2 = find(COMPARE_FLOW);
-    if (!box2 || !shown3) return;
-    const a = String(shown3.selection?.motif ?? ""), b = a ? "" : String(shown3.gained ?? "");
+    const box4 = find(COMPARE_FLOW);
+    if (!box4 || !shown4) return;
+    const a = String(shown4.selection?.motif ?? ""), b = a ? "" : String(shown4.gained ?? "");
     const touches = (node) => a && node.dataset.a === a || b && node.dataset.b === b || node.dataset.side === "a" && a && node.dataset.motif === a || node.dataset.side === "b" && b && node.dataset.motif === b;
-    box2.classList.toggle("some-chosen", Boolean(a || b));
-    for (const node of allWithin(box2, ".flow-bar, .flow-ribbon")) node.classList.toggle("chosen", Boolean(touches(node)));
+    box4.classList.toggle("some-chosen", Boolean(a || b));
+    for (const node of allWithin(box4, ".flow-bar, .flow-ribbon")) node.classList.toggle("chosen", Boolean(touches(node)));
   }
   var watched = /* @__PURE__ */ new WeakSet();
-  function watch(box2) {
-    if (watched.has(box2)) return;
-    watched.add(box2);
+  function watch(box4) {
+    if (watched.has(box4)) return;
+    watched.add(box4);
     let width = 0;
     new ResizeObserver(() => {
-      if (box2.clientWidth && box2.clientWidth !== width) draw2();
-      width = box2.clientWidth;
-    }).observe(box2);
+      if (box4.clientWidth && box4.clientWidth !== width) draw3();
+      width = box4.clientWidth;
+    }).observe(box4);
   }
   register("compare", {
     /** @param {Flow | null} data @param {Selection | null} selection @param {View | null} view */
     draw(data2, selection, view4) {
-      shown3 = data2 && { data: data2, selection, gained: (view4 || {}).gained };
-      const box2 = find(COMPARE_FLOW);
-      if (!data2 || !box2) return clientside.no_update;
-      watch(box2);
-      draw2();
+      shown4 = data2 && { data: data2, selection, gained: (view4 || {}).gained };
+      const box4 = find(COMPARE_FLOW);
+      if (!data2 || !box4) return clientside.no_update;
+      watch(box4);
+      draw3();
       return clientside.no_update;
     },
     /** @param {any} request */
@@ -5377,7 +7320,7 @@
     },
     /** @param {Selection | null} selection @param {View | null} view */
     mark(selection, view4) {
-      if (shown3) Object.assign(shown3, { selection, gained: (view4 || {}).gained });
+      if (shown4) Object.assign(shown4, { selection, gained: (view4 || {}).gained });
       mark();
       return clientside.no_update;
     }
@@ -5399,13 +7342,13 @@
   var STEPS = { ArrowLeft: [60, 0], ArrowRight: [-60, 0], ArrowUp: [0, 60], ArrowDown: [0, -60] };
   async function graphReady(tries = 100) {
     for (let i = 0; i < tries; i++) {
-      const box2 = (
+      const box4 = (
         /** @type {any} */
         find(ID)
       );
       const cy = (
         /** @type {Cytoscape | undefined} */
-        box2?._cyreg?.cy
+        box4?._cyreg?.cy
       );
       if (cy && !cy.destroyed() && cy.elements().length) return cy;
       await new Promise((resolve) => setTimeout(resolve, 30));
@@ -5424,11 +7367,11 @@
   function watch2(cy) {
     if (watched2.has(cy)) return;
     watched2.add(cy);
-    const box2 = cy.container();
-    box2.tabIndex = 0;
-    box2.setAttribute("role", "application");
-    box2.setAttribute("aria-label", "Motif graph. Arrow keys move, plus and minus zoom, 0 shows all. The table below lists the same motifs.");
-    box2.addEventListener("keydown", (event) => {
+    const box4 = cy.container();
+    box4.tabIndex = 0;
+    box4.setAttribute("role", "application");
+    box4.setAttribute("aria-label", "Motif graph. Arrow keys move, plus and minus zoom, 0 shows all. The table below lists the same motifs.");
+    box4.addEventListener("keydown", (event) => {
       const step3 = STEPS[event.key];
       if (step3) cy.panBy({ x: step3[0], y: step3[1] });
       else if (event.key === "+" || event.key === "=") zoom2(cy, 1.25);
@@ -5442,25 +7385,25 @@
     cy.on("pan zoom", (event) => {
       if (event.target === cy && cy._byHand) touched = true;
     });
-    box2.addEventListener("wheel", () => {
+    box4.addEventListener("wheel", () => {
       touched = true;
     }, { passive: true });
-    box2.addEventListener("pointerdown", () => {
+    box4.addEventListener("pointerdown", () => {
       touched = true;
     });
     new ResizeObserver(() => {
       if (cy.destroyed()) return;
       cy.resize();
       if (!touched) cy.fit(void 0, 26);
-    }).observe(box2);
+    }).observe(box4);
     cy.on("mouseover", "node, edge", (event) => {
-      box2.style.cursor = "pointer";
+      box4.style.cursor = "pointer";
       event.target.addClass("pointed");
       readable(cy);
       ahead.prepare(selectionOf(event.target), true);
     });
     cy.on("mouseout", "node, edge", (event) => {
-      box2.style.cursor = "";
+      box4.style.cursor = "";
       event.target.removeClass("pointed");
       readable(cy);
       ahead.leave();
@@ -5519,8 +7462,8 @@
     }));
   }
   function zoom2(cy, factor) {
-    const box2 = cy.container().getBoundingClientRect();
-    cy.zoom({ level: cy.zoom() * factor, renderedPosition: { x: box2.width / 2, y: box2.height / 2 } });
+    const box4 = cy.container().getBoundingClientRect();
+    cy.zoom({ level: cy.zoom() * factor, renderedPosition: { x: box4.width / 2, y: box4.height / 2 } });
   }
   var taps = 0;
   register("graph", {
@@ -5575,34 +7518,34 @@
 
   // motifs/motion_list.mjs
   function row3({ clip, brief, when, strip, selection, chosen: chosen3 }) {
-    const button4 = element("button", "motion-row" + (chosen3 ? " chosen" : ""));
-    button4.type = "button";
-    button4.title = `Play ${clip}, ${when}, alone`;
-    button4.dataset.store = SELECTION;
-    button4.dataset.value = JSON.stringify(selection);
-    button4.setAttribute("aria-pressed", String(chosen3));
+    const button5 = element("button", "motion-row" + (chosen3 ? " chosen" : ""));
+    button5.type = "button";
+    button5.title = `Play ${clip}, ${when}, alone`;
+    button5.dataset.store = SELECTION;
+    button5.dataset.value = JSON.stringify(selection);
+    button5.setAttribute("aria-pressed", String(chosen3));
     const picture = element("img", "motion-strip");
     Object.assign(picture, { loading: "lazy", alt: "", draggable: false, src: strip });
-    button4.append(icon("play"), element("span", "ellipsis motion-clip", brief), element("span", "muted number motion-time", when), picture);
-    return button4;
+    button5.append(icon("play"), element("span", "ellipsis motion-clip", brief), element("span", "muted number motion-time", when), picture);
+    return button5;
   }
   register("motions", {
     /** @param {{ name?: string, rows?: MotionRow[], more?: number } | null} motions */
-    list(motions) {
-      const box2 = find(MOTION_LIST);
-      if (!box2) return clientside.no_update;
-      const { name = "", rows: rows2 = [], more: more2 = 0 } = motions || {};
-      const same4 = box2.dataset.name === name;
-      const top = same4 ? box2.scrollTop : 0;
-      const focused = same4 ? [...box2.children].indexOf(
+    list(motions2) {
+      const box4 = find(MOTION_LIST);
+      if (!box4) return clientside.no_update;
+      const { name = "", rows: rows2 = [], more: more2 = 0 } = motions2 || {};
+      const same4 = box4.dataset.name === name;
+      const top = same4 ? box4.scrollTop : 0;
+      const focused = same4 ? [...box4.children].indexOf(
         /** @type {any} */
         document.activeElement
       ) : -1;
-      box2.dataset.name = name;
-      box2.replaceChildren(...rows2.map(row3));
-      if (more2) box2.append(element("div", "muted selection-more", `and ${more2} more`));
-      box2.scrollTop = top;
-      if (focused >= 0) childrenOf(box2)[focused]?.focus({ preventScroll: true });
+      box4.dataset.name = name;
+      box4.replaceChildren(...rows2.map(row3));
+      if (more2) box4.append(element("div", "muted selection-more", `and ${more2} more`));
+      box4.scrollTop = top;
+      if (focused >= 0) childrenOf(box4)[focused]?.focus({ preventScroll: true });
       return clientside.no_update;
     }
   });
@@ -5631,11 +7574,11 @@
       if (api) api.setGridOption("quickFilterText", text || "");
       const cy = await graphReady(3);
       if (!cy) return clientside.no_update;
-      const fits = (row7) => {
+      const fits2 = (row7) => {
         const all = ["id", "name", "tags", "note", "label"].map((field) => row7[field] ?? "").join(" ").toLowerCase();
         return words3.every((word) => all.includes(word));
       };
-      const matching = new Set((rows2 || []).filter(fits).map((row7) => "m" + row7.id));
+      const matching = new Set((rows2 || []).filter(fits2).map((row7) => "m" + row7.id));
       cy.batch(() => cy.nodes("[motif >= 0]").forEach((node) => {
         node.toggleClass("unmatched", words3.length > 0 && !matching.has(node.id()));
       }));
@@ -5644,8 +7587,8 @@
   });
 
   // motifs/stability.mjs
-  var shown4 = null;
-  var of = (motif) => shown4?.motifs[motif ?? ""];
+  var shown5 = null;
+  var of = (motif) => shown5?.motifs[motif ?? ""];
   function rate(node) {
     const shares2 = of(node.data("motif"));
     if (!shares2) return;
@@ -5664,32 +7607,32 @@
     if (!shares2) return "Choose a box to see how it fared.";
     const kinds2 = [["noise", "with noise"], ["seed", "from other seeds"], ["parameters", "with settings a step away"]];
     const each = kinds2.filter(([kind]) => kind in shares2).map(([kind, name]) => `${percent(shares2[kind] ?? 0)} ${name}`);
-    return `Motif ${motif}: ${percent(shares2.overall)}, kept in ${shares2.kept} of ${shown4?.repeats} repeats (${each.join(", ")}).`;
+    return `Motif ${motif}: ${percent(shares2.overall)}, kept in ${shares2.kept} of ${shown5?.repeats} repeats (${each.join(", ")}).`;
   }
   gridFunctions.stabilityOf = (params) => (params.data && of(params.data.id)?.overall) ?? null;
   register("stability", {
     /** @param {Stability | null} data @param {unknown} _elements @param {Selection | null} selection */
     async draw(data2, _elements, selection) {
-      shown4 = data2 || null;
-      const legend3 = find(STABILITY_LEGEND);
-      if (legend3) legend3.classList.toggle("hidden", !shown4);
+      shown5 = data2 || null;
+      const legend5 = find(STABILITY_LEGEND);
+      if (legend5) legend5.classList.toggle("hidden", !shown5);
       const place5 = find(STABILITY_WORDS);
-      if (place5 && shown4) place5.textContent = words2((selection || {}).motif);
+      if (place5 && shown5) place5.textContent = words2((selection || {}).motif);
       const cy = await graphReady();
       if (!cy) return clientside.no_update;
       watch3(cy);
       cy.batch(() => {
-        if (shown4) cy.nodes("[motif >= 0]").forEach(rate);
+        if (shown5) cy.nodes("[motif >= 0]").forEach(rate);
         else cy.nodes(".rated").removeClass("rated");
       });
       return clientside.no_update;
     },
     /** @param {Stability | null} data */
     async list(data2) {
-      shown4 = data2 || null;
+      shown5 = data2 || null;
       const api = await gridApi(MOTIF_TABLE);
       if (!api) return clientside.no_update;
-      api.setColumnsVisible(["stability"], Boolean(shown4));
+      api.setColumnsVisible(["stability"], Boolean(shown5));
       api.refreshCells({ columns: ["stability"], force: true });
       return clientside.no_update;
     }
@@ -5708,12 +7651,12 @@
     return block2;
   }
   function motionBlock([start3, end, motif, number2], motifs2, seconds) {
-    const { name, colour: tone, motions } = motifs2[motif];
+    const { name, colour: tone, motions: motions2 } = motifs2[motif];
     const block2 = element("button", "timeline-motion");
     block2.append(element("span", motif < 100 ? "" : "timeline-hundred", String(motif)));
     block2.type = "button";
     block2.tabIndex = -1;
-    block2.title = `${name}, motion ${number2 + 1} of ${motions}, ${clock(start3)} to ${clock(end)}`;
+    block2.title = `${name}, motion ${number2 + 1} of ${motions2}, ${clock(start3)} to ${clock(end)}`;
     block2.setAttribute("aria-label", block2.title);
     block2.dataset.store = SELECTION;
     block2.dataset.value = JSON.stringify({ motif, motion: number2 });
@@ -5723,8 +7666,8 @@
     return block2;
   }
   function row4(clip, data2, longest2, fill) {
-    const line2 = element("div", "timeline-row");
-    line2.setAttribute("role", "listitem");
+    const line3 = element("div", "timeline-row");
+    line3.setAttribute("role", "listitem");
     const head3 = element("button", "timeline-clip");
     head3.type = "button";
     head3.title = `Play ${clip.clip}`;
@@ -5743,57 +7686,57 @@
       labels2.append(...clip.labels.map((label) => labelBlock(label, data2, clip.seconds)));
       time.append(labels2);
     }
-    const motions = element("div", "timeline-motions");
-    motions.append(...clip.motions.map((motion) => motionBlock(motion, data2.motifs, clip.seconds)));
-    if (childrenOf(motions)[0]) childrenOf(motions)[0].tabIndex = 0;
-    time.append(motions, element("div", "timeline-now"));
+    const motions2 = element("div", "timeline-motions");
+    motions2.append(...clip.motions.map((motion) => motionBlock(motion, data2.motifs, clip.seconds)));
+    if (childrenOf(motions2)[0]) childrenOf(motions2)[0].tabIndex = 0;
+    time.append(motions2, element("div", "timeline-now"));
     track.append(time);
-    line2.append(head3, track);
-    return line2;
+    line3.append(head3, track);
+    return line3;
   }
   function ordered(rows2, order, motif) {
-    const has = ({ motions }) => motions.filter((motion) => String(motion[2]) === String(motif)).length;
+    const has = ({ motions: motions2 }) => motions2.filter((motion) => String(motion[2]) === String(motif)).length;
     if (order === "share") return [...rows2].sort((a, b) => a.share - b.share);
     if (order === "chosen") return [...rows2].sort((a, b) => has(b) - has(a));
     return rows2;
   }
-  function legend2(box2, { actions: actions4, colours }) {
-    box2.replaceChildren(...actions4.slice(0, 24).map((action, i) => {
+  function legend4(box4, { actions: actions4, colours }) {
+    box4.replaceChildren(...actions4.slice(0, 24).map((action, i) => {
       const entry = element("span", "timeline-key", action);
       entry.style.setProperty("--tone", colours[i]);
       return entry;
     }));
-    if (actions4.length > 24) box2.append(element("span", "muted", `and ${actions4.length - 24} more`));
+    if (actions4.length > 24) box4.append(element("span", "muted", `and ${actions4.length - 24} more`));
   }
-  function mark2(box2, selection) {
+  function mark2(box4, selection) {
     chosen2 = selection;
     const motif = selection && selection.motif !== void 0 ? String(selection.motif) : null;
-    box2.classList.toggle("one-motif", motif !== null);
-    for (const block2 of allWithin(box2, ".timeline-motion")) {
+    box4.classList.toggle("one-motif", motif !== null);
+    for (const block2 of allWithin(box4, ".timeline-motion")) {
       block2.classList.toggle("same", block2.dataset.motif === motif);
       const { motion } = JSON.parse(block2.dataset.value ?? "{}");
       block2.setAttribute("aria-pressed", String(block2.dataset.motif === motif && String(selection?.motion) === String(motion)));
     }
-    for (const head3 of allWithin(box2, ".timeline-clip")) {
+    for (const head3 of allWithin(box4, ".timeline-clip")) {
       head3.classList.toggle("chosen", Boolean(selection && selection.clip === JSON.parse(head3.dataset.value ?? "{}").clip));
     }
   }
   function move2(event) {
     const block2 = closest(event, ".timeline-motion");
     if (!block2) return;
-    const motions = (
+    const motions2 = (
       /** @type {HTMLInputElement} */
       block2.parentNode
     );
-    const siblings = childrenOf(motions);
-    const lines = allWithin(around(block2, ".timeline-rows"), ".timeline-motions:not(:empty)");
+    const siblings = childrenOf(motions2);
+    const lines2 = allWithin(around(block2, ".timeline-rows"), ".timeline-motions:not(:empty)");
     const at3 = siblings.indexOf(block2);
-    const line2 = lines.indexOf(motions);
+    const line3 = lines2.indexOf(motions2);
     const ways = {
       ArrowRight: () => siblings[at3 + 1],
       ArrowLeft: () => siblings[at3 - 1],
-      ArrowDown: () => lines[line2 + 1] && childrenOf(lines[line2 + 1])[0],
-      ArrowUp: () => lines[line2 - 1] && childrenOf(lines[line2 - 1])[0]
+      ArrowDown: () => lines2[line3 + 1] && childrenOf(lines2[line3 + 1])[0],
+      ArrowUp: () => lines2[line3 - 1] && childrenOf(lines2[line3 - 1])[0]
     };
     const next2 = ways[event.key];
     if (!next2) return;
@@ -5802,25 +7745,25 @@
     next2()?.focus();
   }
   document.addEventListener("keydown", move2);
-  var shown5 = [];
+  var shown6 = [];
   function cursor() {
-    const box2 = find(TIMELINE_ROWS);
-    if (!box2 || !box2.offsetParent) return;
+    const box4 = find(TIMELINE_ROWS);
+    if (!box4 || !box4.offsetParent) return;
     const now6 = /* @__PURE__ */ new Map();
     for (let i = 0; i < 24; i++) {
       const item = player.frameOf(i);
       if (!item) break;
       if (!String(item.dataset || "").startsWith("~")) now6.set(item.clip, item.frame);
     }
-    for (const line2 of shown5) if (!now6.has(line2.parentElement?.dataset.clip ?? "")) line2.style.display = "";
-    shown5 = [];
+    for (const line3 of shown6) if (!now6.has(line3.parentElement?.dataset.clip ?? "")) line3.style.display = "";
+    shown6 = [];
     for (const [clip, frame] of now6) {
-      const time = allWithin(box2, `.timeline-time[data-clip="${CSS.escape(clip)}"]`)[0];
-      const line2 = time && childrenOf(time).at(-1);
-      if (!line2) continue;
-      line2.style.display = "block";
-      line2.style.left = 100 * frame / Number(time.dataset.fps) / Number(time.dataset.seconds) + "%";
-      shown5.push(line2);
+      const time = allWithin(box4, `.timeline-time[data-clip="${CSS.escape(clip)}"]`)[0];
+      const line3 = time && childrenOf(time).at(-1);
+      if (!line3) continue;
+      line3.style.display = "block";
+      line3.style.left = 100 * frame / Number(time.dataset.fps) / Number(time.dataset.seconds) + "%";
+      shown6.push(line3);
     }
   }
   setInterval(cursor, 80);
@@ -5833,36 +7776,36 @@
   }
   var chosen2 = null;
   drawings.timeline = () => drawing3(chosen2);
-  function draw3(data2, order, scale3, selection) {
-    const box2 = find(TIMELINE_ROWS);
-    if (!box2 || !data2) return clientside.no_update;
+  function draw4(data2, order, scale3, selection) {
+    const box4 = find(TIMELINE_ROWS);
+    if (!box4 || !data2) return clientside.no_update;
     const wanted2 = { data: data2, order, scale: scale3, motif: order === "chosen" ? (selection || {}).motif : null };
-    const same4 = drawn2 && box2.firstChild && data2 === drawn2.data && order === drawn2.order && scale3 === drawn2.scale && wanted2.motif === drawn2.motif;
+    const same4 = drawn2 && box4.firstChild && data2 === drawn2.data && order === drawn2.order && scale3 === drawn2.scale && wanted2.motif === drawn2.motif;
     if (!same4) {
       drawn2 = wanted2;
       const longest2 = Math.max(...data2.rows.map((clip) => clip.seconds), 1e-3);
       const rows2 = ordered(data2.rows, order, (selection || {}).motif);
-      box2.classList.toggle("labelled", data2.actions.length > 0);
-      box2.replaceChildren(...rows2.map((clip) => row4(clip, data2, longest2, scale3 === "fill")));
-      legend2(need(TIMELINE_LEGEND), data2);
+      box4.classList.toggle("labelled", data2.actions.length > 0);
+      box4.replaceChildren(...rows2.map((clip) => row4(clip, data2, longest2, scale3 === "fill")));
+      legend4(need(TIMELINE_LEGEND), data2);
     }
-    mark2(box2, selection);
+    mark2(box4, selection);
     return clientside.no_update;
   }
   register("timeline", {
-    draw: draw3,
+    draw: draw4,
     /** @param {Selection | null} selection @param {string} order */
     mark(selection, order) {
-      if (drawn2 && order === "chosen") draw3(drawn2.data, order, drawn2.scale, selection);
-      const box2 = find(TIMELINE_ROWS);
-      if (box2) mark2(box2, selection);
+      if (drawn2 && order === "chosen") draw4(drawn2.data, order, drawn2.scale, selection);
+      const box4 = find(TIMELINE_ROWS);
+      if (box4) mark2(box4, selection);
       return clientside.no_update;
     }
   });
 
   // shared/skate_meter.mjs
-  function drawSkateMeter(box2, label, quality, blended = true) {
-    box2.classList.toggle("hidden", !quality?.skate);
+  function drawSkateMeter(box4, label, quality, blended = true) {
+    box4.classList.toggle("hidden", !quality?.skate);
     if (!quality?.skate) return;
     const [source, plain3, kept] = quality.skate;
     const most = Math.max(source, plain3, kept, 1e-6);
@@ -5877,7 +7820,7 @@
     });
     const [blends, recordings] = quality.speeds;
     const words3 = blended ? `${quality.jump ? "A blend jumps" : "No jump"}: fastest joint ${blends} m/s in the blends, ${recordings} m/s in the recordings.` : "Recorded as it is: nothing had to be blended.";
-    box2.replaceChildren(title, ...meters, element("div", quality.jump ? "walk-speed walk-jump" : "walk-speed", words3));
+    box4.replaceChildren(title, ...meters, element("div", quality.jump ? "walk-speed walk-jump" : "walk-speed", words3));
   }
 
   // motifs/walk_graph.mjs
@@ -5960,11 +7903,11 @@
       mark3.title = LINKS[kind];
       item.append(mark3);
     }
-    const box2 = element("span", "walk-chip");
-    box2.draggable = true;
-    box2.dataset.at = String(at3);
-    if (data2.gap && at3 && data2.path[at3 - 1] === data2.gap[0] && motif === data2.gap[1]) box2.classList.add("gap");
-    if (data2.dead?.includes(motif) && at3 === data2.path.length - 1) box2.classList.add("dead");
+    const box4 = element("span", "walk-chip");
+    box4.draggable = true;
+    box4.dataset.at = String(at3);
+    if (data2.gap && at3 && data2.path[at3 - 1] === data2.gap[0] && motif === data2.gap[1]) box4.classList.add("gap");
+    if (data2.dead?.includes(motif) && at3 === data2.path.length - 1) box4.classList.add("dead");
     const go = element("button", "walk-go");
     go.type = "button";
     go.append(element("b", "", String(motif)));
@@ -5989,8 +7932,8 @@
     away.title = "Take away";
     away.setAttribute("aria-label", `Take motif ${motif} away`);
     away.addEventListener("click", () => actions4.write(without(data2.path, at3)));
-    box2.append(go, away);
-    item.append(box2);
+    box4.append(go, away);
+    item.append(box4);
     return item;
   }
   function watch5(list2) {
@@ -6007,7 +7950,7 @@
     list2.addEventListener("dragover", (event) => {
       if (held === null || !place5(event)) return;
       event.preventDefault();
-      for (const box2 of allWithin(list2, ".walk-chip")) box2.classList.toggle("over", box2 === place5(event));
+      for (const box4 of allWithin(list2, ".walk-chip")) box4.classList.toggle("over", box4 === place5(event));
     });
     list2.addEventListener("drop", (event) => {
       const to = place5(event);
@@ -6017,7 +7960,7 @@
     });
     list2.addEventListener("dragend", () => {
       held = null;
-      for (const box2 of allWithin(list2, ".over")) box2.classList.remove("over");
+      for (const box4 of allWithin(list2, ".over")) box4.classList.remove("over");
     });
   }
   function drawPath(list2, data2, actions4) {
@@ -6034,13 +7977,13 @@
   }
   function lightVisit(list2, visit) {
     if (!list2) return;
-    allWithin(list2, ".walk-chip").forEach((box2, at3) => {
+    allWithin(list2, ".walk-chip").forEach((box4, at3) => {
       const here3 = at3 === visit;
-      box2.classList.toggle("lit", here3);
-      if (here3) box2.setAttribute("aria-current", "true");
-      else box2.removeAttribute("aria-current");
+      box4.classList.toggle("lit", here3);
+      if (here3) box4.setAttribute("aria-current", "true");
+      else box4.removeAttribute("aria-current");
       if (here3) {
-        const [outer, inner] = [list2.getBoundingClientRect(), box2.getBoundingClientRect()];
+        const [outer, inner] = [list2.getBoundingClientRect(), box4.getBoundingClientRect()];
         if (inner.top < outer.top || inner.bottom > outer.bottom) list2.scrollTop += inner.top - outer.top - 4;
       }
     });
@@ -6074,7 +8017,7 @@
   var played = "";
   var added = false;
   var lit = -1;
-  var keysOf2 = (shown7) => Object.fromEntries(KEYS4.filter((key) => shown7?.[key]).map((key) => [key, shown7?.[key]]));
+  var keysOf2 = (shown8) => Object.fromEntries(KEYS4.filter((key) => shown8?.[key]).map((key) => [key, shown8?.[key]]));
   var same2 = (a, b) => KEYS4.every((key) => (a?.[key] || "") === (b?.[key] || ""));
   var onStage2 = () => Boolean(player.frameOf(0)?.dataset?.startsWith(OURS2));
   var motifs = () => now2.path || [];
@@ -6088,10 +8031,10 @@
     write2([...motifs(), motif]);
   }
   function request2(data2) {
-    const shown7 = data2.path.slice(0, 8).join(" → ") + (data2.path.length > 8 ? " …" : "");
+    const shown8 = data2.path.slice(0, 8).join(" → ") + (data2.path.length > 8 ? " …" : "");
     return {
       dataset: data2.name ?? "",
-      title: `Walk: ${shown7}`,
+      title: `Walk: ${shown8}`,
       layout: "overlay",
       sync: "start",
       items: [{ clip: "walk", start: 0, end: data2.frames, label: "Walk", colours: data2.bands }]
@@ -6109,21 +8052,21 @@
     player.replace(request2(data2));
   };
   function problem({ error, gap, detour }) {
-    const box2 = need(WALK_ERROR);
-    box2.replaceChildren();
-    box2.classList.toggle("hidden", !error);
+    const box4 = need(WALK_ERROR);
+    box4.replaceChildren();
+    box4.classList.toggle("hidden", !error);
     if (!error) return;
     const text = document.createElement("p");
     text.textContent = error;
-    box2.append(text);
-    const offer = (label, act2) => {
-      const button4 = Object.assign(document.createElement("button"), { type: "button", className: "walk-button", textContent: label });
-      button4.addEventListener("click", act2);
-      box2.append(button4);
+    box4.append(text);
+    const offer2 = (label, act2) => {
+      const button5 = Object.assign(document.createElement("button"), { type: "button", className: "walk-button", textContent: label });
+      button5.addEventListener("click", act2);
+      box4.append(button5);
     };
-    if (gap && detour?.length) offer(`Go by way of ${detour.slice(1, -1).join(", ")}`, () => write2(filled(motifs(), gap, detour)));
-    if (gap) offer("Bridge the gap by a blend", () => changeView({ gaps: "bridge" }));
-    if (gap && motifs().length) offer(`Take ${gap[1]} away`, () => write2(withoutGap(motifs(), gap)));
+    if (gap && detour?.length) offer2(`Go by way of ${detour.slice(1, -1).join(", ")}`, () => write2(filled(motifs(), gap, detour)));
+    if (gap) offer2("Bridge the gap by a blend", () => changeView({ gaps: "bridge" }));
+    if (gap && motifs().length) offer2(`Take ${gap[1]} away`, () => write2(withoutGap(motifs(), gap)));
   }
   function show3() {
     const busy = !same2(now2.inputs, keysOf2(view));
@@ -6141,14 +8084,14 @@
     drawPath(need(WALK_PATH), now2, { write: write2, jump: seekTo });
     problem(now2);
     drawSkateMeter(need(WALK_METERS), "This walk", now2.name ? now2 : null, now2.blends > 0);
-    for (const button4 of allWithin(document, "[data-walk='play']")) button4.disabled = !walks;
-    for (const button4 of allWithin(document, "[data-walk='clear']")) button4.disabled = !view.walk;
+    for (const button5 of allWithin(document, "[data-walk='play']")) button5.disabled = !walks;
+    for (const button5 of allWithin(document, "[data-walk='clear']")) button5.disabled = !view.walk;
     setLink(WALK_BVH, walks && `/api/bvh/${encodeURIComponent(now2.name ?? "")}/walk`);
     const recipes = Object.values(walks && now2.recipes || {});
-    allWithin(document, ".walk-recipe").forEach((button4, i) => {
-      button4.disabled = !recipes[i];
-      button4.title = `Copy the walk as ${i ? "a Python script" : "commands"}`;
-      button4.dataset.copy = recipes[i] || "";
+    allWithin(document, ".walk-recipe").forEach((button5, i) => {
+      button5.disabled = !recipes[i];
+      button5.title = `Copy the walk as ${i ? "a Python script" : "commands"}`;
+      button5.dataset.copy = recipes[i] || "";
     });
     setLink(WALK_JSON, walks && `/api/walk/${now2.name?.slice(OURS2.length)}.json`);
     lists();
@@ -6200,8 +8143,8 @@
     changeView({ walk: `${by}:${from}:${to}` });
   }
   document.addEventListener("click", (event) => {
-    const button4 = closest(event, "[data-walk]");
-    if (button4 && !button4.disabled && walking.on) actions2[button4.dataset.walk ?? ""]();
+    const button5 = closest(event, "[data-walk]");
+    if (button5 && !button5.disabled && walking.on) actions2[button5.dataset.walk ?? ""]();
   });
   document.addEventListener("change", (event) => {
     if (targetOf(event).id !== WALK_ADD || !targetOf(event).value) return;
@@ -6223,9 +8166,9 @@
      * @param {number} target
      */
     follow(source, target2) {
-      const last2 = motifs().at(-1);
-      if (last2 === source) add2(target2);
-      else if (last2 === void 0) {
+      const last3 = motifs().at(-1);
+      if (last3 === source) add2(target2);
+      else if (last3 === void 0) {
         added = true;
         write2([source, target2]);
       }
@@ -6251,8 +8194,8 @@
      * @param {unknown} _elements
      * @param {Selection | null} selection
      */
-    draw(data2, shown7, _id, _elements, selection) {
-      view = shown7 || {};
+    draw(data2, shown8, _id, _elements, selection) {
+      view = shown8 || {};
       if (view.side !== "walk") return leave2(selection), clientside.no_update;
       if (!find(WALK_PATH)) return clientside.no_update;
       const entered = !walking.on;
@@ -6287,10 +8230,10 @@
      * @param {boolean} feet
      * @param {View | null} shown
      */
-    option(extra, bridge, stop, feet, shown7) {
+    option(extra, bridge, stop, feet, shown8) {
       if (!walking.on) return clientside.no_update;
       const wanted2 = { extra: extra ? "1" : "", gaps: bridge ? "bridge" : "", ends: stop ? "stop" : "", feet: feet ? "" : "0" };
-      if (OPTIONS.some(([key]) => (shown7?.[key] || "") !== wanted2[key])) changeView(wanted2);
+      if (OPTIONS.some(([key]) => (shown8?.[key] || "") !== wanted2[key])) changeView(wanted2);
       return clientside.no_update;
     }
   });
@@ -6381,10 +8324,10 @@
     return new XMLSerializer().serializeToString(page2);
   }
   document.addEventListener("click", async (event) => {
-    const button4 = closest(event, "[data-map-save]");
-    if (!button4 || !state.map) return;
+    const button5 = closest(event, "[data-map-save]");
+    if (!button5 || !state.map) return;
     const made = await drawing4(), name = `${state.known.dataset} map`;
-    if (button4.dataset.mapSave === "svg") save(made, `${name}.svg`, "image/svg+xml");
+    if (button5.dataset.mapSave === "svg") save(made, `${name}.svg`, "image/svg+xml");
     else save(await pngOf(made), `${name}.png`);
   });
 
@@ -6441,12 +8384,12 @@
   );
   var view2 = {};
   var at2 = { rate: 0, vote: 0 };
-  var shown6 = "";
+  var shown7 = "";
   var mode = () => view2.study === "vote" ? "vote" : view2.study === "results" ? "results" : "rate";
-  var awaited = () => data.inputs.person !== (person.name || person.id);
+  var awaited = () => data.inputs.person !== (person2.name || person2.id);
   var rows = () => awaited() ? [] : (mode() === "vote" ? data.duels : data.pairs) || [];
   var visible = () => Boolean(find(STUDY_SETUP)?.offsetParent) && data && !data.error;
-  var button2 = (words3, name, className = "search-button") => {
+  var button3 = (words3, name, className = "search-button") => {
     const made = element("button", className, ...[words3].flat());
     made.type = "button";
     made.dataset.study = name;
@@ -6456,7 +8399,7 @@
     const queries = data.queries.map(({ name: name2, clip, when, strip }) => {
       const picture = element("img", "study-strip");
       Object.assign(picture, { src: strip, alt: "", draggable: false });
-      const away = button2(icon("close", 12), "remove", "search-tool");
+      const away = button3(icon("close", 12), "remove", "search-tool");
       away.dataset.name = name2;
       away.title = `Leave ${clip} out`;
       away.setAttribute("aria-label", away.title);
@@ -6464,20 +8407,20 @@
     });
     const engines = data.engines.map(({ method, label: label2, ready: ready2 }) => {
       if (ready2) return element("span", "study-engine", icon("check", 13), label2);
-      const build3 = button2(`Build ${label2}`, "build");
+      const build3 = button3(`Build ${label2}`, "build");
       build3.dataset.method = method;
       build3.title = "Its index has not been built yet; then it takes part";
       return build3;
     });
     const name = element("input", "search-text");
-    Object.assign(name, { id: STUDY_NAME, placeholder: "optional", maxLength: 60, value: person.name || "", autocomplete: "off" });
+    Object.assign(name, { id: STUDY_NAME, placeholder: "optional", maxLength: 60, value: person2.name || "", autocomplete: "off" });
     const label = element("label", "search-label", "Your name");
     label.htmlFor = STUDY_NAME;
-    const add3 = button2([icon("plus", 13), "The query of the search"], "add");
+    const add3 = button3([icon("plus", 13), "The query of the search"], "add");
     add3.disabled = !whole();
     add3.title = whole() ? "" : "Choose a query of this dataset, for the whole body, under Search first";
     need(STUDY_SETUP).replaceChildren(
-      element("div", "study-line", element("span", "search-label", "Queries"), ...queries, add3, button2([icon("dice", 15), "Draw three"], "draw")),
+      element("div", "study-line", element("span", "search-label", "Queries"), ...queries, add3, button3([icon("dice", 15), "Draw three"], "draw")),
       element("div", "study-line", element("span", "search-label", "Engines"), ...engines),
       element("div", "study-line", label, name)
     );
@@ -6489,16 +8432,16 @@
   function nothing(words3) {
     return element("p", "muted study-nothing", words3);
   }
-  function draw4() {
+  function draw5() {
     const which = mode();
     if (which === "results") return;
-    const box2 = need(which === "vote" ? STUDY_VOTE : STUDY_RATE);
+    const box4 = need(which === "vote" ? STUDY_VOTE : STUDY_RATE);
     const all = rows();
-    if (awaited()) return box2.replaceChildren(nothing(`Fetching the pairs for ${person.name || "you"} …`));
-    if (!data.queries.length) return box2.replaceChildren(nothing("Choose queries above: the one of the search, or three drawn by chance."));
+    if (awaited()) return box4.replaceChildren(nothing(`Fetching the pairs for ${person2.name || "you"} …`));
+    if (!data.queries.length) return box4.replaceChildren(nothing("Choose queries above: the one of the search, or three drawn by chance."));
     if (!all.length) {
       const built = data.engines.filter((engine) => engine.ready).length;
-      return box2.replaceChildren(nothing(!built ? "Build the index of at least one engine first." : which === "vote" ? "There are too few hits to compare." : "The engines found nothing for these queries."));
+      return box4.replaceChildren(nothing(!built ? "Build the index of at least one engine first." : which === "vote" ? "There are too few hits to compare." : "The engines found nothing for these queries."));
     }
     at2[which] = Math.min(at2[which], all.length - 1);
     const row7 = all[at2[which]];
@@ -6506,7 +8449,7 @@
     const bar = element("div", "job-progress", element("div"));
     childrenOf(bar)[0].style.width = `${100 * done / all.length}%`;
     const walk2 = element("div", "study-walk", move3("Back", -1, "back"), element("span", "muted number", `${at2[which] + 1} of ${all.length}, ${done} answered`), move3("Skip", 1, "next"));
-    box2.replaceChildren(
+    box4.replaceChildren(
       element("div", "study-progress", bar),
       element("h2", "study-question", which === "vote" ? "Which is more like the query: A or B?" : "How alike are the two motions on the Stage?"),
       which === "vote" ? choices(row7) : scale2(row7),
@@ -6517,13 +8460,13 @@
     return void 0;
   }
   function move3(words3, by, symbol) {
-    const made = button2([icon(symbol, 13), words3], "move");
+    const made = button3([icon(symbol, 13), words3], "move");
     made.dataset.by = String(by);
     return made;
   }
   function scale2(row7) {
     const buttons = SCALE.map((words3, k) => {
-      const one = button2([element("b", "", String(k + 1)), element("span", "", words3)], "answer", "study-value");
+      const one = button3([element("b", "", String(k + 1)), element("span", "", words3)], "answer", "study-value");
       one.dataset.value = String(k + 1);
       one.setAttribute("aria-label", `${k + 1}${words3 ? `: ${words3}` : ""}`);
       one.setAttribute("aria-pressed", String(row7.value === k + 1));
@@ -6536,7 +8479,7 @@
     const buttons = Object.entries(CHOICES).map(([value, [words3, colour, key]]) => {
       const dot3 = element("span", "study-dot");
       dot3.style.background = colour;
-      const one = button2([...colour ? [dot3] : [], element("b", "", words3), element("kbd", "", key)], "answer", "study-choice");
+      const one = button3([...colour ? [dot3] : [], element("b", "", words3), element("kbd", "", key)], "answer", "study-choice");
       one.dataset.value = value;
       one.setAttribute("aria-pressed", String(row7.value === value));
       return one;
@@ -6545,8 +8488,8 @@
   }
   function play4(row7) {
     const wanted2 = JSON.stringify([row7.query, row7.hit, row7.left, row7.right]);
-    if (wanted2 === shown6 && player.status !== "empty") return;
-    shown6 = wanted2;
+    if (wanted2 === shown7 && player.status !== "empty") return;
+    shown7 = wanted2;
     setStore(SELECTION, {});
     setStore(STAGE_REQUEST, { ...row7.request, at: wanted2 });
     const next2 = rows()[at2[mode()] + 1];
@@ -6559,7 +8502,7 @@
     row7.value = value;
     given.set(nameOf2(row7), value);
     const message2 = which === "vote" ? { kind: "vote", query: row7.query, left: row7.left, right: row7.right, choice: String(value) } : { kind: "rating", query: row7.query, hit: row7.hit, value: Number(value) };
-    pending.push({ ...message2, person: person.name || person.id, id: `${Date.now()} ${Math.random()}` });
+    pending.push({ ...message2, person: person2.name || person2.id, id: `${Date.now()} ${Math.random()}` });
     send();
     step2(1);
   }
@@ -6572,10 +8515,10 @@
   function step2(by) {
     const which = mode();
     at2[which] = Math.min(Math.max(at2[which] + by, 0), Math.max(rows().length - 1, 0));
-    draw4();
+    draw5();
   }
   var given = /* @__PURE__ */ new Map();
-  var nameOf2 = (row7) => JSON.stringify([person.name || person.id, row7.query, row7.hit, row7.left, row7.right]);
+  var nameOf2 = (row7) => JSON.stringify([person2.name || person2.id, row7.query, row7.hit, row7.left, row7.right]);
   function place2(number2, before2, all) {
     const same4 = before2[number2] && before2.length === all.length && nameOf2(before2[number2]) === nameOf2(all[number2]);
     return same4 ? number2 : Math.max(all.findIndex((row7) => !row7.value), 0);
@@ -6583,12 +8526,12 @@
   var PATIENCE2 = 2e4;
   var pending = [];
   var sent = 0;
-  var person = {};
+  var person2 = {};
   function takePerson(stored) {
-    person = stored || {};
-    if (!person.id) {
-      person = { ...person, id: `someone-${Math.random().toString(36).slice(2, 8)}` };
-      setStore(STUDY_PERSON, person);
+    person2 = stored || {};
+    if (!person2.id) {
+      person2 = { ...person2, id: `someone-${Math.random().toString(36).slice(2, 8)}` };
+      setStore(STUDY_PERSON, person2);
     }
   }
   register("study", {
@@ -6607,11 +8550,11 @@
     draw(found, seen3, stored) {
       view2 = seen3 || {};
       if (!found || view2.look !== "agree" || !find(STUDY_SETUP)) {
-        shown6 = "";
+        shown7 = "";
         return clientside.no_update;
       }
       if (!stored || !stored.id) takePerson(stored);
-      else person = stored;
+      else person2 = stored;
       const fresh = found !== data;
       const before2 = data && data.inputs.person === found.inputs.person ? data : null;
       data = found;
@@ -6627,7 +8570,7 @@
         [["rate", "pairs"], ["vote", "duels"]]
       ) at2[which] = place2(at2[which], before2 && before2[all] || [], data[all]);
       setup();
-      draw4();
+      draw5();
       return clientside.no_update;
     }
   });
@@ -6657,9 +8600,9 @@
   });
   document.addEventListener("change", (event) => {
     if (targetOf(event).id !== STUDY_NAME) return;
-    takePerson({ ...person, name: targetOf(event).value.trim() });
-    setStore(STUDY_PERSON, person);
-    draw4();
+    takePerson({ ...person2, name: targetOf(event).value.trim() });
+    setStore(STUDY_PERSON, person2);
+    draw5();
   });
   document.addEventListener("keydown", (event) => {
     if (!visible() || mode() === "results" || !rows().length || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -6680,7 +8623,7 @@
   var SWEEP_TABLE = "sweep-table";
 
   // sweeps/sweeps.mjs
-  function open2(address2) {
+  function open3(address2) {
     const { pathname, searchParams } = new URL(address2, location.origin);
     setStore(SELECTION, {});
     openPage(pathname, { [VIEW_CHANGE]: changeOfSettings("motifs", Object.fromEntries(searchParams)) });
@@ -6693,7 +8636,7 @@
     if (!link2 || !plain2(event)) return;
     event.preventDefault();
     event.stopPropagation();
-    open2(
+    open3(
       /** @type {any} */
       link2.href
     );
@@ -6704,7 +8647,7 @@
     if (!link2) return;
     event.preventDefault();
     event.stopPropagation();
-    open2(
+    open3(
       /** @type {any} */
       link2.href
     );
@@ -6713,7 +8656,7 @@
     /** @param {{ points?: { customdata?: any }[] } | null} click */
     open(click) {
       const address2 = click && click.points && click.points[0] && click.points[0].customdata;
-      if (typeof address2 === "string" && address2) open2(address2);
+      if (typeof address2 === "string" && address2) open3(address2);
       return clientside.no_update;
     }
   });
@@ -6755,10 +8698,10 @@
     {}
   ) };
   var actionOf = (id) => (state2.data.actions || [])[id] || { id, name: `Action ${id}`, short: String(id), colour: "#8793a3", count: 0, seconds: 0, named: 0 };
-  var playsSelection = (button4, selection) => {
-    button4.dataset.store = SELECTION;
-    button4.dataset.value = JSON.stringify(selection);
-    return button4;
+  var playsSelection = (button5, selection) => {
+    button5.dataset.store = SELECTION;
+    button5.dataset.value = JSON.stringify(selection);
+    return button5;
   };
   var paintAction = (node, action) => {
     node.style.setProperty("--tone", action.colour);
@@ -6766,28 +8709,28 @@
   };
   var actionChip = (id) => {
     const action = actionOf(id);
-    const button4 = playsSelection(element("button", "action-chip", action.short), { action: id });
-    button4.type = "button";
-    if (action.hint) button4.append(element("span", "action-hint-word", action.hint));
-    paintAction(button4, action);
-    button4.title = `${action.name}: ${plural(action.count, "time")}`;
-    button4.dataset.action = String(id);
-    return button4;
+    const button5 = playsSelection(element("button", "action-chip", action.short), { action: id });
+    button5.type = "button";
+    if (action.hint) button5.append(element("span", "action-hint-word", action.hint));
+    paintAction(button5, action);
+    button5.title = `${action.name}: ${plural(action.count, "time")}`;
+    button5.dataset.action = String(id);
+    return button5;
   };
-  var redraw = (box2, children) => {
-    const focused = allWithin(box2, "button, input, [tabindex]").indexOf(
+  var redraw = (box4, children) => {
+    const focused = allWithin(box4, "button, input, [tabindex]").indexOf(
       /** @type {any} */
       document.activeElement
     );
-    const top = box2.scrollTop;
-    box2.replaceChildren(...children);
-    box2.scrollTop = top;
-    if (focused >= 0) allWithin(box2, "button, input, [tabindex]")[focused]?.focus({ preventScroll: true });
+    const top = box4.scrollTop;
+    box4.replaceChildren(...children);
+    box4.scrollTop = top;
+    if (focused >= 0) allWithin(box4, "button, input, [tabindex]")[focused]?.focus({ preventScroll: true });
   };
-  var isFresh = (box2, stamp) => {
+  var isFresh = (box4, stamp) => {
     const text = typeof stamp === "string" ? stamp : JSON.stringify(stamp);
-    if (box2.drawnFrom === text) return false;
-    box2.drawnFrom = text;
+    if (box4.drawnFrom === text) return false;
+    box4.drawnFrom = text;
     return true;
   };
   var downloadQuery = (view4, more2 = {}) => {
@@ -6800,11 +8743,11 @@
   // grammar/actions.mjs
   var ROWS = 60;
   function card(action) {
-    const button4 = playsSelection(element("button", "action-card"), { action: action.id });
-    button4.type = "button";
-    button4.dataset.action = String(action.id);
-    button4.style.setProperty("--tone", action.colour);
-    button4.title = `Play all occurrences of ${action.name}`;
+    const button5 = playsSelection(element("button", "action-card"), { action: action.id });
+    button5.type = "button";
+    button5.dataset.action = String(action.id);
+    button5.style.setProperty("--tone", action.colour);
+    button5.title = `Play all occurrences of ${action.name}`;
     const head3 = element("span", "action-head");
     head3.append(element("b", "ellipsis", action.name), element("span", "muted number", action.named ? String(action.id) : ""));
     const strip = element("img", "action-strip");
@@ -6812,49 +8755,49 @@
     const facts = element("span", "muted number action-facts");
     facts.append(element("span", "", `${plural(action.count, "time")}, ${action.seconds.toFixed(1)} s`));
     if (action.label) facts.append(element("span", "ellipsis action-label", action.label));
-    button4.append(head3, strip, facts);
-    return button4;
+    button5.append(head3, strip, facts);
+    return button5;
   }
   function occurrence([clip, start3, end, number2], id, chosen3) {
-    const button4 = playsSelection(element("button", "occurrence" + (chosen3 ? " chosen" : "")), { action: id, segment: number2 });
-    button4.type = "button";
-    button4.title = `Play ${clip.clip}, ${clock(start3)} to ${clock(end)}`;
-    button4.setAttribute("aria-pressed", String(chosen3));
+    const button5 = playsSelection(element("button", "occurrence" + (chosen3 ? " chosen" : "")), { action: id, segment: number2 });
+    button5.type = "button";
+    button5.title = `Play ${clip.clip}, ${clock(start3)} to ${clock(end)}`;
+    button5.setAttribute("aria-pressed", String(chosen3));
     const strip = element("img", "occurrence-strip");
     const frames = new URLSearchParams({ start: String(Math.round(start3 * clip.fps)), end: String(Math.round(end * clip.fps)), n: "4", v: state2.data.version });
     strip.src = `/api/filmstrip/${encodeURIComponent(state2.data.dataset)}/${encodeURIComponent(clip.clip)}?${frames}`;
     Object.assign(strip, { alt: "", loading: "lazy", draggable: false });
-    button4.append(icon("play"), element("span", "ellipsis", clip.brief), element("span", "muted number", `${clock(start3)} to ${clock(end)}`), strip);
-    return button4;
+    button5.append(icon("play"), element("span", "ellipsis", clip.brief), element("span", "muted number", `${clock(start3)} to ${clock(end)}`), strip);
+    return button5;
   }
   var occurrences = (data2, id) => data2.rows.flatMap((clip) => clip.pieces.filter((piece) => piece[2] === id).map((piece) => (
     /** @type {[StringRow, number, number, number]} */
     [clip, piece[0], piece[1], piece[3]]
   ))).sort((a, b) => a[3] - b[3]);
-  var drawActions = (data2, order) => {
-    const box2 = find(ACTION_CARDS);
-    if (!box2 || !isFresh(box2, [data2.key, data2.names, order])) return;
+  var drawActions2 = (data2, order) => {
+    const box4 = find(ACTION_CARDS);
+    if (!box4 || !isFresh(box4, [data2.key, data2.names, order])) return;
     const sorted = [...data2.actions];
     if (order === "count") sorted.sort((a, b) => b.count - a.count);
     if (order === "seconds") sorted.sort((a, b) => b.seconds - a.seconds);
     if (order === "name") sorted.sort((a, b) => Number(b.named) - Number(a.named) || a.name.localeCompare(b.name, void 0, { numeric: true }));
-    redraw(box2, sorted.map(card));
+    redraw(box4, sorted.map(card));
   };
   var drawOccurrences = (data2, selection) => {
-    const box2 = find(OCCURRENCES);
-    if (!box2) return;
+    const box4 = find(OCCURRENCES);
+    if (!box4) return;
     const id = selection?.action === void 0 ? null : Number(selection.action);
-    const known3 = id === null ? void 0 : data2.actions?.[id];
-    for (const one of allWithin(document, ".action-card")) one.classList.toggle("chosen", known3 !== void 0 && Number(one.dataset.action) === id);
-    need(ACTION_HINT).classList.toggle("hidden", Boolean(known3));
-    need(ACTION_DETAIL).classList.toggle("hidden", !known3);
-    if (!known3 || id === null || !isFresh(box2, [data2.key, data2.names, id, selection?.segment])) return;
+    const known4 = id === null ? void 0 : data2.actions?.[id];
+    for (const one of allWithin(document, ".action-card")) one.classList.toggle("chosen", known4 !== void 0 && Number(one.dataset.action) === id);
+    need(ACTION_HINT).classList.toggle("hidden", Boolean(known4));
+    need(ACTION_DETAIL).classList.toggle("hidden", !known4);
+    if (!known4 || id === null || !isFresh(box4, [data2.key, data2.names, id, selection?.segment])) return;
     const all = occurrences(data2, id);
     need(ACTION_TITLE).textContent = `Action ${id}`;
-    need(ACTION_COUNT).textContent = `${plural(all.length, "time")} in ${plural(known3.clips ?? 0, "recording")}`;
-    const shown7 = all.slice(0, ROWS).map((one) => occurrence(one, id, String(one[3]) === String(selection?.segment)));
-    redraw(box2, shown7);
-    if (all.length > ROWS) box2.append(element("div", "muted selection-more", `and ${all.length - ROWS} more, all of them in the recordings above`));
+    need(ACTION_COUNT).textContent = `${plural(all.length, "time")} in ${plural(known4.clips ?? 0, "recording")}`;
+    const shown8 = all.slice(0, ROWS).map((one) => occurrence(one, id, String(one[3]) === String(selection?.segment)));
+    redraw(box4, shown8);
+    if (all.length > ROWS) box4.append(element("div", "muted selection-more", `and ${all.length - ROWS} more, all of them in the recordings above`));
     playsSelection(need(ACTION_ALL), { action: id });
   };
 
@@ -6870,47 +8813,47 @@
   }
 
   // grammar/tree.mjs
-  var showTree = (box2, svg, choose5) => {
-    box2.choose = choose5;
-    if (isFresh(box2, svg || "")) {
-      const left = box2.scrollLeft;
+  var showTree = (box4, svg, choose6) => {
+    box4.choose = choose6;
+    if (isFresh(box4, svg || "")) {
+      const left = box4.scrollLeft;
       const focused = closest({ target: document.activeElement }, ".tree-node");
-      const path2 = focused && box2.contains(focused) ? focused.dataset.path : null;
-      box2.innerHTML = svg || "";
-      box2.scrollLeft = left;
-      const nodes = allWithin(box2, ".tree-node");
+      const path2 = focused && box4.contains(focused) ? focused.dataset.path : null;
+      box4.innerHTML = svg || "";
+      box4.scrollLeft = left;
+      const nodes = allWithin(box4, ".tree-node");
       const first = nodes.find((node) => node.dataset.path === path2) || nodes[0];
       first?.setAttribute("tabindex", "0");
       if (path2 !== null) first?.focus({ preventScroll: true });
     }
-    if (box2.watched) return;
-    box2.watched = true;
-    box2.addEventListener("click", (event) => act(box2, closest(event, ".tree-node")));
-    box2.addEventListener("keydown", (event) => {
+    if (box4.watched) return;
+    box4.watched = true;
+    box4.addEventListener("click", (event) => act(box4, closest(event, ".tree-node")));
+    box4.addEventListener("keydown", (event) => {
       const node = closest(event, ".tree-node");
       if (!node) return;
-      if (event.key === "Enter" || event.key === " ") act(box2, node);
-      else if (!move4(box2, node, event.key)) return;
+      if (event.key === "Enter" || event.key === " ") act(box4, node);
+      else if (!move4(box4, node, event.key)) return;
       event.preventDefault();
       event.stopPropagation();
     });
   };
-  function act(box2, node) {
+  function act(box4, node) {
     if (!node) return;
-    focus(box2, node);
+    focus(box4, node);
     const { path: path2 = "", first, end } = node.dataset;
-    box2.choose?.({ path: path2, first: Number(first), end: Number(end), leaf: node.classList.contains("tree-leaf") });
+    box4.choose?.({ path: path2, first: Number(first), end: Number(end), leaf: node.classList.contains("tree-leaf") });
   }
-  function focus(box2, node) {
-    for (const other of allWithin(box2, '.tree-node[tabindex="0"]')) other.setAttribute("tabindex", "-1");
+  function focus(box4, node) {
+    for (const other of allWithin(box4, '.tree-node[tabindex="0"]')) other.setAttribute("tabindex", "-1");
     node.setAttribute("tabindex", "0");
     node.focus();
   }
-  function move4(box2, node, key) {
+  function move4(box4, node, key) {
     const at3 = node.dataset.path ?? "";
     const cut = at3.lastIndexOf(".");
     const above = at3 === "" ? null : cut < 0 ? "" : at3.slice(0, cut);
-    const inside2 = (path2) => allWithin(box2, ".tree-node").filter((one) => {
+    const inside2 = (path2) => allWithin(box4, ".tree-node").filter((one) => {
       const own2 = one.dataset.path ?? "";
       if (own2 === "" || own2 === path2) return false;
       const parent = own2.includes(".") ? own2.slice(0, own2.lastIndexOf(".")) : "";
@@ -6919,7 +8862,7 @@
     const siblings = above === null ? [node] : inside2(above);
     const number2 = siblings.indexOf(node);
     const ways = {
-      ArrowUp: () => above === null ? null : allWithin(box2, ".tree-node").find((one) => one.dataset.path === above),
+      ArrowUp: () => above === null ? null : allWithin(box4, ".tree-node").find((one) => one.dataset.path === above),
       ArrowDown: () => inside2(at3)[0],
       ArrowLeft: () => siblings[number2 - 1],
       ArrowRight: () => siblings[number2 + 1]
@@ -6927,24 +8870,24 @@
     const next2 = ways[key];
     if (!next2) return false;
     const found = next2();
-    if (found) focus(box2, found);
+    if (found) focus(box4, found);
     return true;
   }
-  var lightTree = (box2, number2) => {
-    if (!box2 || box2.lit === number2) return;
-    box2.lit = number2;
-    for (const leaf of allWithin(box2, ".tree-leaf")) {
+  var lightTree = (box4, number2) => {
+    if (!box4 || box4.lit === number2) return;
+    box4.lit = number2;
+    for (const leaf of allWithin(box4, ".tree-leaf")) {
       const here3 = Number(leaf.dataset.first) === number2;
       leaf.classList.toggle("lit", here3);
       if (!here3) continue;
-      const [outer, inner] = [box2.getBoundingClientRect(), leaf.getBoundingClientRect()];
-      if (inner.left < outer.left || inner.right > outer.right) box2.scrollLeft += inner.left - outer.left - 40;
+      const [outer, inner] = [box4.getBoundingClientRect(), leaf.getBoundingClientRect()];
+      if (inner.left < outer.left || inner.right > outer.right) box4.scrollLeft += inner.left - outer.left - 40;
     }
   };
   document.addEventListener("click", (event) => {
-    const button4 = closest(event, ".tree-png");
-    const link2 = button4 && /** @type {HTMLAnchorElement | null} */
-    document.getElementById(button4.dataset.link ?? "");
+    const button5 = closest(event, ".tree-png");
+    const link2 = button5 && /** @type {HTMLAnchorElement | null} */
+    document.getElementById(button5.dataset.link ?? "");
     if (link2?.href) savePicture(link2.href, "png", `${state2.data.dataset || "motionscape"} tree`);
   });
 
@@ -6960,7 +8903,7 @@
   var played2 = "";
   var lit2 = -1;
   var past = { key: "", list: [], at: -1 };
-  var keysOf3 = (shown7) => Object.fromEntries(KEYS5.filter((key) => shown7?.[key]).map((key) => [key, shown7?.[key]]));
+  var keysOf3 = (shown8) => Object.fromEntries(KEYS5.filter((key) => shown8?.[key]).map((key) => [key, shown8?.[key]]));
   var same3 = (a, b) => KEYS5.every((key) => (a?.[key] || "") === (b?.[key] || ""));
   var ready = () => Boolean(now3.name) && same3(now3.inputs, keysOf3(view3));
   var here2 = () => on && Boolean(find(COMPOSE_TREE)?.offsetParent);
@@ -7002,15 +8945,15 @@
     const list2 = need(COMPOSE_STRING);
     if (!isFresh(list2, [data2.name, data2.actions, state2.data.names, now3.inputs, now3.chosen])) return;
     const chips = data2.actions.map((id, at3) => {
-      const line2 = element("li", "compose-step");
-      const button4 = actionChip(id);
-      delete button4.dataset.store;
-      button4.dataset.pick = String(at3);
-      button4.title = `${actionOf(id).name}: choose it`;
-      button4.setAttribute("aria-pressed", String(String(at3) === now3.inputs.pick));
-      line2.classList.toggle("within", Boolean(now3.chosen && at3 >= now3.chosen.first && at3 < now3.chosen.end));
-      line2.append(button4);
-      return line2;
+      const line3 = element("li", "compose-step");
+      const button5 = actionChip(id);
+      delete button5.dataset.store;
+      button5.dataset.pick = String(at3);
+      button5.title = `${actionOf(id).name}: choose it`;
+      button5.setAttribute("aria-pressed", String(String(at3) === now3.inputs.pick));
+      line3.classList.toggle("within", Boolean(now3.chosen && at3 >= now3.chosen.first && at3 < now3.chosen.end));
+      line3.append(button5);
+      return line3;
     });
     redraw(list2, chips);
   }
@@ -7050,7 +8993,7 @@
       }
     } else {
       string(now3);
-      showTree(need(COMPOSE_TREE), now3.svg, choose2);
+      showTree(need(COMPOSE_TREE), now3.svg, choose3);
       drawSkateMeter(need(COMPOSE_METERS), "This routine", now3);
     }
     need(COMPOSE_WARNINGS).replaceChildren(...(there && now3.warnings || []).map((text) => element("p", "", text)));
@@ -7058,14 +9001,14 @@
     setLink(COMPOSE_JSON, there && `/api/derivation/${now3.name?.split("~")[2]}.json`);
     setLink(COMPOSE_SVG, there && `/api/grammar-tree.svg?${downloadQuery(view3, { sentence: now3.code })}`);
     need(COMPOSE_SAVE).disabled = !there;
-    for (const button4 of allWithin(document, ".compose-recipe")) {
-      const text = there && now3.recipes?.[button4.dataset.recipe ?? ""];
-      button4.disabled = !text;
-      button4.title = button4.dataset.recipe ?? "";
-      button4.dataset.copy = text || "";
+    for (const button5 of allWithin(document, ".compose-recipe")) {
+      const text = there && now3.recipes?.[button5.dataset.recipe ?? ""];
+      button5.disabled = !text;
+      button5.title = button5.dataset.recipe ?? "";
+      button5.dataset.copy = text || "";
     }
   }
-  function choose2({ path: path2, first, leaf }) {
+  function choose3({ path: path2, first, leaf }) {
     if (!ready()) return;
     if (leaf) return pick(first);
     const depth2 = (text) => text === "" ? 0 : text.split(".").length;
@@ -7092,8 +9035,8 @@
     others: () => changeView({ alt: String(Number(view3.alt || 0) + 1) })
   };
   document.addEventListener("click", (event) => {
-    const button4 = closest(event, "[data-compose]");
-    if (button4 && !button4.disabled && here2()) actions3[button4.dataset.compose ?? ""]();
+    const button5 = closest(event, "[data-compose]");
+    if (button5 && !button5.disabled && here2()) actions3[button5.dataset.compose ?? ""]();
     const chip2 = closest(event, "[data-pick]");
     if (chip2 && here2() && ready()) pick(Number(chip2.dataset.pick));
   });
@@ -7113,8 +9056,8 @@
     allWithin(document, `#${COMPOSE_STRING} .compose-step`).forEach((step3, number2) => step3.classList.toggle("lit", number2 === at3));
   });
   var composition = () => ({ on, now: now3, view: view3, ready: ready(), play: () => play5(now3) });
-  var drawCompose = (data2, shown7, selection) => {
-    view3 = shown7 || {};
+  var drawCompose = (data2, shown8, selection) => {
+    view3 = shown8 || {};
     const entered = view3.show === "compose" && !on;
     on = view3.show === "compose" && Boolean(find(COMPOSE_TREE));
     if (!on || !state2.data.key) return;
@@ -7153,7 +9096,7 @@
     };
   }
   function card2(other, i) {
-    const box2 = element("section", "other-card");
+    const box4 = element("section", "other-card");
     const head3 = element("div", "other-head");
     head3.append(element("b", "", LETTERS[i]), element("span", "muted number", `${plural(other.end - other.first, "action")}, ${other.seconds.toFixed(1)} s`));
     const use = element("button", "walk-button", "Use this");
@@ -7169,44 +9112,44 @@
       return chip2;
     }));
     if (other.first === other.end) chips.append(element("span", "muted", "left out"));
-    box2.append(head3, chips);
-    return box2;
+    box4.append(head3, chips);
+    return box4;
   }
   var drawOthers = (data2, view4) => {
-    const box2 = find(COMPOSE_OTHERS);
-    if (!box2) return;
+    const box4 = find(COMPOSE_OTHERS);
+    if (!box4) return;
     const wanted2 = view4.show === "compose" && view4.alt;
-    box2.classList.toggle("hidden", !wanted2);
+    box4.classList.toggle("hidden", !wanted2);
     if (!wanted2) {
       if (playing && view4.show === "compose" && composition().ready) composition().play();
       playing = "";
       return;
     }
-    const shown7 = data2 !== null && matches(data2, view4) ? data2 : null;
-    if (!isFresh(box2, [shown7, state2.data.names])) return;
+    const shown8 = data2 !== null && matches(data2, view4) ? data2 : null;
+    if (!isFresh(box4, [shown8, state2.data.names])) return;
     const head3 = element("div", "other-title");
-    head3.append(element("h3", "", shown7?.others ? `Other ways for ${shown7.part}` : "Other ways"));
+    head3.append(element("h3", "", shown8?.others ? `Other ways for ${shown8.part}` : "Other ways"));
     const close = element("button", "walk-button", "Keep it as it is");
     close.type = "button";
     close.addEventListener("click", () => changeView({ alt: "" }));
     const again = element("button", "walk-button", "Another four");
     again.type = "button";
-    again.disabled = !shown7;
+    again.disabled = !shown8;
     again.addEventListener("click", () => changeView({ alt: String(Number(view4.alt) + 1) }));
     const replay = element("button", "walk-button", "Play again");
     replay.type = "button";
-    replay.disabled = !shown7?.others?.length;
-    replay.addEventListener("click", () => shown7 && player.show(request4(shown7))?.then(() => player.play()));
+    replay.disabled = !shown8?.others?.length;
+    replay.addEventListener("click", () => shown8 && player.show(request4(shown8))?.then(() => player.play()));
     head3.append(element("span", "spacer"), replay, again, close);
     const body2 = element("div", "other-cards");
-    if (!shown7) body2.append(element("p", "muted", "Making four other ways …"));
-    else if (shown7.error || !shown7.others.length) body2.append(element("p", "muted", shown7.error || "There is no other way for this part; choose a larger one."));
-    else body2.append(...shown7.others.map(card2));
-    box2.replaceChildren(head3, body2);
-    const stamp = shown7?.others?.length ? JSON.stringify(shown7.inputs) : "";
-    if (!shown7 || !stamp || stamp === playing) return;
+    if (!shown8) body2.append(element("p", "muted", "Making four other ways …"));
+    else if (shown8.error || !shown8.others.length) body2.append(element("p", "muted", shown8.error || "There is no other way for this part; choose a larger one."));
+    else body2.append(...shown8.others.map(card2));
+    box4.replaceChildren(head3, body2);
+    const stamp = shown8?.others?.length ? JSON.stringify(shown8.inputs) : "";
+    if (!shown8 || !stamp || stamp === playing) return;
     playing = stamp;
-    player.show(request4(shown7));
+    player.show(request4(shown8));
   };
 
   // grammar/routines.mjs
@@ -7218,83 +9161,83 @@
     as: "actions"
   });
   function row5(routine, number2, brief) {
-    const line2 = element("li");
-    const button4 = element("button", "routine-row");
-    button4.type = "button";
-    button4.dataset.routine = String(number2);
+    const line3 = element("li");
+    const button5 = element("button", "routine-row");
+    button5.type = "button";
+    button5.dataset.routine = String(number2);
     const name = `${routine.clip}, ${clock(routine.seconds[0])} to ${clock(routine.seconds[1])}`;
-    button4.setAttribute("aria-label", `Routine ${number2 + 1}: ${name}, ${plural(routine.actions.length, "action")}`);
-    button4.title = `${name}: ${routine.actions.map((id) => actionOf(id).name).join(", ")}`;
+    button5.setAttribute("aria-label", `Routine ${number2 + 1}: ${name}, ${plural(routine.actions.length, "action")}`);
+    button5.title = `${name}: ${routine.actions.map((id) => actionOf(id).name).join(", ")}`;
     const squares = element("span", "routine-squares");
     squares.append(...routine.actions.map((id) => {
       const square = element("span", "routine-square");
       square.style.setProperty("--tone", actionOf(id).colour);
       return square;
     }));
-    button4.append(
+    button5.append(
       element("span", "number routine-number", String(number2 + 1)),
       element("span", "ellipsis routine-clip", brief),
       element("span", "muted number", clock(routine.seconds[0])),
       squares
     );
-    line2.append(button4);
-    return line2;
+    line3.append(button5);
+    return line3;
   }
   function play6(routine, first = 0, end = routine.leaves.length) {
     const selection = selectionOf2(routine, first, end);
     ahead.play(selection);
     setStore(SELECTION, selection);
   }
-  var drawRoutines = (shown7, data2, view4) => {
+  var drawRoutines = (shown8, data2, view4) => {
     const list2 = find(ROUTINE_LIST);
     if (!list2 || !data2?.routines) return;
     if (isFresh(list2, [data2.key, data2.names])) {
       const brief = new Map(data2.rows.map((clip) => [clip.clip, clip.brief]));
       redraw(list2, data2.routines.map((routine2, number2) => row5(routine2, number2, brief.get(routine2.clip))));
     }
-    if (!shown7 || shown7.key !== data2.key) return;
-    const routine = data2.routines[shown7.number];
-    now4 = { routine, number: shown7.number };
-    for (const button4 of allWithin(list2, ".routine-row")) {
-      const here3 = Number(button4.dataset.routine) === shown7.number;
-      button4.classList.toggle("chosen", here3);
-      button4.setAttribute("aria-pressed", String(here3));
+    if (!shown8 || shown8.key !== data2.key) return;
+    const routine = data2.routines[shown8.number];
+    now4 = { routine, number: shown8.number };
+    for (const button5 of allWithin(list2, ".routine-row")) {
+      const here3 = Number(button5.dataset.routine) === shown8.number;
+      button5.classList.toggle("chosen", here3);
+      button5.setAttribute("aria-pressed", String(here3));
     }
-    need(ROUTINE_TITLE).textContent = `Routine ${shown7.number + 1}`;
+    need(ROUTINE_TITLE).textContent = `Routine ${shown8.number + 1}`;
     need(ROUTINE_COUNT).textContent = `${routine.clip}, ${plural(routine.actions.length, "action")}`;
-    showTree(need(ROUTINE_TREE), shown7.svg, ({ first, end }) => play6(routine, first, end));
-    setLink(ROUTINE_SVG, `/api/grammar-tree.svg?${downloadQuery(view4, { routine: shown7.number })}`);
+    showTree(need(ROUTINE_TREE), shown8.svg, ({ first, end }) => play6(routine, first, end));
+    setLink(ROUTINE_SVG, `/api/grammar-tree.svg?${downloadQuery(view4, { routine: shown8.number })}`);
   };
   document.addEventListener("click", (event) => {
     if (closest(event, `#${ROUTINE_PLAY}`) && now4.routine) play6(now4.routine);
-    const button4 = closest(event, ".routine-row");
-    if (!button4) return;
-    const number2 = Number(button4.dataset.routine);
+    const button5 = closest(event, ".routine-row");
+    if (!button5) return;
+    const number2 = Number(button5.dataset.routine);
     changeView({ routine: number2 ? String(number2) : "" });
     play6(state2.data.routines[number2]);
   });
   window.addEventListener("stage-frame", (event) => {
-    const box2 = find(ROUTINE_TREE);
-    if (!box2?.offsetParent || !now4.routine) return;
+    const box4 = find(ROUTINE_TREE);
+    if (!box4?.offsetParent || !now4.routine) return;
     const item = event.detail.items[0];
     const here3 = item && item.clip === now4.routine.clip && item.dataset === state2.data.dataset;
-    lightTree(box2, here3 ? now4.routine.leaves.findIndex(([start3, end]) => item.frame >= start3 && item.frame < end) : -1);
+    lightTree(box4, here3 ? now4.routine.leaves.findIndex(([start3, end]) => item.frame >= start3 && item.frame < end) : -1);
   });
 
   // grammar/rules.mjs
   var FIRST = 8;
-  var open3 = /* @__PURE__ */ new Set();
+  var open4 = /* @__PURE__ */ new Set();
   var named = (id) => (state2.data.rules || []).find((phrase) => phrase.id === id);
   var phraseChip = (id) => {
     const phrase = named(id);
-    const button4 = element("button", "phrase-chip", phrase ? phrase.name : id);
-    button4.type = "button";
-    button4.title = "Show what it may be";
-    button4.dataset.phrase = id;
-    return button4;
+    const button5 = element("button", "phrase-chip", phrase ? phrase.name : id);
+    button5.type = "button";
+    button5.title = "Show what it may be";
+    button5.dataset.phrase = id;
+    return button5;
   };
-  function way({ parts: symbols, count }, seen3) {
-    const line2 = element("li", "way");
+  function way2({ parts: symbols, count }, seen3) {
+    const line3 = element("li", "way");
     const bar = element("span", "way-bar");
     bar.style.setProperty("--share", String(seen3 ? count / seen3 : 0));
     const many = element("span", "number way-count", `${count}×`);
@@ -7302,13 +9245,13 @@
     const body2 = element("span", "way-parts");
     body2.append(...symbols.map((one) => typeof one === "number" ? actionChip(one) : phraseChip(one)));
     if (!symbols.length) body2.append(element("span", "muted", "nothing: it may be left out"));
-    line2.append(many, bar, body2);
-    return line2;
+    line3.append(many, bar, body2);
+    return line3;
   }
   function card3(phrase, start3) {
-    const box2 = element("section", "phrase-card");
-    box2.id = PHRASE + phrase.id;
-    box2.tabIndex = -1;
+    const box4 = element("section", "phrase-card");
+    box4.id = PHRASE + phrase.id;
+    box4.tabIndex = -1;
     const head3 = element("div", "phrase-head");
     head3.append(element("h3", "", start3 ? "A routine" : phrase.name));
     const kinds2 = phrase.ways.length === 1 ? "always goes like this" : `goes one of ${phrase.ways.length} ways`;
@@ -7319,26 +9262,26 @@
       head3.append(mark3);
     }
     const list2 = element("ol", "ways");
-    const shown7 = open3.has(phrase.id) ? phrase.ways : phrase.ways.slice(0, FIRST);
-    list2.append(...shown7.map((one) => way(one, phrase.seen)));
-    box2.append(head3, list2);
-    if (phrase.ways.length > shown7.length) {
-      const more2 = element("button", "text-button", `Show ${phrase.ways.length - shown7.length} more`);
+    const shown8 = open4.has(phrase.id) ? phrase.ways : phrase.ways.slice(0, FIRST);
+    list2.append(...shown8.map((one) => way2(one, phrase.seen)));
+    box4.append(head3, list2);
+    if (phrase.ways.length > shown8.length) {
+      const more2 = element("button", "text-button", `Show ${phrase.ways.length - shown8.length} more`);
       more2.type = "button";
       more2.addEventListener("click", () => {
-        open3.add(phrase.id);
-        box2.replaceWith(card3(phrase, start3));
+        open4.add(phrase.id);
+        box4.replaceWith(card3(phrase, start3));
         allWithin(need(PHRASE + phrase.id), ".way")[FIRST]?.querySelector("button")?.focus();
       });
-      box2.append(more2);
+      box4.append(more2);
     }
-    return box2;
+    return box4;
   }
   var drawRules = (data2) => {
-    const box2 = find(GRAMMAR_RULES);
-    if (!box2 || !isFresh(box2, [data2.key, data2.names])) return;
-    open3.clear();
-    box2.replaceChildren(...data2.rules.map((phrase, number2) => card3(phrase, number2 === 0)));
+    const box4 = find(GRAMMAR_RULES);
+    if (!box4 || !isFresh(box4, [data2.key, data2.names])) return;
+    open4.clear();
+    box4.replaceChildren(...data2.rules.map((phrase, number2) => card3(phrase, number2 === 0)));
   };
   document.addEventListener("click", (event) => {
     const chip2 = closest(event, ".phrase-chip");
@@ -7371,8 +9314,8 @@
     return made;
   }
   function row6(clip, longest2) {
-    const line2 = element("div", "string-row");
-    line2.setAttribute("role", "listitem");
+    const line3 = element("div", "string-row");
+    line3.setAttribute("role", "listitem");
     const head3 = playsSelection(element("button", "string-clip ellipsis", clip.brief), { clip: clip.clip, as: "actions" });
     head3.type = "button";
     head3.dataset.clip = clip.clip;
@@ -7401,43 +9344,43 @@
     time.append(blocks, element("div", "string-now"));
     const track = element("div", "string-track");
     track.append(time);
-    line2.append(head3, track);
-    return line2;
+    line3.append(head3, track);
+    return line3;
   }
   var drawString = (data2) => {
-    const box2 = find(GRAMMAR_STRING);
-    if (!box2 || !isFresh(box2, [data2.key, data2.names])) return;
+    const box4 = find(GRAMMAR_STRING);
+    if (!box4 || !isFresh(box4, [data2.key, data2.names])) return;
     const longest2 = Math.max(...data2.rows.map((clip) => clip.seconds), 1e-3);
-    box2.replaceChildren(...data2.rows.map((clip) => row6(clip, longest2)));
+    box4.replaceChildren(...data2.rows.map((clip) => row6(clip, longest2)));
   };
   var markChosen = (selection) => {
     const chosen3 = selection?.action === void 0 ? null : String(selection.action);
-    const box2 = find(GRAMMAR_STRING);
-    if (!box2) return;
-    box2.classList.toggle("one-action", chosen3 !== null);
-    for (const made of allWithin(box2, ".string-block")) {
+    const box4 = find(GRAMMAR_STRING);
+    if (!box4) return;
+    box4.classList.toggle("one-action", chosen3 !== null);
+    for (const made of allWithin(box4, ".string-block")) {
       const same4 = made.dataset.action === chosen3;
       made.classList.toggle("same", same4);
       made.setAttribute("aria-pressed", String(same4 && made.dataset.segment === String(selection?.segment)));
     }
-    for (const head3 of allWithin(box2, ".string-clip")) head3.classList.toggle("chosen", selection?.clip === head3.dataset.clip);
+    for (const head3 of allWithin(box4, ".string-clip")) head3.classList.toggle("chosen", selection?.clip === head3.dataset.clip);
   };
   document.addEventListener("keydown", (event) => {
     const at3 = closest(event, ".string-block");
     if (!at3) return;
-    const lines = allWithin(around(at3, `#${GRAMMAR_STRING}`), ".string-blocks");
+    const lines2 = allWithin(around(at3, `#${GRAMMAR_STRING}`), ".string-blocks");
     const siblings = (
       /** @type {any} */
       at3.parentNode
     );
-    const line2 = lines.indexOf(siblings);
+    const line3 = lines2.indexOf(siblings);
     const blocks = allWithin(siblings, ".string-block");
     const number2 = blocks.indexOf(at3);
     const ways = {
       ArrowRight: () => blocks[number2 + 1],
       ArrowLeft: () => blocks[number2 - 1],
-      ArrowDown: () => lines[line2 + 1]?.querySelector(".string-block"),
-      ArrowUp: () => lines[line2 - 1]?.querySelector(".string-block")
+      ArrowDown: () => lines2[line3 + 1]?.querySelector(".string-block"),
+      ArrowUp: () => lines2[line3 - 1]?.querySelector(".string-block")
     };
     const next2 = ways[event.key];
     if (!next2) return;
@@ -7447,39 +9390,39 @@
   });
   var LARGEST = 32;
   document.addEventListener("click", (event) => {
-    const button4 = closest(event, ".string-zoom");
-    const box2 = button4 && find(GRAMMAR_STRING);
-    if (!box2) return;
-    const before2 = Number(box2.dataset.zoom || 1);
-    const zoom4 = Math.min(Math.max(before2 * (button4.dataset.zoom === "in" ? 2 : 0.5), 1), LARGEST);
-    const middle = box2.scrollLeft + box2.clientWidth / 2;
-    box2.dataset.zoom = String(zoom4);
-    box2.style.setProperty("--zoom", String(zoom4));
-    box2.scrollLeft = middle * zoom4 / before2 - box2.clientWidth / 2;
+    const button5 = closest(event, ".string-zoom");
+    const box4 = button5 && find(GRAMMAR_STRING);
+    if (!box4) return;
+    const before2 = Number(box4.dataset.zoom || 1);
+    const zoom4 = Math.min(Math.max(before2 * (button5.dataset.zoom === "in" ? 2 : 0.5), 1), LARGEST);
+    const middle = box4.scrollLeft + box4.clientWidth / 2;
+    box4.dataset.zoom = String(zoom4);
+    box4.style.setProperty("--zoom", String(zoom4));
+    box4.scrollLeft = middle * zoom4 / before2 - box4.clientWidth / 2;
   });
-  function follow2(box2, line2) {
-    if (Number(box2.dataset.zoom || 1) === 1 || !player.playing) return;
-    const [outer, at3] = [box2.getBoundingClientRect(), line2.getBoundingClientRect().left];
-    if (at3 < outer.left + 140 || at3 > outer.right) box2.scrollLeft += at3 - outer.left - 160;
+  function follow2(box4, line3) {
+    if (Number(box4.dataset.zoom || 1) === 1 || !player.playing) return;
+    const [outer, at3] = [box4.getBoundingClientRect(), line3.getBoundingClientRect().left];
+    if (at3 < outer.left + 140 || at3 > outer.right) box4.scrollLeft += at3 - outer.left - 160;
   }
   var lit3 = [];
   function cursor2() {
-    const box2 = find(GRAMMAR_STRING);
-    if (!box2 || !box2.offsetParent) return;
-    for (const line2 of lit3) line2.style.display = "";
+    const box4 = find(GRAMMAR_STRING);
+    if (!box4 || !box4.offsetParent) return;
+    for (const line3 of lit3) line3.style.display = "";
     lit3 = [];
     for (let i = 0; i < MOST_FIGURES2; i++) {
       const item = player.frameOf(i);
       if (!item) break;
       if (String(item.dataset || "").startsWith("~")) continue;
-      const time = allWithin(box2, `.string-time[data-clip="${CSS.escape(item.clip)}"]`)[0];
-      const line2 = time && childrenOf(time).at(-1);
-      if (!line2 || lit3.includes(line2)) continue;
-      line2.style.display = "block";
-      line2.style.left = `${100 * item.frame / Number(time.dataset.fps) / Number(time.dataset.seconds)}%`;
-      lit3.push(line2);
+      const time = allWithin(box4, `.string-time[data-clip="${CSS.escape(item.clip)}"]`)[0];
+      const line3 = time && childrenOf(time).at(-1);
+      if (!line3 || lit3.includes(line3)) continue;
+      line3.style.display = "block";
+      line3.style.left = `${100 * item.frame / Number(time.dataset.fps) / Number(time.dataset.seconds)}%`;
+      lit3.push(line3);
     }
-    if (lit3.length === 1) follow2(box2, lit3[0]);
+    if (lit3.length === 1) follow2(box4, lit3[0]);
   }
   setInterval(cursor2, 80);
 
@@ -7495,7 +9438,7 @@
       if (!data2 || !find(GRAMMAR_STRING)) return clientside.no_update;
       state2.data = data2;
       drawString(data2);
-      drawActions(data2, order);
+      drawActions2(data2, order);
       drawOccurrences(data2, selection);
       drawRules(data2);
       markChosen(selection);
@@ -7506,14 +9449,14 @@
      * @param {{ points?: { customdata?: any }[] } | null} click
      */
     open(click) {
-      const change = click?.points?.[0]?.customdata;
-      if (typeof change === "string") changeView(JSON.parse(change));
+      const change2 = click?.points?.[0]?.customdata;
+      if (typeof change2 === "string") changeView(JSON.parse(change2));
       return clientside.no_update;
     },
     /** @param {ShownRoutine | null} shown @param {GrammarData | null} data @param {View | null} view */
-    routine(shown7, data2, view4) {
+    routine(shown8, data2, view4) {
       if (data2) state2.data = data2;
-      drawRoutines(shown7, data2, view4 || {});
+      drawRoutines(shown8, data2, view4 || {});
       return clientside.no_update;
     },
     /**
@@ -7655,8 +9598,8 @@
         const from = (array, k) => parent < 0 ? 0 : array[3 * parent + k];
         const bone = [0, 1, 2].map((k) => vector[3 * joint + k] - from(vector, k));
         const size = Math.hypot(...bone);
-        const way2 = size > 1e-9 ? bone.map((part2) => part2 / size) : [0, 1, 0];
-        for (let k = 0; k < 3; k++) made[3 * joint + k] = from(made, k) + way2[k] * this.lengths[joint];
+        const way3 = size > 1e-9 ? bone.map((part2) => part2 / size) : [0, 1, 0];
+        for (let k = 0; k < 3; k++) made[3 * joint + k] = from(made, k) + way3[k] * this.lengths[joint];
       });
       return made;
     }
@@ -7783,14 +9726,14 @@
   // motion_map/figure.mjs
   var HEAD2 = 0.105;
   var PENS = { left: 0.06, right: 0.06, centre: 0.075 };
-  var [YAW, PITCH] = [35 * Math.PI / 180, 8 * Math.PI / 180];
+  var [YAW2, PITCH2] = [35 * Math.PI / 180, 8 * Math.PI / 180];
   var VIEWS = {
     front: ([x, y, z]) => [x, -y, z],
     side: ([x, y, z]) => [z, -y, -x],
     top: ([x, y, z]) => [x, z, y],
     icon: ([x, y, z]) => {
-      const [a, c] = [Math.cos(YAW) * x + Math.sin(YAW) * z, Math.cos(YAW) * z - Math.sin(YAW) * x];
-      return [a, c * Math.sin(PITCH) - y * Math.cos(PITCH), c];
+      const [a, c] = [Math.cos(YAW2) * x + Math.sin(YAW2) * z, Math.cos(YAW2) * z - Math.sin(YAW2) * x];
+      return [a, c * Math.sin(PITCH2) - y * Math.cos(PITCH2), c];
     }
   };
   var jointOf = (posture, j) => j < 0 ? [0, 0, 0] : [posture[3 * j], posture[3 * j + 1], posture[3 * j + 2]];
@@ -7837,14 +9780,14 @@
   }
   function figurePicture(map, posture, view4, className = "map-picture") {
     const fit2 = view4 === "icon";
-    let box2 = [-1, -1.05, 2, 2.1];
+    let box4 = [-1, -1.05, 2, 2.1];
     if (fit2) {
       const seen3 = [[0, 0, 0], ...map.parents.map((_, j) => jointOf(posture, j))].map(VIEWS.icon);
       const [xs, ys] = [seen3.map((p) => p[0]), seen3.map((p) => p[1])];
       const side = Math.max(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys), 1.2) + 0.34;
-      box2 = [(Math.max(...xs) + Math.min(...xs) - side) / 2, (Math.max(...ys) + Math.min(...ys) - side) / 2 - 0.08, side, side];
+      box4 = [(Math.max(...xs) + Math.min(...xs) - side) / 2, (Math.max(...ys) + Math.min(...ys) - side) / 2 - 0.08, side, side];
     }
-    const svg = svgElement("svg", { viewBox: box2.map((part2) => part2.toFixed(3)).join(" "), class: className, "aria-hidden": "true" });
+    const svg = svgElement("svg", { viewBox: box4.map((part2) => part2.toFixed(3)).join(" "), class: className, "aria-hidden": "true" });
     svg.append(drawFigure(map, posture, view4));
     return svg;
   }
@@ -7852,11 +9795,11 @@
   // motion_map/bones.mjs
   function chainOf(map, joint) {
     const chain = [joint];
-    const trunk = (j) => j < 0 || /^(chest|spine|neck|head)$|_(clavicle|shoulder|hip)$/.test(map.roles[j]);
-    const inTrunk = trunk(joint);
+    const trunk2 = (j) => j < 0 || /^(chest|spine|neck|head)$|_(clavicle|shoulder|hip)$/.test(map.roles[j]);
+    const inTrunk = trunk2(joint);
     for (let j = map.parents[joint]; ; j = map.parents[j]) {
       chain.push(j);
-      if (j < 0 || !inTrunk && trunk(j)) return chain;
+      if (j < 0 || !inTrunk && trunk2(j)) return chain;
     }
   }
   function dragJoint(map, posture, joint, goal) {
@@ -7865,9 +9808,9 @@
     const bones = chain.slice(0, -1).map((j) => map.lengths[j]);
     const fixed = [...at3[at3.length - 1]];
     const toward = (from, to, length, otherwise) => {
-      let way2 = to.map((v, k) => v - from[k]), size = Math.hypot(...way2);
-      if (size < 1e-9) [way2, size] = [otherwise, Math.hypot(...otherwise) || 1];
-      return from.map((v, k) => v + length * way2[k] / size);
+      let way3 = to.map((v, k) => v - from[k]), size = Math.hypot(...way3);
+      if (size < 1e-9) [way3, size] = [otherwise, Math.hypot(...otherwise) || 1];
+      return from.map((v, k) => v + length * way3[k] / size);
     };
     const before2 = at3.map((point) => [...point]);
     for (let round2 = 0; round2 < 12; round2++) {
@@ -7911,7 +9854,7 @@
   var AXES = { front: [[1, 0, 0], [0, -1, 0]], side: [[0, 0, 1], [0, -1, 0]], top: [[1, 0, 0], [0, 0, 1]] };
   var BOX = [-1, -1.05, 2, 2.1];
   var edited;
-  var viewOf = (svg) => (
+  var viewOf2 = (svg) => (
     /** @type {HTMLElement} */
     svg.parentNode.dataset.view ?? "front"
   );
@@ -7922,9 +9865,9 @@
       document.getElementById(MAP_EDITOR)
     );
     if (there) return there;
-    const box2 = element("dialog", "map-editor card");
-    box2.id = MAP_EDITOR;
-    box2.setAttribute("aria-labelledby", MAP_EDITOR_TITLE);
+    const box4 = element("dialog", "map-editor card");
+    box4.id = MAP_EDITOR;
+    box4.setAttribute("aria-labelledby", MAP_EDITOR_TITLE);
     const title = element("h2", "", "Shape a posture");
     title.id = MAP_EDITOR_TITLE;
     const hint = element("p", "muted", "Drag a joint in any view, or choose one and use the arrow keys; bones keep their lengths.");
@@ -7941,24 +9884,24 @@
     const nearest2 = element("div", "map-editor-nearest");
     const actions4 = element("div", "map-editor-actions");
     for (const [label, action, main] of [["Cancel", "cancel", ""], ["As it was", "reset", ""], ["Use as key", "use", "main"]]) {
-      const button4 = element("button", `map-button ${main}`.trim(), label);
-      button4.type = "button";
-      button4.dataset.editor = action;
-      actions4.append(button4);
+      const button5 = element("button", `map-button ${main}`.trim(), label);
+      button5.type = "button";
+      button5.dataset.editor = action;
+      actions4.append(button5);
     }
     foot.append(nearest2, status2, actions4);
-    box2.append(title, hint, views, foot);
-    need(SHELL).append(box2);
-    listen2(box2);
-    return box2;
+    box4.append(title, hint, views, foot);
+    need(SHELL).append(box4);
+    listen2(box4);
+    return box4;
   }
-  function listen2(box2) {
+  function listen2(box4) {
     let held = null;
     const place5 = (svg, event) => {
       const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM()?.inverse());
       return [x, y];
     };
-    box2.addEventListener("pointerdown", (event) => {
+    box4.addEventListener("pointerdown", (event) => {
       const handle2 = (
         /** @type {SVGElement | null} */
         /** @type {Element | null} */
@@ -7970,21 +9913,21 @@
         handle2.ownerSVGElement
       );
       const joint = Number(handle2.dataset.joint);
-      held = { svg, joint, view: viewOf(svg), from: place5(svg, event), start: jointOf(edited.posture, joint) };
+      held = { svg, joint, view: viewOf2(svg), from: place5(svg, event), start: jointOf(edited.posture, joint) };
       edited.joint = joint;
       svg.setPointerCapture(event.pointerId);
       event.preventDefault();
     });
-    box2.addEventListener("pointermove", (event) => {
+    box4.addEventListener("pointermove", (event) => {
       if (!held) return;
       const { joint, start: start3, from, svg, view: view4 } = held;
       const [x, y] = place5(svg, event), [right, down] = AXES[view4];
       move5(joint, start3.map((v, k) => v + (x - from[0]) * right[k] + (y - from[1]) * down[k]));
     });
-    box2.addEventListener("pointerup", () => {
+    box4.addEventListener("pointerup", () => {
       held = null;
     });
-    box2.addEventListener("keydown", (event) => {
+    box4.addEventListener("keydown", (event) => {
       const handle2 = (
         /** @type {SVGElement | null} */
         /** @type {Element | null} */
@@ -7994,35 +9937,35 @@
       if (!handle2 || !step3) return;
       event.preventDefault();
       event.stopPropagation();
-      const view4 = viewOf(
+      const view4 = viewOf2(
         /** @type {SVGSVGElement} */
         handle2.ownerSVGElement
       ), joint = Number(handle2.dataset.joint);
       const [right, down] = AXES[view4], from = jointOf(edited.posture, joint);
       move5(joint, from.map((v, k) => v + 0.04 * (step3[0] * right[k] + step3[1] * down[k])));
-      within(box2, `[data-view="${view4}"] .map-joint[data-joint="${joint}"]`).focus();
+      within(box4, `[data-view="${view4}"] .map-joint[data-joint="${joint}"]`).focus();
     });
-    box2.addEventListener("click", (event) => {
+    box4.addEventListener("click", (event) => {
       const action = closest(event, "[data-editor]")?.dataset.editor;
-      if (action === "cancel") box2.close();
+      if (action === "cancel") box4.close();
       if (action === "reset") {
         edited.posture = edited.start;
-        draw5();
+        draw6();
       }
       if (action === "use") {
-        const { node, key, change } = edited, { keys } = state;
-        box2.close();
-        change(key < 0 ? [...keys, node] : keys.map((old, k) => k === key ? node : old));
+        const { node, key, change: change2 } = edited, { keys } = state;
+        box4.close();
+        change2(key < 0 ? [...keys, node] : keys.map((old, k) => k === key ? node : old));
       }
     });
   }
   function move5(joint, goal) {
     edited.posture = dragJoint(edited.map, edited.posture, joint, goal);
-    draw5();
+    draw6();
   }
-  function draw5() {
-    const { map, posture } = edited, box2 = dialog();
-    for (const figure2 of allWithin(box2, "[data-view]")) {
+  function draw6() {
+    const { map, posture } = edited, box4 = dialog();
+    for (const figure2 of allWithin(box4, "[data-view]")) {
       const svg = within(figure2, "svg"), view4 = figure2.dataset.view ?? "", see = VIEWS[view4];
       const handles = map.parents.map((_, j) => {
         const [x, y] = see(jointOf(posture, j));
@@ -8038,16 +9981,16 @@
     const { node, distance } = map.nearest(posture);
     Object.assign(edited, { node, distance });
     const far = distance > 2.5 * map.usual;
-    within(box2, ".map-editor-status").textContent = `Nearest posture on the map: ${distance.toFixed(2)} m away${far ? ", so nothing there is like this" : ""}`;
-    within(box2, ".map-editor-nearest").replaceChildren(figurePicture(map, map.posture(node), "icon"));
+    within(box4, ".map-editor-status").textContent = `Nearest posture on the map: ${distance.toFixed(2)} m away${far ? ", so nothing there is like this" : ""}`;
+    within(box4, ".map-editor-nearest").replaceChildren(figurePicture(map, map.posture(node), "icon"));
     state.overlay.squares("cursor", [node]);
   }
-  function editPosture(node, key, change) {
+  function editPosture(node, key, change2) {
     const { map } = state;
     const posture = map.posture(node);
-    edited = { map, posture, start: posture, key, change, joint: -1, node, distance: 0 };
+    edited = { map, posture, start: posture, key, change: change2, joint: -1, node, distance: 0 };
     dialog();
-    draw5();
+    draw6();
     dialog().showModal();
   }
   var editedPosture = () => edited;
@@ -8055,7 +9998,7 @@
   // motion_map/keys.mjs
   var MOST_ROWS2 = 60;
   var AT_ONCE2 = 12;
-  var button3 = (label, symbol, action, className = "map-tool") => {
+  var button4 = (label, symbol, action, className = "map-tool") => {
     const made = element("button", className);
     made.type = "button";
     made.title = label;
@@ -8066,10 +10009,10 @@
   };
   var short2 = (seconds) => (seconds >= 10 ? seconds.toFixed(0) : seconds.toFixed(1)) + " s";
   function drawPreview(map, node, facts) {
-    const box2 = find(MAP_PREVIEW);
-    if (!box2) return;
+    const box4 = find(MAP_PREVIEW);
+    if (!box4) return;
     if (node < 0) {
-      box2.replaceChildren(element("p", "muted map-hint", "Point at the map to see a posture. Click postures in the order in which they should come."));
+      box4.replaceChildren(element("p", "muted map-hint", "Point at the map to see a posture. Click postures in the order in which they should come."));
       return;
     }
     const posture = map.posture(node);
@@ -8080,9 +10023,9 @@
     });
     const row7 = element("div", "map-views");
     row7.append(...views);
-    const words3 = box2.querySelector(".map-caption") || element("div", "map-caption number");
+    const words3 = box4.querySelector(".map-caption") || element("div", "map-caption number");
     words3.textContent = caption(map, node, facts ?? null);
-    box2.replaceChildren(row7, words3);
+    box4.replaceChildren(row7, words3);
   }
   function caption(map, node, facts) {
     const [x, y] = map.place(node);
@@ -8091,10 +10034,10 @@
     const time = map.seconds[node] > 0 ? `${short2(map.seconds[node])} of motion` : "no motion here";
     return `Node ${x}, ${y} · region ${map.regions[node]} · ${time}${named3 ? ` · ${named3}` : ""}`;
   }
-  function drawStrip(map, keys, change) {
-    const box2 = find(MAP_KEYS);
-    if (!box2) return;
-    const focused = childrenOf(box2).indexOf(
+  function drawStrip(map, keys, change2) {
+    const box4 = find(MAP_KEYS);
+    if (!box4) return;
+    const focused = childrenOf(box4).indexOf(
       /** @type {any} */
       document.activeElement?.closest(".map-key-card")
     );
@@ -8102,10 +10045,10 @@
       if (to < 0 || to >= keys.length || from === to) return;
       const next2 = [...keys];
       next2.splice(to, 0, ...next2.splice(from, 1));
-      change(next2, to);
+      change2(next2, to);
     };
-    const remove = (k) => change(keys.filter((_, i) => i !== k), Math.min(k, keys.length - 2));
-    box2.replaceChildren(...keys.map((node, k) => {
+    const remove = (k) => change2(keys.filter((_, i) => i !== k), Math.min(k, keys.length - 2));
+    box4.replaceChildren(...keys.map((node, k) => {
       const card4 = element("div", "map-key-card");
       card4.tabIndex = 0;
       card4.draggable = true;
@@ -8114,10 +10057,10 @@
       card4.setAttribute("aria-label", `Key ${k + 1} of ${keys.length}, node ${x}, ${y}. Left and right move it, Delete removes it.`);
       const tools = element("div", "map-key-tools");
       tools.append(
-        button3(`Move key ${k + 1} before the one in front`, "left", () => move6(k, k - 1)),
-        button3(`Change the posture of key ${k + 1}`, "edit", () => editPosture(node, k, change)),
-        button3(`Move key ${k + 1} behind the next`, "right", () => move6(k, k + 1)),
-        button3(`Remove key ${k + 1}`, "close", () => remove(k))
+        button4(`Move key ${k + 1} before the one in front`, "left", () => move6(k, k - 1)),
+        button4(`Change the posture of key ${k + 1}`, "edit", () => editPosture(node, k, change2)),
+        button4(`Move key ${k + 1} behind the next`, "right", () => move6(k, k + 1)),
+        button4(`Remove key ${k + 1}`, "close", () => remove(k))
       );
       childrenOf(tools)[0].disabled = k === 0;
       childrenOf(tools)[2].disabled = k === keys.length - 1;
@@ -8140,22 +10083,22 @@
       });
       return card4;
     }));
-    if (!keys.length) box2.append(element("p", "muted map-hint", "No keys yet: click a posture on the map."));
-    if (focused >= 0) childrenOf(box2)[Math.min(focused, box2.children.length - 1)]?.focus?.({ preventScroll: true });
+    if (!keys.length) box4.append(element("p", "muted map-hint", "No keys yet: click a posture on the map."));
+    if (focused >= 0) childrenOf(box4)[Math.min(focused, box4.children.length - 1)]?.focus?.({ preventScroll: true });
   }
   var hitsInWords = (n, keys) => !keys.length ? "" : n === 1 ? "1 hit" : `${n} hits`;
   function drawCount(n, keys, files) {
-    const box2 = find(MAP_COUNT);
-    if (box2) box2.textContent = hitsInWords(n, keys) + (n ? ` in ${files} clip${files === 1 ? "" : "s"}` : "");
+    const box4 = find(MAP_COUNT);
+    if (box4) box4.textContent = hitsInWords(n, keys) + (n ? ` in ${files} clip${files === 1 ? "" : "s"}` : "");
   }
   var later2 = 0;
-  function drawHits(map, hits, keys, { dataset: dataset2, version, chosen: chosen3 }) {
-    const box2 = find(MAP_HITS);
-    if (!box2) return;
+  function drawHits2(map, hits, keys, { dataset: dataset2, version, chosen: chosen3 }) {
+    const box4 = find(MAP_HITS);
+    if (!box4) return;
     clearTimeout(later2);
     if (!hits.length) {
       const hint = keys.length ? "Nothing passes these postures in this order. Let the keys reach farther, or remove one." : "Choose one or more postures on the map: every stretch of motion that passes through them in order is listed here.";
-      box2.replaceChildren(element("p", "muted map-hint", hint));
+      box4.replaceChildren(element("p", "muted map-hint", hint));
       return;
     }
     const row7 = (hit, k) => {
@@ -8182,10 +10125,10 @@
       );
       return made;
     };
-    box2.replaceChildren(...hits.slice(0, AT_ONCE2).map(row7));
+    box4.replaceChildren(...hits.slice(0, AT_ONCE2).map(row7));
     const rest = () => {
-      box2.append(...hits.slice(AT_ONCE2, MOST_ROWS2).map((hit, k) => row7(hit, AT_ONCE2 + k)));
-      if (hits.length > MOST_ROWS2) box2.append(element("div", "muted selection-more", `and ${hits.length - MOST_ROWS2} more`));
+      box4.append(...hits.slice(AT_ONCE2, MOST_ROWS2).map((hit, k) => row7(hit, AT_ONCE2 + k)));
+      if (hits.length > MOST_ROWS2) box4.append(element("div", "muted selection-more", `and ${hits.length - MOST_ROWS2} more`));
     };
     if (hits.length > AT_ONCE2) later2 = setTimeout(rest, 50);
   }
@@ -8213,9 +10156,9 @@
   var readNumber = (text, otherwise) => /^\d+(\.\d+)?$/.test(text ?? "") ? Number(text) : otherwise;
   function paceOf(view4) {
     const [low, high] = String(view4.pace || "").split("-").map((word) => readNumber(word, NaN));
-    const way2 = WAYS.includes(view4.way ?? "") ? view4.way : "any";
+    const way3 = WAYS.includes(view4.way ?? "") ? view4.way : "any";
     const [slowest, fastest] = Number.isFinite(low) && Number.isFinite(high) && low <= high ? [low, high] : [0, Infinity];
-    return way2 === "any" && slowest === 0 && fastest === Infinity ? null : { slowest, fastest, way: way2 };
+    return way3 === "any" && slowest === 0 && fastest === Infinity ? null : { slowest, fastest, way: way3 };
   }
 
   // motion_map/overlay.mjs
@@ -8224,8 +10167,8 @@
   var HELP = "Map of postures. Arrow keys move the cursor, Enter adds the posture under it as a key, Backspace takes the last key away.";
   var Overlay = class {
     /** @param {HTMLElement} box @param {OverlayActions} on */
-    constructor(box2, on2) {
-      this.box = box2;
+    constructor(box4, on2) {
+      this.box = box4;
       this.on = on2;
       this.cursor = -1;
       this.svg = svgElement("svg", { class: "map-overlay", tabindex: "0", role: "application", "aria-label": HELP });
@@ -8237,7 +10180,7 @@
       this.drawn = "";
       for (const name of LAYERS) this.view.append(this.layers[name] = svgElement("g", { class: `map-layer-${name}` }));
       this.svg.append(this.view);
-      box2.append(this.svg);
+      box4.append(this.svg);
       this.listen();
     }
     /** The heatmap, as Plotly has it. @returns {any} */
@@ -8276,8 +10219,8 @@
       this.svg.addEventListener("pointermove", (event) => {
         const node = this.node(event);
         if (drawing5) {
-          const at3 = this.at(event), last2 = drawing5[drawing5.length - 1];
-          if (at3 && Math.hypot(at3[0] - last2[0], at3[1] - last2[1]) > 0.4) drawing5.push(at3);
+          const at3 = this.at(event), last3 = drawing5[drawing5.length - 1];
+          if (at3 && Math.hypot(at3[0] - last3[0], at3[1] - last3[1]) > 0.4) drawing5.push(at3);
           this.drawPath(drawing5);
         }
         if (node >= 0 && node !== this.cursor) this.move(node);
@@ -8369,8 +10312,8 @@
     }
     /** @param {Point[]} points */
     drawPath(points) {
-      const line2 = points?.length > 1 ? [svgElement("polyline", { points: points.map((p) => p.map((v) => v.toFixed(2)).join(",")).join(" "), class: "map-drawn" })] : [];
-      this.layers.drawn.replaceChildren(...line2);
+      const line3 = points?.length > 1 ? [svgElement("polyline", { points: points.map((p) => p.map((v) => v.toFixed(2)).join(",")).join(" "), class: "map-drawn" })] : [];
+      this.layers.drawn.replaceChildren(...line3);
     }
     /**
      * Where the playing figures are: [{x, y, colour}].
@@ -8393,19 +10336,19 @@
   // motion_map/paths.mjs
   var TONES = ["#d1495b", "#00798c", "#edae49", "#6a4c93", "#3a7d44", "#c8553d", "#1982c4", "#8a6d3b"];
   var MOST2 = 24;
-  var known = /* @__PURE__ */ new Map();
+  var known2 = /* @__PURE__ */ new Map();
   var nameOf3 = (map, item) => [map.key, item.dataset, item.clip, item.start, item.end].join("\n");
   async function pathsOf(map, items) {
-    const missing = items.filter((item) => !known.has(nameOf3(map, item)));
+    const missing = items.filter((item) => !known2.has(nameOf3(map, item)));
     for (const dataset2 of new Set(missing.map((item) => item.dataset))) {
       const mine2 = missing.filter((item) => item.dataset === dataset2);
       const query = new URLSearchParams({ dataset: dataset2 });
       for (const { clip, start: start3, end } of mine2) for (const [key, value] of Object.entries({ clip, start: start3, end })) query.append(key, String(value));
       const answer2 = fetch(`/api/map/${map.key}/paths?${query}`).then((response) => response.ok ? response.json() : [], () => []);
-      mine2.forEach((item, k) => known.set(nameOf3(map, item), answer2.then((paths) => paths[k] || null)));
+      mine2.forEach((item, k) => known2.set(nameOf3(map, item), answer2.then((paths) => paths[k] || null)));
     }
-    while (known.size > 600) known.delete(known.keys().next().value);
-    return Promise.all(items.map((item) => known.get(nameOf3(map, item)) ?? null));
+    while (known2.size > 600) known2.delete(known2.keys().next().value);
+    return Promise.all(items.map((item) => known2.get(nameOf3(map, item)) ?? null));
   }
   function along(path2, frame) {
     const at3 = Math.min(Math.max((frame - path2.start) / path2.step, 0), path2.points.length - 1);
@@ -8430,13 +10373,13 @@
      * @param {Followed[]} items
      */
     async take(map, items) {
-      const shown7 = this.on ? items.slice(0, MOST2).map(({ dataset: dataset2, clip, start: start3, end, index }) => ({ dataset: dataset2, clip, start: start3, end, index })) : [];
-      const name = JSON.stringify([map.key, shown7]);
+      const shown8 = this.on ? items.slice(0, MOST2).map(({ dataset: dataset2, clip, start: start3, end, index }) => ({ dataset: dataset2, clip, start: start3, end, index })) : [];
+      const name = JSON.stringify([map.key, shown8]);
       if (name === this.name) return;
       this.name = name;
-      const paths = shown7.length ? await pathsOf(map, shown7) : [];
+      const paths = shown8.length ? await pathsOf(map, shown8) : [];
       if (name !== this.name) return;
-      this.items = shown7;
+      this.items = shown8;
       this.paths = paths;
       this.overlay.drawPaths(paths.flatMap((path2, k) => path2 ? [{ points: path2.points, colour: TONES[k % TONES.length] }] : []));
       this.step(items);
@@ -8484,9 +10427,9 @@
   }
   function list() {
     const { dataset: dataset2, version } = state.known;
-    drawHits(state.map, state.hits, state.keys, { dataset: dataset2, version, chosen: state.selection });
+    drawHits2(state.map, state.hits, state.keys, { dataset: dataset2, version, chosen: state.selection });
   }
-  function refresh(lists2 = true) {
+  function refresh2(lists2 = true) {
     if (!state.map || !state.overlay) return;
     drawKeys();
     search();
@@ -8494,7 +10437,7 @@
     if (lists2) list();
     else live = setTimeout(list, 120);
   }
-  async function ask3(address2) {
+  async function ask4(address2) {
     const answer2 = await fetch(address2).catch(() => null);
     const body2 = await answer2?.json().catch(() => null);
     return answer2?.ok && body2 ? body2 : { error: body2?.error || "The server does not answer; try again in a moment." };
@@ -8503,11 +10446,11 @@
     const { map } = state;
     state.path = path2;
     state.overlay.drawPath(path2.split(",").map((point) => point.split("-").map(Number)));
-    const answer2 = await ask3(`/api/map/${map.key}/drawn?${new URLSearchParams({ path: path2 })}`);
+    const answer2 = await ask4(`/api/map/${map.key}/drawn?${new URLSearchParams({ path: path2 })}`);
     if (state.path !== path2 || state.map !== map) return;
     if (answer2.error) notify("This path was not followed", answer2.error);
     state.hits = answer2.error ? [] : answer2;
-    refresh();
+    refresh2();
   }
   function drawn3(points) {
     const step3 = Math.max(1, Math.ceil(points.length / 24));
@@ -8526,13 +10469,13 @@
     state.keys = keys.slice(0, 20);
     drawStrip(state.map, state.keys, setKeys);
     if (focus2 !== void 0) childrenOf(need(MAP_KEYS))[focus2]?.focus();
-    refresh();
+    refresh2();
     changeView({ keys: writeKeys(state.keys, state.map), drawn: "" });
   }
   function setReach(reach, done) {
     state.reach = reach;
     showReach();
-    refresh(done);
+    refresh2(done);
     if (done) changeView({ within: reach ? reach.toFixed(2) : "" });
   }
   function showReach() {
@@ -8543,21 +10486,21 @@
     slider2.setAttribute("aria-valuetext", `${state.reach.toFixed(2)} metres`);
     label.textContent = `${state.reach.toFixed(2)} m`;
   }
-  function choose3(node) {
+  function choose4(node) {
     if (state.mode === "regions") {
       const region = state.map.regions[node];
       changeView({ region: String(region), below: "region" });
     } else setKeys([...state.keys, node]);
   }
   function mount2() {
-    const box2 = page();
-    if (!box2 || state.overlay?.box === box2) return Boolean(box2);
-    state.overlay = new Overlay(box2, {
+    const box4 = page();
+    if (!box4 || state.overlay?.box === box4) return Boolean(box4);
+    state.overlay = new Overlay(box4, {
       /** @param {number} node */
       hover: (node) => drawPreview(state.map, node, state.facts),
       leave: () => {
       },
-      choose: choose3,
+      choose: choose4,
       undo: () => state.keys.length && setKeys(state.keys.slice(0, -1)),
       draws: () => state.mode === "draw",
       path: drawn3
@@ -8568,7 +10511,7 @@
     need(MAP_REACH_BOX).replaceChildren(slider2);
     slider2.addEventListener("input", () => state.map && setReach(Number(slider2.value), false));
     slider2.addEventListener("change", () => state.map && setReach(Number(slider2.value), true));
-    new ResizeObserver(() => requestAnimationFrame(fit)).observe(box2);
+    new ResizeObserver(() => requestAnimationFrame(fit)).observe(box4);
     return true;
   }
   function fit() {
@@ -8585,8 +10528,8 @@
     const region = readNumber(view4.region, -1);
     state.overlay.squares("region", region < 0 ? [] : [...map.regions.keys()].filter((node) => map.regions[node] === region));
     const path2 = view4.drawn || "";
-    const shown7 = JSON.stringify([keys, reach, pace, path2]);
-    if (shown7 === JSON.stringify([state.keys, state.reach, state.pace, state.path]) && state.shownOn === map.key) return;
+    const shown8 = JSON.stringify([keys, reach, pace, path2]);
+    if (shown8 === JSON.stringify([state.keys, state.reach, state.pace, state.path]) && state.shownOn === map.key) return;
     const stays = path2 && path2 === state.path && state.shownOn === map.key;
     Object.assign(state, { keys, reach, pace, shownOn: map.key });
     showReach();
@@ -8595,7 +10538,7 @@
     else {
       state.path = path2;
       if (!path2) state.overlay.drawPath([]);
-      refresh();
+      refresh2();
     }
   }
   window.addEventListener("stage-state", (event) => {
@@ -8609,7 +10552,7 @@
     const item = player.frameOf(0);
     if (!item) return notify("Nothing is on the Stage", "Play a clip or a motif first; its current frame then becomes a key.");
     const query = new URLSearchParams({ dataset: item.dataset || state.known.dataset, clip: item.clip, frame: String(item.frame) });
-    const answer2 = await ask3(`/api/map/${state.map.key}/node?${query}`);
+    const answer2 = await ask4(`/api/map/${state.map.key}/node?${query}`);
     if (answer2.error) return notify("That posture cannot be a key", answer2.error);
     const node = state.map.index(answer2.node[0], answer2.node[1]);
     state.overlay.move(node);
@@ -8629,15 +10572,15 @@
     player.show(request5);
   }
   document.addEventListener("click", (event) => {
-    const button4 = closest(event, "[data-map-do]");
-    if (!button4 || !state.map) return;
+    const button5 = closest(event, "[data-map-do]");
+    if (!button5 || !state.map) return;
     const actions4 = {
       stage: keyFromStage,
       all: playAll,
       clear: () => setKeys([]),
       edit: () => editPosture(state.overlay.cursor >= 0 ? state.overlay.cursor : state.map.index(...state.map.icons[0]), -1, setKeys)
     };
-    actions4[button4.dataset.mapDo ?? ""]?.();
+    actions4[button5.dataset.mapDo ?? ""]?.();
   });
   register("map", {
     /**
@@ -8645,15 +10588,15 @@
      * @param {KnownMap | null} known
      * @param {View | null} view
      */
-    async load(known3, view4) {
-      if (!known3 || !known3.key) {
+    async load(known4, view4) {
+      if (!known4 || !known4.key) {
         state.map = /** @type {any} */
         null;
         return clientside.no_update;
       }
-      const map = await loadMap(known3.key).catch(() => null);
+      const map = await loadMap(known4.key).catch(() => null);
       if (!map) return clientside.no_update;
-      Object.assign(state, { map, known: known3, facts: known3.facts });
+      Object.assign(state, { map, known: known4, facts: known4.facts });
       if (!mount2()) return clientside.no_update;
       state.overlay.map = map;
       state.overlay.cursor = -1;
@@ -8787,8 +10730,8 @@
   };
   var goBack = () => {
     while (before.length) {
-      const last2 = before.pop();
-      if (last2 && last2.query !== now5.view.query) return changeSearch(last2);
+      const last3 = before.pop();
+      if (last3 && last3.query !== now5.view.query) return changeSearch(last3);
     }
     return void 0;
   };
@@ -8915,11 +10858,11 @@
     input2.dataset.weight = leaf;
     input2.setAttribute("aria-label", `Weight of the ${now5.body.words[leaf].toLowerCase()}`);
     const label = element("span", "search-weight-name", now5.body.words[leaf]);
-    const line2 = element("label", "search-weight-row", label, input2, element("span", "search-weight-share number"));
-    line2.dataset.part = leaf;
-    return line2;
+    const line3 = element("label", "search-weight-row", label, input2, element("span", "search-weight-share number"));
+    line3.dataset.part = leaf;
+    return line3;
   }
-  function build(box2) {
+  function build(box4) {
     const presets = element("select", "search-select");
     presets.id = SEARCH_PRESET;
     presets.setAttribute("aria-label", "Ready-made weights");
@@ -8942,17 +10885,17 @@
     const hint = element("p", "muted search-body-hint");
     const left = element("div", "search-body-left", figure(), modes);
     const right = element("div", "search-body-right", presets, element("div", "search-weights", ...now5.body.leaves.map(slider)), hint);
-    box2.replaceChildren(left, right);
+    box4.replaceChildren(left, right);
   }
   function paint() {
-    const box2 = need(SEARCH_BODY);
+    const box4 = need(SEARCH_BODY);
     const pieces = now5.found && now5.found.pieces || [];
     const owner = (leaf) => pieces.findIndex((piece) => piece.leaves.includes(leaf));
     const several = pieces.length > 1;
     const most = Math.max(...Object.values(raw), 1e-9);
-    within(box2, ".search-modes").classList.toggle("hidden", !several);
-    for (const one of allWithin(box2, "[data-mode]")) one.setAttribute("aria-checked", String(one.dataset.mode === mode2));
-    for (const group of allWithin(box2, ".search-part")) {
+    within(box4, ".search-modes").classList.toggle("hidden", !several);
+    for (const one of allWithin(box4, "[data-mode]")) one.setAttribute("aria-checked", String(one.dataset.mode === mode2));
+    for (const group of allWithin(box4, ".search-part")) {
       const leaf = group.dataset.part ?? "";
       const own2 = owner(leaf);
       const colour = several ? own2 >= 0 ? pieces[own2].colour : "var(--muted)" : "var(--accent)";
@@ -8974,7 +10917,7 @@
       }
       within(group, "title").textContent = `${now5.body.words[leaf]}: ${says}`;
     }
-    for (const row7 of allWithin(box2, ".search-weight-row")) {
+    for (const row7 of allWithin(box4, ".search-weight-row")) {
       const leaf = row7.dataset.part ?? "";
       const input2 = within(row7, "input");
       if (Number(input2.value) !== raw[leaf]) input2.value = String(raw[leaf]);
@@ -8986,20 +10929,20 @@
       row7.style.setProperty("--tone", several && own2 >= 0 ? pieces[own2].colour : "var(--accent)");
     }
     const named3 = Object.entries(now5.presets).find(([, weights]) => sameWeights(weights, raw, now5.body));
-    within(box2, `#${SEARCH_PRESET}`).value = named3 ? named3[0] : "";
-    within(box2, ".search-body-hint").textContent = total2() === 0 ? "All parts are off: switch on at least one." : assigning() ? `Click parts to take them from ${"ABCDEF"[now5.active]}. Shift + click: the whole limb.` : "Click a part to switch it on or off, Shift + click for this one alone; arrow keys change its weight.";
+    within(box4, `#${SEARCH_PRESET}`).value = named3 ? named3[0] : "";
+    within(box4, ".search-body-hint").textContent = total2() === 0 ? "All parts are off: switch on at least one." : assigning() ? `Click parts to take them from ${"ABCDEF"[now5.active]}. Shift + click: the whole limb.` : "Click a part to switch it on or off, Shift + click for this one alone; arrow keys change its weight.";
   }
   var drawBody = () => {
-    const box2 = find(SEARCH_BODY);
-    if (!box2) return;
-    if (!box2.firstChild) {
-      build(box2);
+    const box4 = find(SEARCH_BODY);
+    if (!box4) return;
+    if (!box4.firstChild) {
+      build(box4);
       drawn4 = "";
     }
     const pieces = now5.found && now5.found.pieces || [];
     if (pieces.length < 2) mode2 = "weights";
-    else if (pieces.length !== Number(box2.dataset.pieces || 0)) mode2 = "pieces";
-    box2.dataset.pieces = String(pieces.length);
+    else if (pieces.length !== Number(box4.dataset.pieces || 0)) mode2 = "pieces";
+    box4.dataset.pieces = String(pieces.length);
     const text = now5.view.parts || "";
     if (!raw || text !== drawn4 && !waiting) {
       raw = readWeights(text, now5.body);
@@ -9112,21 +11055,21 @@
   // search/hits.mjs
   var MORE = 30;
   var reasons = /* @__PURE__ */ new Map();
-  var known2 = /* @__PURE__ */ new Map();
+  var known3 = /* @__PURE__ */ new Map();
   var reasonOf = (name) => {
     const address2 = `/api/search/explain?${searchAddress(name)}`;
     if (!reasons.has(address2)) {
       const answer2 = fetch(address2).then(async (response) => {
         const body2 = await response.json().catch(() => ({}));
         if (!response.ok) throw new Error(body2.error || "The server does not answer.");
-        known2.set(address2, body2);
+        known3.set(address2, body2);
         return body2;
       });
       answer2.catch(() => reasons.delete(address2));
       reasons.set(address2, answer2);
       if (reasons.size > 400) for (const old of [...reasons.keys()].slice(0, 100)) {
         reasons.delete(old);
-        known2.delete(old);
+        known3.delete(old);
       }
     }
     return (
@@ -9134,7 +11077,7 @@
       reasons.get(address2)
     );
   };
-  var reasonNow = (name) => known2.get(`/api/search/explain?${searchAddress(name)}`);
+  var reasonNow = (name) => known3.get(`/api/search/explain?${searchAddress(name)}`);
   function drawStrip2(row7) {
     const canvas = canvasOf(row7);
     const name = row7.dataset.hit ?? "";
@@ -9168,10 +11111,10 @@
       closest(event, ".search-hit")
     );
     if (!row7 || !row7.strip) return;
-    const box2 = targetOf(event).getBoundingClientRect();
-    const leaf = Math.min(Math.floor((event.clientY - box2.top) / box2.height * 10), 9);
+    const box4 = targetOf(event).getBoundingClientRect();
+    const leaf = Math.min(Math.floor((event.clientY - box4.top) / box4.height * 10), 9);
     const cells = row7.strip.rows[leaf];
-    const share2 = Math.min(Math.max((event.clientX - box2.left) / box2.width, 0), 0.9999);
+    const share2 = Math.min(Math.max((event.clientX - box4.left) / box4.width, 0), 0.9999);
     const value = cells[Math.floor(share2 * cells.length)];
     const lead = now5.found.pieces[0];
     const when = `${(share2 * (lead.end - lead.start) / lead.fps).toFixed(1)} s`;
@@ -9195,9 +11138,9 @@
     const score = element("span", "search-score", bar, element("b", "number", hit.score.toFixed(3)));
     const facts = element("span", "search-facts muted", [hit.when, hit.label].filter(Boolean).join(" · "));
     const words3 = element("span", "search-words", element("span", "search-name ellipsis", hit.clip), facts, score);
-    const open4 = element("button", "search-open", element("span", "search-rank number", String(hit.rank)), picture, words3);
-    open4.type = "button";
-    open4.title = `Compare with the query on the Stage: ${hit.clip}, frames ${hit.start} to ${hit.end}`;
+    const open5 = element("button", "search-open", element("span", "search-rank number", String(hit.rank)), picture, words3);
+    open5.type = "button";
+    open5.title = `Compare with the query on the Stage: ${hit.clip}, frames ${hit.start} to ${hit.end}`;
     const canvas = element("canvas", "search-why");
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", "Which parts match when");
@@ -9212,15 +11155,15 @@
       `/api/bvh/${encodeURIComponent(now5.clips.dataset)}/${encodeURIComponent(hit.clip)}?start=${hit.start}&end=${hit.end}`
     );
     const why = element("div", "search-why-box", element("div", "search-why-names"), canvas, element("div", "search-why-cursor"));
-    made.append(open4, why, element("div", "search-hit-tools", similar, bvh));
+    made.append(open5, why, element("div", "search-hit-tools", similar, bvh));
     return made;
   }
   var took = (ms) => ms < 10 ? `${ms.toFixed(1)} ms` : ms < 2e3 ? `${Math.round(ms)} ms` : `${(ms / 1e3).toFixed(1)} s`;
-  function head2(box2, found) {
+  function head2(box4, found) {
     const { total: total3, hits, milliseconds } = found;
     const count = hits.length < total3 ? `${hits.length} of ${total3}` : `${total3}`;
     const noun = found.level === "clip" ? "clip" : "moment";
-    box2.replaceChildren(
+    box4.replaceChildren(
       element("h2", "", "Hits"),
       element("span", "muted number", `${count} ${noun}${total3 === 1 ? "" : "s"}, found in ${took(milliseconds)}`),
       element("span", "spacer"),
@@ -9228,33 +11171,33 @@
     );
   }
   var drawn5 = "";
-  var drawHits2 = () => {
-    const box2 = find(SEARCH_HITS);
-    if (!box2) return;
+  var drawHits3 = () => {
+    const box4 = find(SEARCH_HITS);
+    if (!box4) return;
     const title = need(SEARCH_HITS_HEAD), error = need(SEARCH_ERROR);
     const found = now5.found || {};
     error.textContent = found.error || "";
     error.classList.toggle("hidden", !found.error);
     const ready2 = Boolean(found.hits);
-    box2.classList.toggle("hidden", !ready2);
+    box4.classList.toggle("hidden", !ready2);
     title.classList.toggle("hidden", !ready2);
     if (!ready2) {
       drawn5 = "";
-      box2.replaceChildren();
+      box4.replaceChildren();
       return;
     }
     const mark3 = JSON.stringify([found.inputs, now5.scheme]);
-    if (mark3 !== drawn5 || !box2.firstChild) {
+    if (mark3 !== drawn5 || !box4.firstChild) {
       drawn5 = mark3;
       head2(title, found);
       const scores = found.hits.map((hit) => hit.score);
       const rows2 = found.hits.map((hit) => hitRow(hit, Math.min(0, ...scores), Math.max(...scores)));
-      box2.replaceChildren(...rows2);
-      if (!rows2.length) box2.append(element("p", "muted search-nothing", nothing2(found)));
+      box4.replaceChildren(...rows2);
+      if (!rows2.length) box4.append(element("p", "muted search-nothing", nothing2(found)));
       for (const one of rows2) seen2.observe(one);
-      if (found.hits.length < found.total && found.hits.length < 300) box2.append(more(found));
+      if (found.hits.length < found.total && found.hits.length < 300) box4.append(more(found));
     }
-    choose4();
+    choose5();
   };
   var nothing2 = (found) => found.inputs.label || found.inputs.named || found.inputs.lasting ? "Nothing passes these filters. Widen them, or look for moments instead of whole clips." : "Nothing else is there to compare with. Add recordings, or choose another query.";
   function more(found) {
@@ -9263,7 +11206,7 @@
     made.addEventListener("click", () => changeView({ top: String(Math.min(found.hits.length + MORE, 300)) }));
     return made;
   }
-  function choose4() {
+  function choose5() {
     for (const one of allWithin(document, ".search-hit")) {
       const chosen3 = one.dataset.hit === now5.view.hit;
       if (chosen3 !== one.classList.contains("chosen")) {
@@ -9302,13 +11245,13 @@
   };
   function put3(request5, first) {
     const stage2 = player;
-    const paired = (stage2.layout === "side" || stage2.layout === "overlay") && !first && last > 1;
+    const paired = (stage2.layout === "side" || stage2.layout === "overlay") && !first && last2 > 1;
     const layout = request5.items.length > 1 && paired ? stage2.layout : request5.layout;
-    last = request5.items.length;
+    last2 = request5.items.length;
     if (Object.keys(now5.selection).length) setStore(SELECTION, {});
     setStore(STAGE_REQUEST, { ...request5, layout });
   }
-  var last = 0;
+  var last2 = 0;
   var seekPiece = (index, frame) => {
     const piece = now5.found.pieces[index];
     const inside2 = player.seek({ clip: piece.clip, frame, dataset: piece.source });
@@ -9318,10 +11261,10 @@
     if (!find(SEARCH_HITS) || !now5.found || !now5.found.pieces) return;
     const { items, time, duration } = event.detail;
     const share2 = duration ? time / duration : 0;
-    allWithin(document, ".search-hit .search-why-cursor").forEach((line2) => {
-      const on2 = around(line2, ".search-hit").classList.contains("chosen") && items.length > 1;
-      line2.style.display = on2 ? "block" : "none";
-      if (on2) line2.style.setProperty("--at", String(share2));
+    allWithin(document, ".search-hit .search-why-cursor").forEach((line3) => {
+      const on2 = around(line3, ".search-hit").classList.contains("chosen") && items.length > 1;
+      line3.style.display = on2 ? "block" : "none";
+      if (on2) line3.style.setProperty("--at", String(share2));
     });
     now5.found.pieces.forEach((piece, k) => {
       const node = allWithin(document, `.search-source[data-index="${k}"] .search-cursor`)[0];
@@ -9335,16 +11278,16 @@
     });
   });
   document.addEventListener("click", (event) => {
-    const open4 = closest(event, ".search-open");
-    if (open4) {
-      const { hit: hit2 = "" } = around(open4, ".search-hit").dataset;
+    const open5 = closest(event, ".search-open");
+    if (open5) {
+      const { hit: hit2 = "" } = around(open5, ".search-hit").dataset;
       changeView({ hit: hit2 === now5.view.hit ? "" : hit2 });
     }
     const why = closest(event, ".search-why");
     if (!why) return;
     const hit = around(why, ".search-hit");
-    const box2 = why.getBoundingClientRect();
-    const share2 = (event.clientX - box2.left) / box2.width;
+    const box4 = why.getBoundingClientRect();
+    const share2 = (event.clientX - box4.left) / box4.width;
     if (!hit.classList.contains("chosen")) changeView({ hit: hit.dataset.hit ?? "" });
     else player.seek(share2 * player.duration);
   });
@@ -9359,8 +11302,8 @@
     }), 90);
   });
   document.addEventListener("keydown", (event) => {
-    const open4 = hasClass(event, "search-open");
-    if (!open4 || event.key !== "ArrowDown" && event.key !== "ArrowUp") return;
+    const open5 = hasClass(event, "search-open");
+    if (!open5 || event.key !== "ArrowDown" && event.key !== "ArrowUp") return;
     const hit = around(targetOf(event), ".search-hit");
     const next2 = (
       /** @type {HTMLElement | null} */
@@ -9382,7 +11325,7 @@
   function input(id, attributes) {
     return Object.assign(element("input", "search-text"), { id, autocomplete: "off", ...attributes });
   }
-  function build2(box2) {
+  function build2(box4) {
     const engine = element("select", "search-select", ...now5.engines.map(({ value, label: label2 }) => option(value, label2)));
     engine.id = SEARCH_ENGINE;
     const level = element("select", "search-select", option("clip", "Whole clips"), option("interval", "Moments of clips"));
@@ -9396,7 +11339,7 @@
     longest2.setAttribute("aria-label", "At most this many seconds");
     const path2 = labelled("Path counts", SEARCH_ROUTE, route, says);
     path2.title = "How much the way over the ground counts: turning left or right, forwards or backwards";
-    box2.replaceChildren(
+    box4.replaceChildren(
       labelled("Engine", SEARCH_ENGINE, engine),
       labelled("Hits are", SEARCH_LEVEL, level),
       path2,
@@ -9406,9 +11349,9 @@
     );
   }
   var drawOptions = () => {
-    const box2 = find(SEARCH_OPTIONS);
-    if (!box2) return;
-    if (!box2.firstChild) build2(box2);
+    const box4 = find(SEARCH_OPTIONS);
+    if (!box4) return;
+    if (!box4.firstChild) build2(box4);
     const { view: view4, found, clips } = now5;
     const actions4 = clips && clips.actions || [];
     const label = need(SEARCH_LABEL);
@@ -9436,11 +11379,11 @@
   };
   var folded = null;
   function fold() {
-    const [button4, box2] = [need(SEARCH_COUNTS), need(SEARCH_WANTED)];
-    const little = button4.clientWidth < 780;
+    const [button5, box4] = [need(SEARCH_COUNTS), need(SEARCH_WANTED)];
+    const little = button5.clientWidth < 780;
     const closed = folded ?? (little && Boolean(now5.view.query));
-    button4.setAttribute("aria-expanded", String(!closed));
-    box2.classList.toggle("hidden", closed);
+    button5.setAttribute("aria-expanded", String(!closed));
+    box4.classList.toggle("hidden", closed);
     const chosen3 = (id) => (
       /** @type {any} */
       need(id).selectedOptions[0]?.textContent
@@ -9458,9 +11401,9 @@
     need(SEARCH_COUNTS_SAYS).textContent = summary2.filter(Boolean).join(" · ");
   }
   document.addEventListener("click", (event) => {
-    const button4 = closest(event, `#${SEARCH_COUNTS}`);
-    if (!button4) return;
-    folded = button4.getAttribute("aria-expanded") === "true";
+    const button5 = closest(event, `#${SEARCH_COUNTS}`);
+    if (!button5) return;
+    folded = button5.getAttribute("aria-expanded") === "true";
     fold();
   });
   function sayRoute() {
@@ -9503,7 +11446,7 @@
   var pieceName = (piece) => `${piece.dataset} ${piece.clip}`;
   var shownOf = (piece) => shownWindows.get(pieceName(piece)) || [0, piece.frames];
   function pictures(piece, [from, to]) {
-    const box2 = element("div", "search-pictures");
+    const box4 = element("div", "search-pictures");
     const step3 = (to - from) / PICTURES;
     for (let k = 0; k < PICTURES; k++) {
       const start3 = Math.round(from + k * step3);
@@ -9513,12 +11456,12 @@
       picture.src = `/api/filmstrip/${encodeURIComponent(piece.source)}/${encodeURIComponent(piece.clip)}?${pairs}`;
       picture.alt = "";
       picture.draggable = false;
-      box2.append(picture);
+      box4.append(picture);
     }
-    return box2;
+    return box4;
   }
   function labels(piece, [from, to]) {
-    const box2 = element("div", "search-labels");
+    const box4 = element("div", "search-labels");
     const actions4 = now5.clips ? now5.clips.actions : [];
     for (const [start3, end, action] of piece.labels) {
       if (end <= from || start3 >= to) continue;
@@ -9527,9 +11470,9 @@
       block2.dataset.range = `${start3}-${end}`;
       block2.style.setProperty("--tone", LABELS2[Math.max(actions4.indexOf(action), 0) % LABELS2.length]);
       place4(block2, Math.max(start3, from), Math.min(end, to), [from, to]);
-      box2.append(block2);
+      box4.append(block2);
     }
-    return box2;
+    return box4;
   }
   var place4 = (node, start3, end, [from, to]) => {
     node.style.left = 100 * (start3 - from) / (to - from) + "%";
@@ -9582,25 +11525,25 @@
       several ? tool("close", "Leave this piece out", "remove") : null
     );
     const track = element("div", "search-track");
-    const range = shownOf(piece);
-    const box2 = element("div", "search-selection", handle("start", piece), handle("end", piece));
+    const range2 = shownOf(piece);
+    const box4 = element("div", "search-selection", handle("start", piece), handle("end", piece));
     track.append(
-      pictures(piece, range),
-      labels(piece, range),
+      pictures(piece, range2),
+      labels(piece, range2),
       element("div", "search-shade search-shade-left"),
       element("div", "search-shade search-shade-right"),
-      box2,
+      box4,
       element("div", "search-cursor")
     );
     made.append(head3, track);
     return made;
   }
   function placeRange(node, piece) {
-    const range = shownOf(piece);
+    const range2 = shownOf(piece);
     const { start: start3, end, fps, frames } = piece;
-    place4(within(node, ".search-selection"), Math.max(start3, range[0]), Math.min(end, range[1]), range);
-    place4(within(node, ".search-shade-left"), range[0], Math.max(start3, range[0]), range);
-    place4(within(node, ".search-shade-right"), Math.min(end, range[1]), range[1], range);
+    place4(within(node, ".search-selection"), Math.max(start3, range2[0]), Math.min(end, range2[1]), range2);
+    place4(within(node, ".search-shade-left"), range2[0], Math.max(start3, range2[0]), range2);
+    place4(within(node, ".search-shade-right"), Math.min(end, range2[1]), range2[1], range2);
     within(node, ".search-shade-left").style.minWidth = "0";
     for (
       const [which, value] of
@@ -9631,11 +11574,11 @@
   var sending = null;
   var turn4 = 0;
   var suffixes = () => (within(document, ".search-choose").dataset.suffixes ?? "").split(",").filter((one) => one !== ".csv");
-  function say(words3, kind = "muted") {
-    const box2 = document.querySelector(".search-sending") || element("span", "search-sending");
-    box2.className = `search-sending ${kind}`;
-    box2.textContent = words3;
-    if (!box2.isConnected) status()?.before(box2);
+  function say2(words3, kind = "muted") {
+    const box4 = document.querySelector(".search-sending") || element("span", "search-sending");
+    box4.className = `search-sending ${kind}`;
+    box4.textContent = words3;
+    if (!box4.isConnected) status()?.before(box4);
   }
   var quiet = () => allWithin(document, ".search-sending").forEach((one) => one.remove());
   function put4(token, file, tell4) {
@@ -9667,7 +11610,7 @@
     if (sending) sending.abort();
     setStore(SEARCH_UPLOAD, null);
     const wrong = files.find((file) => !suffixes().some((suffix) => file.name.toLowerCase().endsWith(suffix)));
-    if (wrong) return say(`${wrong.name} is not a kind of file we read: choose BVH, or AMC together with its ASF.`, "error-text");
+    if (wrong) return say2(`${wrong.name} is not a kind of file we read: choose BVH, or AMC together with its ASF.`, "error-text");
     let token = null;
     const still = () => {
       if (mine2 !== turn4) throw new Error("Other files were chosen meanwhile.");
@@ -9678,7 +11621,7 @@
       ({ token } = await answer2.json());
       for (const file of files) {
         still();
-        await put4(token, file, (share2) => mine2 === turn4 && say(`Sending ${file.name}: ${Math.round(100 * share2)} %`));
+        await put4(token, file, (share2) => mine2 === turn4 && say2(`Sending ${file.name}: ${Math.round(100 * share2)} %`));
       }
       still();
       sending = null;
@@ -9690,7 +11633,7 @@
       });
       if (mine2 !== turn4) return;
       sending = null;
-      say(error instanceof Error ? error.message : String(error), "error-text");
+      say2(error instanceof Error ? error.message : String(error), "error-text");
     }
   }
   var chooseRecording = () => {
@@ -9713,23 +11656,23 @@
   var drawn6 = "";
   var dragged = null;
   var drawSources = () => {
-    const box2 = need(SEARCH_SOURCES);
+    const box4 = need(SEARCH_SOURCES);
     const pieces = now5.found && now5.found.pieces || [];
     const mark3 = JSON.stringify([now5.clips && [now5.clips.dataset, now5.clips.version, now5.clips.clips.length], pieces.map((p) => [p.dataset, p.clip, p.version, p.gives, p.labels.length, shownOf(p)])]);
-    if (mark3 !== drawn6 || !box2.firstChild) {
-      const focus2 = document.activeElement && box2.contains(document.activeElement) ? [closest({ target: document.activeElement }, ".search-source")?.dataset.index, document.activeElement.className] : null;
+    if (mark3 !== drawn6 || !box4.firstChild) {
+      const focus2 = document.activeElement && box4.contains(document.activeElement) ? [closest({ target: document.activeElement }, ".search-source")?.dataset.index, document.activeElement.className] : null;
       drawn6 = mark3;
       now5.active = Math.min(now5.active, Math.max(pieces.length - 1, 0));
-      box2.replaceChildren(...pieces.length ? pieces.map((piece, k) => sourceRow(piece, k, pieces.length > 1)) : [emptyRow()]);
-      const again = focus2 && focus2[1] && allWithin(box2, `[data-index="${focus2[0]}"] *`).find((one) => one.className === focus2[1]);
+      box4.replaceChildren(...pieces.length ? pieces.map((piece, k) => sourceRow(piece, k, pieces.length > 1)) : [emptyRow()]);
+      const again = focus2 && focus2[1] && allWithin(box4, `[data-index="${focus2[0]}"] *`).find((one) => one.className === focus2[1]);
       if (again) again.focus();
       names();
     }
     pieces.forEach((piece, k) => {
-      if (!dragged || dragged.index !== k) placeRange(childrenOf(box2)[k], piece);
+      if (!dragged || dragged.index !== k) placeRange(childrenOf(box4)[k], piece);
     });
-    allWithin(box2, ".search-source").forEach((one, k) => one.classList.toggle("active", k === now5.active && pieces.length > 1));
-    drawMotifs();
+    allWithin(box4, ".search-source").forEach((one, k) => one.classList.toggle("active", k === now5.active && pieces.length > 1));
+    drawMotifs2();
     const back = document.querySelector("[data-search='back']");
     if (back) back.classList.toggle("hidden", !canGoBack());
     const combineButton = allWithin(document, "[data-search='combine']")[0];
@@ -9750,15 +11693,15 @@
       return option2;
     }));
   }
-  function drawMotifs() {
+  function drawMotifs2() {
     const select2 = find(SEARCH_MOTIF);
     const mark3 = JSON.stringify(now5.motifs);
     if (!select2 || select2.dataset.mark === mark3) return;
     select2.dataset.mark = mark3;
     const first = element("option", "", "From a motif …");
     first.value = "";
-    select2.replaceChildren(first, ...now5.motifs.map(({ name, motions, query }) => {
-      const option2 = element("option", "", `${name} (${motions} motions)`);
+    select2.replaceChildren(first, ...now5.motifs.map(({ name, motions: motions2, query }) => {
+      const option2 = element("option", "", `${name} (${motions2} motions)`);
       option2.value = query;
       return option2;
     }));
@@ -9834,10 +11777,10 @@
     }
   });
   document.addEventListener("click", (event) => {
-    const button4 = closest(event, "[data-search]");
-    if (button4) {
+    const button5 = closest(event, "[data-search]");
+    if (button5) {
       const acts = { stage: fromStage, combine, back: goBack, upload: chooseRecording };
-      acts[button4.dataset.search ?? ""]?.();
+      acts[button5.dataset.search ?? ""]?.();
       return;
     }
     const on2 = closest(event, "[data-piece]");
@@ -9860,9 +11803,9 @@
     } else zoom3(index, on2.dataset.piece ?? "");
   });
   var frameAt2 = (track, piece, x) => {
-    const box2 = track.getBoundingClientRect();
+    const box4 = track.getBoundingClientRect();
     const [from, to] = shownOf(piece);
-    return Math.round(from + Math.min(Math.max((x - box2.left) / box2.width, 0), 1) * (to - from));
+    return Math.round(from + Math.min(Math.max((x - box4.left) / box4.width, 0), 1) * (to - from));
   };
   document.addEventListener("pointerdown", (event) => {
     const track = closest(event, ".search-track");
@@ -9937,21 +11880,21 @@
       const page2 = within(document, ".search-page");
       page2.dataset.look = now5.view.look || "search";
       page2.classList.toggle("without-dataset", !clips);
-      const fits = found && clips && found.inputs && found.inputs.dataset === clips.dataset;
-      if (!fits) now5.found = /** @type {any} */
+      const fits2 = found && clips && found.inputs && found.inputs.dataset === clips.dataset;
+      if (!fits2) now5.found = /** @type {any} */
       null;
       drawSources();
       drawBody();
       drawOptions();
-      drawHits2();
+      drawHits3();
       playHits();
       return clientside.no_update;
     }
   });
   document.addEventListener("click", (event) => {
-    const button4 = closest(event, "[data-similar]");
-    if (!button4 || button4.disabled) return;
-    const { clip, start: start3, end, dataset: dataset2 } = JSON.parse(button4.dataset.similar ?? "{}");
+    const button5 = closest(event, "[data-similar]");
+    if (!button5 || button5.disabled) return;
+    const { clip, start: start3, end, dataset: dataset2 } = JSON.parse(button5.dataset.similar ?? "{}");
     const query = [escapeName(clip), `${start3}-${end}`, ...dataset2 ? [escapeName(dataset2)] : []].join(":");
     remember3();
     changeSearch({ query, look: "" });

@@ -14,5 +14,8 @@ export function drawOverview(place, { facts, clips, more }, context) {
     () => context.select({ clip: clip.name }, { title: clip.name, items: [{ clip: clip.name, start: 0, end: clip.frames, label: clip.name }] }),
   ));
   place.append(tableOf(["Clip", "Duration", "Frames", "Rate", "Labels", "Motion"], rows, more ? `${plural(more, "more clip")} not listed.` : ""));
-  return { light: (selection) => clips.forEach(({ name }, k) => rows[k].classList.toggle("chosen", name === selection.clip)) };
+  return {
+    light: (selection) => clips.forEach(({ name }, k) => rows[k].classList.toggle("chosen", name === selection.clip)),
+    narrow: (label) => clips.forEach(({ labels }, k) => rows[k].classList.toggle("faint", Boolean(label) && !labels.split(", ").includes(label))),
+  };
 }

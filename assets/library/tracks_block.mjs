@@ -28,5 +28,19 @@ export function drawTracks(place, content, context) {
   });
   const lit = drawRows(place, tracks);
   if (content.actions.length) place.append(legend(content.actions, content.colours));
-  return { light: (selection) => lit(new Set([...motifsIn(selection)].map((motif) => `motif ${motif}`)), selection.clip) };
+  let [wanted, clip] = ["", /** @type {string | undefined} */ (undefined)];
+  /** @type {Set<string>} */
+  let keys = new Set();
+  const show = () => lit(wanted ? new Set([...keys, `label ${wanted}`]) : keys, clip);
+  return {
+    light(selection) {
+      keys = new Set([...motifsIn(selection)].map((motif) => `motif ${motif}`));
+      ({ clip } = selection);
+      show();
+    },
+    narrow(label) {
+      wanted = label;
+      show();
+    },
+  };
 }

@@ -1,7 +1,7 @@
 // The motif graph: boxes wide for long motions and high for many, arrows for what follows what.
 import { element, svgElement, withAttributes } from "../shared/dom.mjs";
 import { motifsIn } from "../blocks/selection.mjs";
-import { choose, factsOf } from "./motif_blocks.mjs";
+import { choose, factsOf, fits } from "./motif_blocks.mjs";
 import { panZoom } from "../blocks/pan_zoom.mjs";
 import { asButton, tipOn } from "../blocks/tip.mjs";
 /** @import { Context, Draw, GraphContent, GraphMotif } from "../blocks/types.d.ts" */
@@ -32,6 +32,9 @@ export function drawGraph(place, { motifs, edges }, context) {
   svg.append(...boxes.values());
   place.append(svg, panZoom(svg, around(motifs)));
   return {
+    narrow(label) {
+      for (const motif of motifs) boxes.get(motif.id)?.classList.toggle("faint", !fits(motif, label));
+    },
     light(selection) {
       const chosen = motifsIn(selection);
       for (const [id, node] of boxes) node.classList.toggle("chosen", chosen.has(id));

@@ -15,6 +15,9 @@ export const playingOf = (motif) => ({
 /** @param {Context} context @param {MotifContent} motif */
 export const choose = (context, motif) => context.select({ motif: motif.id }, playingOf(motif));
 
+/** Whether most of a motif has a label; every motif fits none. @param {MotifContent} motif @param {string} label */
+export const fits = (motif, label) => !label || Boolean(motif.label?.startsWith(`${label} (`));
+
 /** @param {MotifContent} motif */
 export const factsOf = (motif) => [
   motif.name,
@@ -33,6 +36,7 @@ export function drawMotifs(place, { motifs, more }, context) {
       const chosen = motifsIn(selection);
       motifs.forEach(({ id }, k) => rows[k].classList.toggle("chosen", chosen.has(id)));
     },
+    narrow: (label) => motifs.forEach((motif, k) => rows[k].classList.toggle("faint", !fits(motif, label))),
   };
 }
 

@@ -72,6 +72,7 @@ function start() {
       if (playing) show(playing);
     },
     figures: (items) => packed.figures(items),
+    opens: false,
     dark: () => root.dataset.mantineColorScheme === "dark",
   };
   const main = within(document, ".report-blocks");

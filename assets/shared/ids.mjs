@@ -119,6 +119,7 @@
  * @property {string} [alt] of the page grammar
  * @property {string} [counts] of the page grammar
  * @property {string} [board] of the page boards
+ * @property {string} [screen] of the page boards
  */
 
 export const LOADING = "loading";

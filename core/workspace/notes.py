@@ -102,6 +102,11 @@ class Notes:
                 del free[best]
         return {motif: note for motif, note in notes.items() if not note.is_empty}
 
+    def state(self, dataset: str) -> str:
+        """A short text that changes whenever something is said of a motif of this data set, by one cheap query."""
+        row = self._database.rows("SELECT COUNT(*), TOTAL(changed) FROM notes WHERE dataset = ?", dataset)[0]
+        return f"{row[0]}.{row[1]:.3f}"
+
     def forget_deleted(self) -> None:
         """Removes what was said of data sets that are gone for good."""
         with self._database.transaction("forget old notes") as table:

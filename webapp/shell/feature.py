@@ -121,7 +121,9 @@ class Block:
     JSON, or None where the result behind it has not been computed; raises MotionscapeError in plain words.
     method: name of the settings that the content depends on (see ``Feature.methods``), "" where on none.
     segments: what is played of a content, most important first, as (clip, start, end).
+    keys: of links, beside those settings, that the content depends on as well.
     options: keys that ``content`` reads, each with what it means. size: columns (of 12) and rows it begins with.
+    lasting: the content depends on the dataset, its notes, the result and the options alone, so that it can be kept.
     """
 
     label: str
@@ -129,8 +131,10 @@ class Block:
     content: Callable[[Workspace, Dataset, Mapping[str, str], Mapping[str, str]], dict[str, Any] | None]
     method: str = ""
     segments: Callable[[Mapping[str, Any]], Iterable[tuple[str, int, int]]] = lambda content: ()
+    keys: tuple[str, ...] = ()
     options: Mapping[str, str] = field(default_factory=lambda: NOTHING)
     size: tuple[int, int] = (6, 5)
+    lasting: bool = True
 
 
 @dataclass(frozen=True)
@@ -166,6 +170,7 @@ class Feature:
     on_every_page: tuple[str, ...] = ()
     routes: Callable[[Workspace], Sequence[Blueprint]] = lambda workspace: ()
     stores: Callable[[], list[Component]] = lambda: []
+    header: Callable[[], list[Component]] = lambda: []
     commands: Mapping[str, Command] = field(default_factory=lambda: NOTHING)
     recipes: Mapping[str, Callable[[Path, Request], str]] = field(default_factory=lambda: NOTHING)
     selections: tuple[SelectionKind, ...] = ()

@@ -94,6 +94,7 @@ def _header() -> Component:
             dmc.NotificationContainer(
                 id=names.NOTICES, position="top-center", limit=4, autoClose=6000, withinPortal=False
             ),
+            *(control for feature in features() for control in feature.header()),
             dmc.Button(
                 "Share",
                 id=names.SHARE,

@@ -1,16 +1,36 @@
-"""The Boards page."""
+"""The Boards page: a place that assets/boards fills, and the button in the header that saves a view."""
 
 from __future__ import annotations
 
-from dash import html
+import dash_mantine_components as dmc
+from dash import dcc, html
 from dash.development.base_component import Component
 
 from webapp.features.boards import names
+from webapp.shell.attributes import attributes
+from webapp.shell.icons import icon
 
 
 def page() -> Component:
-    """A place that assets/boards fills."""
-    words = "A report of a dataset as one file: motionscape report WORKSPACE/NAME --out report.html"
+    """The page."""
     return html.Div(
-        [html.H1("Boards"), html.P(words, className="muted"), html.Div(id=names.BOARDS_PLACE)], className="page"
+        [
+            html.H1("Boards", className="visually-hidden"),
+            html.Div(id=names.BOARDS_PLACE),
+            dcc.Store(id=names.BOARDS_SHOWN),
+        ],
+        className="page boards",
     )
+
+
+def header() -> list[Component]:
+    """Saves what is shown, on every page."""
+    return [
+        dmc.Button(
+            "Save view",
+            id=names.SAVE_VIEW,
+            variant="default",
+            leftSection=icon("star", 16),
+            **attributes(aria_label="Save this view for the team"),
+        )
+    ]

@@ -1,7 +1,7 @@
 """Search: motions like a query, judged by people and by labels."""
 
 from webapp.features.search import names, rights
-from webapp.shell.feature import Command, Feature, later, link_keys
+from webapp.shell.feature import Block, Command, Feature, later, link_keys
 
 FEATURE = Feature(
     path="search",
@@ -20,5 +20,17 @@ FEATURE = Feature(
         )
     },
     motion_kinds={"upload": later("webapp.features.search.uploaded:open_upload")},
+    blocks={
+        "hits": Block(
+            "Search hits",
+            "search",
+            later("webapp.features.search.blocks:hits"),
+            "search",
+            later("webapp.features.search.blocks:segments"),
+            keys=("query", "parts", "level", "route", "label", "named", "lasting", "top"),
+            size=(5, 6),
+            lasting=False,
+        )
+    },
     rights=rights.RIGHTS,
 )

@@ -18,6 +18,15 @@ FEATURE = Feature(
             later("webapp.features.sweeps.commands:sweep"),
         )
     },
-    blocks={"sweep": Block("Sweep chart", "sweep", later("webapp.features.sweeps.blocks:sweep_chart"), size=(6, 6))},
+    blocks={
+        "sweep": Block(
+            "Sweep chart",
+            "sweep",
+            later("webapp.features.sweeps.blocks:sweep_chart"),
+            keys=("x", "y", "seeds"),
+            size=(6, 6),
+            lasting=False,
+        )
+    },
     rights=rights.RIGHTS,
 )

@@ -1,0 +1,85 @@
+// "Save view" in the header: what is shown, under a title, with a small picture of it.
+import { notify } from "../shared/dash.mjs";
+import { allWithin, closest, context2d, find } from "../shared/dom.mjs";
+import { PAGE } from "../shared/ids.mjs";
+import { STAGE_CANVAS } from "../stage/ids.mjs";
+import { ask, person } from "./api.mjs";
+import { openForm } from "./dialogs.mjs";
+import { SAVE_VIEW } from "./ids.mjs";
+import { tagsOf, viewFields } from "./list.mjs";
+
+const [WIDTH, HEIGHT, BESIDE] = [360, 220, 130]; // pixels; how much of the width the Stage has
+
+document.addEventListener("click", async (event) => {
+  if (!closest(event, `#${SAVE_VIEW}`)) return;
+  const address = location.pathname + location.search;
+  const picture = await pictureOfPage().catch(() => "");
+  const title = find(PAGE)?.querySelector("h1, h2")?.textContent ?? "";
+  const name = { name: "author", label: "Your name", value: person.name, hint: "where the server does not know it" };
+  openForm("Save this view", [...viewFields({ title }), name], "Save", async (values) => {
+    if (values.author.trim()) person.name = values.author;
+    await ask("views", { ...values, address, picture, tags: tagsOf(values.tags) });
+    notify("View saved", "It is listed on the Boards page.", "accent");
+  });
+});
+
+/** The largest drawings of the page and the Stage, as a small JPEG. */
+async function pictureOfPage() {
+  const canvas = document.createElement("canvas");
+  [canvas.width, canvas.height] = [WIDTH, HEIGHT];
+  const context = context2d(canvas);
+  context.fillStyle = getComputedStyle(document.body).backgroundColor;
+  context.fillRect(0, 0, WIDTH, HEIGHT);
+  const page = find(PAGE);
+  const main = page ? largest(page) : null;
+  const stage = /** @type {HTMLCanvasElement | null} */ (/** @type {unknown} */ (find(STAGE_CANVAS)));
+  const width = stage ? WIDTH - BESIDE : WIDTH;
+  if (main) {
+    const box = main.getBoundingClientRect();
+    const scale = Math.min(width / box.width, HEIGHT / box.height);
+    for (const part of allWithin(main, "canvas, svg")) await draw(context, part, box, scale, (width - box.width * scale) / 2, (HEIGHT - box.height * scale) / 2);
+  }
+  if (stage?.width) {
+    const share = Math.min(1, (BESIDE * stage.height) / (HEIGHT * stage.width));
+    context.drawImage(stage, (stage.width * (1 - share)) / 2, 0, stage.width * share, stage.height, WIDTH - BESIDE, 0, BESIDE, HEIGHT);
+  }
+  return canvas.toDataURL("image/jpeg", 0.72);
+}
+
+/** The parent of the largest drawing that can be seen. @param {Element} page */
+function largest(page) {
+  const area = (/** @type {Element} */ node) => {
+    const { width, height } = node.getBoundingClientRect();
+    return width * height;
+  };
+  const drawings = allWithin(page, "canvas, svg").sort((a, b) => area(b) - area(a));
+  return drawings.length && area(drawings[0]) > 10_000 ? drawings[0].parentElement : null;
+}
+
+/**
+ * @param {CanvasRenderingContext2D} context
+ * @param {Element} part
+ * @param {DOMRect} frame
+ * @param {number} scale
+ * @param {number} left
+ * @param {number} top
+ */
+async function draw(context, part, frame, scale, left, top) {
+  const box = part.getBoundingClientRect();
+  if (!box.width || !box.height) return;
+  /** @type {CanvasImageSource} */
+  let image;
+  if (part instanceof HTMLCanvasElement) {
+    if (!part.width || !part.height) return;
+    image = part;
+  } else {
+    const copy = /** @type {Element} */ (part.cloneNode(true));
+    copy.setAttribute("width", String(box.width));
+    copy.setAttribute("height", String(box.height));
+    const text = new XMLSerializer().serializeToString(copy);
+    image = new Image();
+    image.src = `data:image/svg+xml;utf8,${encodeURIComponent(text)}`;
+    await image.decode();
+  }
+  context.drawImage(image, left + (box.left - frame.left) * scale, top + (box.top - frame.top) * scale, box.width * scale, box.height * scale);
+}

@@ -1,0 +1,19 @@
+// The hits of a search, best first.
+import { tableOf, tableRow } from "../blocks/table.mjs";
+import { element } from "../shared/dom.mjs";
+/** @import { Draw } from "../blocks/types.d.ts" */
+
+/** @typedef {{ clip: string, start: number, end: number, seconds: number, score: number, label: string, strip: string }} HitRow */
+
+/** @type {Draw<{ query: string, hits: HitRow[] }>} */
+export function drawHits(place, { query, hits }, context) {
+  const rows = hits.map(({ clip, start, end, seconds, score, label, strip }) => tableRow(
+    [clip, seconds.toFixed(1), score.toFixed(2), `${start} to ${end}`, label], strip, `Play ${clip}, frames ${start} to ${end}`,
+    () => context.select({ clip, start, end }, { title: `${clip}, ${start} to ${end}`, items: [{ clip, start, end, label: clip }] }),
+  ));
+  place.append(element("p", "muted", `Like ${query}`), tableOf(["Clip", "Seconds", "Score", "Frames", "Mostly", "Motion"], rows, hits.length ? "" : "Nothing is like it."));
+  return {
+    light: (selection) => hits.forEach((hit, k) => rows[k].classList.toggle("chosen", hit.clip === selection.clip && hit.start === selection.start && hit.end === selection.end)),
+    narrow: (label) => hits.forEach((hit, k) => rows[k].classList.toggle("faint", Boolean(label) && !hit.label.startsWith(`${label} (`))),
+  };
+}

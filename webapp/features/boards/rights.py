@@ -1,0 +1,18 @@
+"""What the routes of this page do to the workspace."""
+
+from webapp.shell.rights import Rights
+
+RIGHTS = Rights(
+    package="webapp.features.boards",
+    reads=(
+        "routes.board_history",
+        "routes.list_boards",
+        "routes.show_block",
+        "routes.show_board",
+        "routes.view_history",
+        "routes.view_picture",
+    ),
+    asks=("routes.compute_block",),
+    changes=("routes.change_view", "routes.make_board", "routes.save_view"),
+    boards=("routes.change_board", "routes.change_comments"),
+)
