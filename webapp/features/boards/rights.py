@@ -12,7 +12,6 @@ RIGHTS = Rights(
         "routes.view_history",
         "routes.view_picture",
     ),
-    asks=("routes.compute_block",),
     changes=("routes.change_view", "routes.make_board", "routes.save_view"),
-    boards=("routes.change_board", "routes.change_comments"),
+    boards=("routes.change_board", "routes.change_comments", "routes.compute_block"),
 )
