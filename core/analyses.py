@@ -77,7 +77,14 @@ def compute(dataset: Dataset, method: str, values: Mapping[str, Any], report: Re
     if extends and extends(built):
         raise ParameterError("An earlier result can only be gone on from in the workspace that keeps it.")
     given = [compute(dataset, *need, report) for need in METHODS[method].needs(built)]
-    return METHODS[method].compute(dataset, built, report, *given)
+    return METHODS[method].compute(_comparable(dataset, method), built, report, *given)
+
+
+def _comparable(dataset: Dataset, method: str) -> Dataset:
+    """The clips that a method can compare: all of them, or the largest kind (core.mocap.rigs.left_out says which)."""
+    from core.mocap.rigs import comparable
+
+    return dataset if METHODS[method].all_kinds else comparable(dataset)
 
 
 def key(workspace: Workspace, request: Request) -> str:
@@ -132,7 +139,7 @@ def submit(workspace: Workspace, request: Request) -> Job:
         entry["fingerprint"] = workspace.info(request.dataset).fingerprint
     elif request.method == "import":
         workspace.check_free(request.dataset)
-    elif request.method in ("add", "remove", "edit"):
+    elif request.method in ("add", "remove", "edit", "reread"):
         workspace.info(request.dataset)  # raises where it is not there
     return workspace.jobs.submit(key(workspace, request), entry, f"{kind.title}: {request.dataset}")
 
@@ -224,7 +231,7 @@ def _computed(workspace: Workspace, dataset: Dataset, name: str, values: Mapping
     given = [_made(workspace, dataset, *need, report) for need in method.needs(built)]
     if method.extends and method.extends(built):
         given.append(_earlier(workspace, name, method.extends(built)))
-    return method.compute(dataset, built, report, *given)
+    return method.compute(_comparable(dataset, name), built, report, *given)
 
 
 def _earlier(workspace: Workspace, method: str, result_key: str) -> Any:
@@ -345,7 +352,8 @@ def _sweep(workspace: Workspace, name: str, values: SweepParameters, report: Rep
     there = read_figures(workspace, dataset, list(points_by_key))
     missing = [key for key, figures in zip(points_by_key, there, strict=True) if figures is None]
     points = [points_by_key[key] for key in missing]
-    for k, graph in graphs_of(dataset, points, report, ready=len(points_by_key) - len(missing)):
+    alike = _comparable(dataset, "motifs")
+    for k, graph in graphs_of(alike, points, report, ready=len(points_by_key) - len(missing)):
         workspace.results.put(missing[k], *METHODS["motifs"].pack(graph, dataset))
         keep_figures(workspace, missing[k], graph, dataset)
 

@@ -31,6 +31,8 @@ class Method:
     pack, unpack: result and data set -> JSON document and arrays of any shape (n, ...), and back.
     needs: where it works on results of other methods, parameters -> (method, its parameters) of each; ``compute`` takes
     those results as further arguments.
+    all_kinds: whether it takes clips whose bodies cannot be compared; other methods get those of the largest kind only
+    (core.mocap.rigs).
     extends: where it goes on from an earlier result of its own, parameters -> that result's key, or ""; ``compute``
     takes that result as its last argument.
     """
@@ -43,6 +45,7 @@ class Method:
     unpack: Callable[[dict[str, Any], dict[str, np.ndarray]], Any]
     needs: Callable[[Any], tuple[Need, ...]] = lambda values: ()
     extends: Callable[[Any], str] | None = None
+    all_kinds: bool = False
 
 
 def _read_graph(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Any:
@@ -59,6 +62,7 @@ def _method(
     unpack: Callable[[dict[str, Any], dict[str, np.ndarray]], Any] | None = None,
     result: str = "",
     extends: Callable[[Any], str] | None = None,
+    all_kinds: bool = False,
 ) -> Method:
     """A method whose parts are names in ``module``, imported when first used.
 
@@ -80,6 +84,7 @@ def _method(
         pack or (lambda result, dataset: (result.to_json(), {})),
         unpack or (lambda document, arrays: named("from_json")(document)),
         extends=extends,
+        all_kinds=all_kinds,
     )
 
 
@@ -129,11 +134,12 @@ METHODS: dict[str, Method] = {
     ),
     "search": _method(
         "Search index",
-        2,
+        3,
         "core.retrieval.search",
         "SearchParameters",
         "build_search_index",
         result="core.retrieval.search",
+        all_kinds=True,
     ),
     "ranking": _method(
         "Rankings by several engines",
@@ -151,6 +157,7 @@ METHODS: dict[str, Method] = {
         "feature_table",
         pack=lambda table, dataset: import_module("core.export").pack_features(table),
         unpack=lambda document, arrays: import_module("core.export").unpack_features(document, arrays),
+        all_kinds=True,
     ),
     "compression": Method(
         "Compression",

@@ -46,6 +46,7 @@ class Clip:
     notes: what the reader did, in plain words (unit guessed, joints folded).
     findings: what a person should look at, and in which frames.
     up: the axis that points up in the file the clip came from (``y``, ``z``, ``-x`` ...); the clip itself has Y up.
+    rest_turned: whether the skeleton's rest pose was turned from that axis as well.
     Arrays may be memory-mapped. Raises ValueError where shapes do not agree or fps is not positive.
     """
 
@@ -58,6 +59,7 @@ class Clip:
     notes: tuple[str, ...] = ()
     findings: tuple[Finding, ...] = ()
     up: str = "y"
+    rest_turned: bool = False
 
     def __post_init__(self) -> None:
         n, shape = len(self.root_positions), (len(self.root_positions), self.skeleton.n_joints, 4)

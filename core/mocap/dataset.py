@@ -200,7 +200,7 @@ def read_recordings(
         raise RecordingError(source if isinstance(source, str | os.PathLike) else source[0], "no clip is chosen")
     skeletons: dict[Path, AsfSkeleton | RecordingError] = {}
     jobs = [(r, _skeleton_of(r.path, skeleton, skeletons)) for r in recordings]
-    shared: dict[Skeleton, Skeleton] = {}
+    shared: dict[tuple[Skeleton, float], Skeleton] = {}  # equal ones may come in different units
     # Threads: the scanners let go of the interpreter's lock, and nothing has to be copied between processes.
     with Parallel(n_jobs=min(os.cpu_count() or 1, 8), prefer="threads") as parallel:
         for start in range(0, len(jobs), _BATCH):
@@ -213,7 +213,7 @@ def read_recordings(
 
 
 def _reported(
-    recording: Recording, read: tuple[Clip, ...] | RecordingError, shared: dict[Skeleton, Skeleton]
+    recording: Recording, read: tuple[Clip, ...] | RecordingError, shared: dict[tuple[Skeleton, float], Skeleton]
 ) -> Iterator[tuple[FileReport | RecordingError, Clip | None]]:
     if isinstance(read, RecordingError):
         yield read, None
@@ -221,7 +221,8 @@ def _reported(
     for clip in read:
         # A file of several skeletons has several clips: what is added to the file's name stays.
         name = recording.clip + clip.name.removeprefix(read[0].name)
-        clip = replace(clip, name=name, skeleton=shared.setdefault(clip.skeleton, clip.skeleton))
+        skeleton = shared.setdefault((clip.skeleton, clip.skeleton.unit), clip.skeleton)
+        clip = replace(clip, name=name, skeleton=skeleton)
         doubts = (*clip.warnings, *filter(None, [recording.message]))
         verdict: Verdict = "warning" if doubts else "ok"
         yield FileReport(str(recording.path), name, verdict, (*doubts, *clip.notes), findings=clip.findings), clip

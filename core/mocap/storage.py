@@ -78,7 +78,7 @@ class DatasetWriter:
         self.report = ImportReport()
         self.head: dict[str, Any] = {"format": FORMAT, "name": name, "skeletons": [], "clips": []}
         self._file, self._written = file, 0
-        self._skeletons: dict[Skeleton, int] = {}
+        self._skeletons: dict[tuple[Skeleton, float], int] = {}  # equal ones may have come in different units
         self._header()
 
     def add(self, clip: Clip, digest: str | None = None) -> None:
@@ -95,6 +95,7 @@ class DatasetWriter:
             "digest": digest or clip_digest(clip),
         }
         entry |= {"notes": clip.notes, "findings": [asdict(finding) for finding in clip.findings], "up": clip.up}
+        entry |= {"rest_turned": clip.rest_turned}
         for part in (clip.root_positions, clip.rotations, *(clip.translations[j] for j in sorted(clip.translations))):
             self._file.write(np.ascontiguousarray(part, _FLOAT).data)
             self._written += part.size
@@ -112,10 +113,11 @@ class DatasetWriter:
         np.lib.format.write_array_header_1_0(self._file, header)
 
     def _skeleton(self, skeleton: Skeleton) -> int:
-        if skeleton not in self._skeletons:
-            self._skeletons[skeleton] = len(self._skeletons)
+        key = skeleton, skeleton.unit
+        if key not in self._skeletons:
+            self._skeletons[key] = len(self._skeletons)
             self.head["skeletons"].append(skeleton.to_json())
-        return self._skeletons[skeleton]
+        return self._skeletons[key]
 
 
 def load_dataset(folder: str | Path) -> Dataset:
@@ -175,4 +177,5 @@ def _clip(entry: Mapping[str, Any], skeletons: list[Skeleton], numbers: np.ndarr
         notes=tuple(entry["notes"]),
         findings=findings_from(entry),
         up=entry.get("up", "y"),
+        rest_turned=entry.get("rest_turned", False),
     )

@@ -23,7 +23,8 @@ _TO_Y = {  # quaternions that turn an axis to Y
     "-y": (0.0, 1.0, 0.0, 0.0),
 }
 _SAMPLED = 48  # frames that are looked at
-_ALONG, _MOSTLY = 0.8, 0.8  # cosine of a body that stands along an axis, and share of the frames in which it does
+_ALONG = 0.8  # cosine of a body that stands along an axis
+_OFTEN, _MOSTLY = 0.3, 0.8  # share of the frames in which it does, where the rest pose does too, and where it does not
 _AT_REST = 0.7  # cosine from which the rest pose speaks for an axis
 _TRAVEL = 0.25  # of the body's height: who moves so far along what would be the vertical does not lie on the floor
 
@@ -39,23 +40,54 @@ def axis_of(up: str) -> str | None:
 
 
 def turned(clip: Clip, up: str) -> Clip:
-    """The clip read as if ``up`` (one of AXES) points up in its file, instead of ``clip.up``; what was up is Y."""
+    """The clip read as if ``up`` (one of AXES) points up in its file, instead of ``clip.up``; what was up is Y.
+
+    Where the rest pose stands along ``up`` as well, all coordinates are turned, so that the skeleton is that of the
+    same file with Y up; else only the motion is, by its root.
+    """
     if up == clip.up:
         return clip
-    back = quat.conjugate(np.array(_TO_Y[clip.up]))
-    turn = quat.multiply(np.array(_TO_Y[up]), back)[None]
+    as_filed = _turned(clip, quat.conjugate(np.array(_TO_Y[clip.up])), clip.rest_turned)
+    anatomy = find_anatomy(clip.skeleton)
+    rest = _upright(anatomy, _resting(as_filed))
+    axis = quat.rotate(quat.conjugate(np.array(_TO_Y[up])), np.array([0.0, 1.0, 0.0]))
+    with_rest = rest is not None and bool(rest[0] @ axis > _AT_REST)
+    return replace(_turned(as_filed, np.array(_TO_Y[up]), with_rest), up=up, rest_turned=with_rest and up != "y")
+
+
+def _turned(clip: Clip, turn: np.ndarray, with_rest: bool) -> Clip:
+    """The clip turned by a quaternion (4,), its rest pose with it or not."""
+    root = quat.rotate(turn[None], np.asarray(clip.root_positions, float)).astype(np.float32)
     rotations = np.array(clip.rotations, np.float32)
-    rotations[:, 0] = quat.multiply(turn, clip.rotations[:, 0].astype(float))
-    root = quat.rotate(turn, np.asarray(clip.root_positions, float))
-    return replace(clip, root_positions=root.astype(np.float32), rotations=rotations, up=up)
+    if not with_rest:
+        rotations[:, 0] = quat.multiply(turn[None], clip.rotations[:, 0].astype(float))
+        return replace(clip, root_positions=root, rotations=rotations)
+    back = quat.conjugate(turn)
+    rotations = quat.multiply(quat.multiply(turn[None, None], rotations.astype(float)), back[None, None])
+    offsets = quat.rotate(turn[None], clip.skeleton.offsets.astype(float))
+    tracks = {j: quat.rotate(turn[None], np.asarray(t, float)) for j, t in clip.translations.items()}
+    return replace(
+        clip,
+        skeleton=replace(clip.skeleton, offsets=offsets),
+        root_positions=root,
+        rotations=rotations.astype(np.float32),
+        translations={j: track.astype(np.float32) for j, track in tracks.items()},
+    )
+
+
+def _resting(clip: Clip) -> np.ndarray:
+    """World positions ``(1, n_joints, 3)`` of the pose of no rotation."""
+    unturned = np.zeros_like(clip.rotations[:1]) + np.array([1, 0, 0, 0], np.float32)
+    resting = replace(clip, root_positions=clip.root_positions[:1], rotations=unturned, translations={})
+    return forward_kinematics(resting)[0].astype(float)
 
 
 def find_up(clip: Clip) -> str:
     """The axis, of the file the clip was read from, along which its body stands; ``clip.up`` where none is certain.
 
-    A body that lies along another axis in nearly all frames may be a person on the floor. The file's axis it is where
-    the rest pose stands along it too, or where the body travels along what would else be the vertical. Upside down
-    it is only where the rest pose is too.
+    A body that lies along another axis than Y may be a person on the floor. The file's axis it is where the rest pose
+    stands along it too, or where, nearly always along it, the body travels along what would else be the vertical.
+    Upside down it is only where the rest pose is too.
     """
     anatomy = find_anatomy(clip.skeleton)
     if anatomy.body == "other":
@@ -69,15 +101,13 @@ def find_up(clip: Clip) -> str:
     upright = _upright(anatomy, positions.astype(float))
     if upright is None:
         return clip.up
-    axis = int(np.abs(np.median(upright, axis=0)).argmax())
-    sign = 1 if np.median(upright[:, axis]) > 0 else -1
-    if (axis, sign) == (1, 1) or np.mean(sign * upright[:, axis] > _ALONG) < _MOSTLY:
+    shares = [(float(np.mean(sign * upright[:, axis] > _ALONG)), axis, sign) for axis in range(3) for sign in (1, -1)]
+    share, axis, sign = max(shares)
+    if (axis, sign) == (1, 1):
         return clip.up
-    unturned = np.zeros_like(some.rotations[:1]) + np.array([1, 0, 0, 0], np.float32)
-    resting = replace(some, root_positions=some.root_positions[:1], rotations=unturned, translations={})
-    rest = _upright(anatomy, forward_kinematics(resting)[0].astype(float))
-    agrees = rest is not None and sign * rest[0, axis] > _AT_REST
-    travels = axis != 1 and np.ptp(positions[:, 0, 1]) > _TRAVEL * anatomy.body_height
+    rest = _upright(anatomy, _resting(some))
+    agrees = rest is not None and sign * rest[0, axis] > _AT_REST and share > _OFTEN
+    travels = share > _MOSTLY and axis != 1 and np.ptp(positions[:, 0, 1]) > _TRAVEL * anatomy.body_height
     if not agrees and not travels:
         return clip.up
     found = quat.rotate(quat.conjugate(np.array(_TO_Y[clip.up])), sign * np.eye(3)[axis])

@@ -12,7 +12,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -22,6 +21,7 @@ from core.mocap.anatomy import CANONICAL, Anatomy, find_anatomy
 from core.mocap.clip import Clip
 from core.mocap.dataset import Dataset
 from core.mocap.kinematics import forward_kinematics, resample
+from core.mocap.rigs import kinds_of, rigs_of
 from core.mocap.skeleton import Skeleton
 from core.progress import Report, silent
 
@@ -160,15 +160,18 @@ class _Body:
     above: tuple[int, ...]
     hips: tuple[int, int] | None
     height: float
-    family: tuple[str, ...]  # skeletons with equal joint names share their rest rotations
+    family: int  # skeletons of one rig share their rest rotations
 
 
 def posture_joints(skeletons: Sequence[Skeleton]) -> dict[Skeleton, dict[str, int]]:
     """Per skeleton the joints of its posture vector: name -> index, the same names in the same order for all.
 
-    Raises AnalysisError where they have none in common.
+    Raises AnalysisError where bodies are among them that cannot be compared, or that have none in common.
     """
     unique = list(dict.fromkeys(skeletons))
+    kinds = sorted(set(kinds_of(unique, parts_with_people=True).values()))
+    if len(kinds) > 1:
+        raise AnalysisError(f"bodies that cannot be compared: {', '.join(kinds[:4])}; analyse each kind on its own")
     anatomies = {s: find_anatomy(s) for s in unique}
     own = {s: {s.names[j]: j for j in anatomies[s].posture_joints} for s in unique}
     if len({tuple(names) for names in own.values()}) > 1:
@@ -181,10 +184,11 @@ def posture_joints(skeletons: Sequence[Skeleton]) -> dict[Skeleton, dict[str, in
 
 def _bodies(skeletons: Sequence[Skeleton]) -> dict[Skeleton, _Body]:
     chosen = posture_joints(skeletons)
-    return {s: _body(s, find_anatomy(s), joints) for s, joints in chosen.items()}
+    _, rigs = rigs_of(skeletons)
+    return {s: _body(s, find_anatomy(s), joints, rigs[s]) for s, joints in chosen.items()}
 
 
-def _body(skeleton: Skeleton, anatomy: Anatomy, chosen: dict[str, int]) -> _Body:
+def _body(skeleton: Skeleton, anatomy: Anatomy, chosen: dict[str, int], rig: int) -> _Body:
     joints = tuple(chosen.values())
     above = []
     for j in joints:
@@ -193,16 +197,12 @@ def _body(skeleton: Skeleton, anatomy: Anatomy, chosen: dict[str, int]) -> _Body
             p = skeleton.parents[p]
         above.append(max(p, 0))
     hips = anatomy.joints.get("left_hip", -1), anatomy.joints.get("right_hip", -1)
-    return _Body(
-        tuple(chosen), joints, tuple(above), hips if min(hips) >= 0 else None, anatomy.body_height, skeleton.names
-    )
+    return _Body(tuple(chosen), joints, tuple(above), hips if min(hips) >= 0 else None, anatomy.body_height, rig)
 
 
-def _mean_rotations(
-    clips: Sequence[Clip], bodies: dict[Skeleton, _Body]
-) -> dict[tuple[Any, ...], tuple[np.ndarray, np.ndarray]]:
+def _mean_rotations(clips: Sequence[Clip], bodies: dict[Skeleton, _Body]) -> dict[int, tuple[np.ndarray, np.ndarray]]:
     """Per family: mean rotation of each joint ``(n_joints, 4)`` and mean pelvis rotation without heading ``(4,)``."""
-    sums: dict[tuple[Any, ...], np.ndarray] = {}
+    sums: dict[int, np.ndarray] = {}
     for clip in clips:
         body = bodies[clip.skeleton]
         step = max(1, round(clip.fps / 3))  # a few frames a second are plenty for a mean

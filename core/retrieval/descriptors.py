@@ -16,6 +16,7 @@ from core.mocap import quaternions as quat
 from core.mocap.anatomy import find_anatomy
 from core.mocap.clip import Clip
 from core.mocap.kinematics import forward_kinematics, resample
+from core.mocap.skeleton import Skeleton
 from core.poses.body_parts import LEAVES
 
 _SIZES = {"head": 6, "torso": 6, "arm": 6, "hand": 3, "leg": 6, "foot": 3}
@@ -39,10 +40,12 @@ class Axes:
 
     "pelvis", "chest", "head": left, up, forward. "left_elbow", "left_knee", ...: along the bone, and the way it bends.
     "left_wrist", "left_ankle", ...: along hand or foot. Leaves whose joints the skeleton lacks are not in ``leaves``.
+    bones: of what is no human the joints whose bones take the place of the parts, see :func:`own_bones`.
     """
 
     frames: Mapping[str, np.ndarray]
     leaves: tuple[str, ...]
+    bones: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,6 +69,9 @@ def find_axes(clips: Iterable[Clip]) -> Axes:
     sums: dict[str, np.ndarray] = {}
     leaves: tuple[str, ...] = ()
     for clip in clips:
+        if find_anatomy(clip.skeleton).body == "other":
+            bones = own_bones(clip.skeleton)
+            return Axes({}, LEAVES if bones else (), bones)
         step = max(1, round(clip.fps / _SPARSE))
         pose = _Pose(
             Clip(
@@ -84,8 +90,33 @@ def find_axes(clips: Iterable[Clip]) -> Axes:
     return Axes(frames, leaves if "pelvis" in frames and "chest" in frames else ())
 
 
+def own_bones(skeleton: Skeleton) -> tuple[int, ...]:
+    """The joints at the ends of a rig's longest bones, as many as there are unit vectors in the columns.
+
+    Repeated from the first where there are fewer, so that every column says something; none where no bone has a length.
+    """
+    length = np.linalg.norm(skeleton.offsets, axis=1)
+    longest = np.argsort(-length, kind="stable")[: N_COLUMNS // 3]
+    bones = sorted(int(joint) for joint in longest if length[joint] > 1e-6 * length.max())
+    return tuple(np.resize(bones, N_COLUMNS // 3).tolist()) if bones else ()
+
+
+def _own_frames(clip: Clip, axes: Axes) -> PartFrames:
+    """Where the bones of a rig point, seen from its root, in the place of the parts of a human."""
+    positions, world = forward_kinematics(clip)
+    bones, parents = list(axes.bones), [clip.skeleton.parents[joint] for joint in axes.bones]
+    lines = _unit(positions[:, bones].astype(np.float64) - positions[:, parents])
+    values = quat.rotate(quat.conjugate(world[:, :1].astype(np.float64)), lines).reshape(clip.n_frames, -1)
+    yaw = np.unwrap(quat.split_yaw(world[:, 0])[0])
+    size = max(find_anatomy(clip.skeleton).body_height, 1e-6)
+    root = _travel(np.asarray(clip.root_positions, np.float64), yaw, clip.fps, size)
+    return PartFrames(values.astype(np.float32), root.astype(np.float32), axes.leaves)
+
+
 def part_frames(clip: Clip, axes: Axes, fps: float) -> PartFrames:
     """The frames of a clip in parts, at ``fps``. Raises ValueError where ``fps`` is not positive."""
+    if axes.bones:
+        return _own_frames(resample(clip, fps), axes)
     pose = _Pose(resample(clip, fps))
     values, root = np.zeros((pose.n, N_COLUMNS), np.float32), np.zeros((pose.n, len(ROOT)), np.float32)
     if axes.leaves:
@@ -135,22 +166,29 @@ class _Pose:
     def raw_axes(self) -> dict[str, np.ndarray]:
         """Joint -> ``(n, 2, 3)``: the two directions its frame is made of, in its own coordinates."""
         blocks: dict[str, np.ndarray] = {}
-        top = next((name for name in ("neck", "head") if name in self.joints), None)
-        if not {"left_hip", "right_hip", "left_shoulder", "right_shoulder"} <= set(self.joints) or top is None:
+        top = next((name for name in ("neck", "head") if name in self.joints), "")
+        pairs = [pair for pair in ("hip", "shoulder") if {f"left_{pair}", f"right_{pair}"} <= set(self.joints)]
+        if not pairs or (not top and "left_ankle" not in self.joints):
             return {}
-        hips, shoulders = self._bone("right_hip", "left_hip"), self._bone("right_shoulder", "left_shoulder")
-        blocks["pelvis"] = self._seen("pelvis", hips, self._bone("pelvis", top))
-        blocks["chest"] = self._seen("chest", shoulders, self._bone("chest" if top == "head" else "pelvis", top))
+        # A body without legs, or without arms, is as wide as the other pair; one without a head stands on its feet.
+        hips = self._bone(f"right_{pairs[0]}", f"left_{pairs[0]}")
+        shoulders = self._bone(f"right_{pairs[-1]}", f"left_{pairs[-1]}")
+        if not top:  # then the ankles are there
+            up = self._bone("left_ankle", "pelvis")
+            blocks["pelvis"], blocks["chest"] = self._seen("pelvis", hips, up), self._seen("chest", shoulders, up)
+        else:
+            blocks["pelvis"] = self._seen("pelvis", hips, self._bone("pelvis", top))
+            blocks["chest"] = self._seen("chest", shoulders, self._bone("chest" if top == "head" else "pelvis", top))
         if "head" in self.joints:
             blocks["head"] = self._seen("head", shoulders, self._bone("pelvis", top))
         for side in ("left", "right"):
-            for upper, middle, lower, tip in (("shoulder", "elbow", "wrist", None), ("hip", "knee", "ankle", "toe")):
+            for upper, middle, lower, end in (("shoulder", "elbow", "wrist", ""), ("hip", "knee", "ankle", "toe")):
                 names = [f"{side}_{name}" for name in (upper, middle, lower)]
                 if not set(names) <= set(self.joints):
                     continue
                 above, along = self._bone(*names[:2]), self._bone(*names[1:])
                 blocks[names[1]] = self._seen(names[1], along, above)
-                tip = f"{side}_{tip}"
+                tip = f"{side}_{end}"
                 points = self._bone(names[2], tip) if tip in self.joints else along
                 if np.linalg.norm(points, axis=1).max() < 1e-4:
                     points = along
@@ -179,17 +217,7 @@ class _Pose:
         """The root's columns ``(n, 4)``."""
         (left,) = self._axes("pelvis", {"pelvis": pelvis}, (0,))
         yaw = np.unwrap(np.arctan2(-left[:, 2], left[:, 0]))
-        back = quat.from_yaw(-yaw)
-        half = max(1, round(self.clip.fps * _STEP))
-        at = np.arange(self.n)
-        before, after = np.maximum(at - half, 0), np.minimum(at + half, self.n - 1)
-        seconds = np.maximum(after - before, 1) / self.clip.fps
-        place = np.asarray(self.clip.root_positions, np.float64)
-        velocity = quat.rotate(back, (place[after] - place[before]) / seconds[:, None]) * (
-            STANDARD_HEIGHT / self.height
-        )
-        turning = (yaw[after] - yaw[before]) / seconds
-        return np.column_stack([velocity[:, 0], velocity[:, 2], velocity[:, 1], turning])
+        return _travel(np.asarray(self.clip.root_positions, np.float64), yaw, self.clip.fps, self.height)
 
     def _bone(self, a: str, b: str) -> np.ndarray:
         return self.at[b] - self.at[a]
@@ -204,6 +232,17 @@ class _Pose:
 
     def _seen(self, joint: str, *vectors: np.ndarray) -> np.ndarray:
         return np.stack([_unit(np.einsum("nj,nji->ni", v, self.turn[joint])) for v in vectors], axis=1)
+
+
+def _travel(place: np.ndarray, yaw: np.ndarray, fps: float, height: float) -> np.ndarray:
+    """The root's columns ``(n, 4)`` from its places ``(n, 3)`` and its heading ``(n,)``, for a body of this height."""
+    half, at = max(1, round(fps * _STEP)), np.arange(len(place))
+    before, after = np.maximum(at - half, 0), np.minimum(at + half, len(place) - 1)
+    seconds = np.maximum(after - before, 1) / fps
+    steps = (place[after] - place[before]) / seconds[:, None]
+    velocity = quat.rotate(quat.from_yaw(-yaw), steps) * (STANDARD_HEIGHT / height)
+    turning = (yaw[after] - yaw[before]) / seconds
+    return np.column_stack([velocity[:, 0], velocity[:, 2], velocity[:, 1], turning])
 
 
 def _matrices(q: np.ndarray) -> np.ndarray:

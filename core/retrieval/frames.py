@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from core.mocap.clip import Clip, Segment
+from core.mocap.rigs import Rig, rigs_of
 from core.poses.body_parts import LEAVES
 from core.progress import Report
 from core.retrieval.descriptors import BLOCKS, N_COLUMNS, ROOT, Axes, PartFrames, find_axes, part_frames
@@ -40,30 +41,36 @@ def decode(codes: np.ndarray) -> np.ndarray:
 class FrameStore:
     """Codes ``(n, N_COLUMNS + 4)`` int8 of the clips one after another at ``fps``; starts ``(n_clips + 1,)``.
 
-    axes: joint names of a skeleton -> its axes; has: ``(n_clips, 10)`` bool, which leaves each clip has.
+    rigs: those of the clips; axes: of each rig; has: ``(n_clips, 10)`` bool, which leaves each clip has.
     """
 
     clips: tuple[IndexedClip, ...]
     codes: np.ndarray
     starts: np.ndarray
     has: np.ndarray
-    axes: Mapping[tuple[str, ...], Axes]
+    rigs: tuple[Rig, ...]
+    axes: tuple[Axes, ...]
     fps: float
 
     @classmethod
     def build(cls, clips: Iterable[Clip], fps: float, report: Report) -> FrameStore:
         """The frames of some clips, in the order of their names."""
         width = N_COLUMNS + len(ROOT)
-        empty = cls((), np.zeros((0, width), np.int8), np.zeros(1, np.int64), np.zeros((0, len(LEAVES)), bool), {}, fps)
+        has = np.zeros((0, len(LEAVES)), bool)
+        empty = cls((), np.zeros((0, width), np.int8), np.zeros(1, np.int64), has, (), (), fps)
         return empty.add(clips, report)
 
     def add(self, clips: Iterable[Clip], report: Report) -> FrameStore:
         """With more clips, after those that are there; what is known of a skeleton stays."""
         clips = sorted(clips, key=lambda clip: clip.name)
-        axes = dict(self.axes) | _axes_of([clip for clip in clips if clip.skeleton.names not in self.axes])
+        rigs, number = rigs_of((clip.skeleton for clip in clips), self.rigs)
+        axes = [*self.axes]
+        for rig in range(len(self.axes), len(rigs)):
+            family = [clip for clip in clips if number[clip.skeleton] == rig]
+            axes.append(find_axes(family[:: max(1, len(family) // _FOR_AXES)]))
         codes, has = [], []
         for k, clip in enumerate(clips):
-            frames = part_frames(clip, axes[clip.skeleton.names], self.fps)
+            frames = part_frames(clip, axes[number[clip.skeleton]], self.fps)
             codes.append(encode(frames))
             has.append([leaf in frames.leaves for leaf in LEAVES])
             report("reading postures", (k + 1) / len(clips))
@@ -74,7 +81,8 @@ class FrameStore:
             codes=np.concatenate([self.codes, *codes]),
             starts=np.concatenate([self.starts, ends]).astype(np.int64),
             has=np.concatenate([self.has, np.array(has, bool).reshape(-1, len(LEAVES))]),
-            axes=axes,
+            rigs=tuple(rigs),
+            axes=tuple(axes),
         )
 
     @cached_property
@@ -125,7 +133,8 @@ class FrameStore:
         while before and abs(before * step - round(before * step)) > 1e-3:
             before -= 1
         first, last = start - round(before * step), min(clip.n_frames, end + round(_AROUND * step))
-        axes = self.axes.get(clip.skeleton.names) or find_axes([clip])
+        rig = next((k for k, rig in enumerate(self.rigs) if rig.fits(clip.skeleton)), None)
+        axes = find_axes([clip]) if rig is None else self.axes[rig]
         frames = part_frames(clip.cut(first, last), axes, self.fps)
         n = int((end - start - 1) / step + 1e-6) + 1
         return encode(frames)[before : before + n], frames.leaves
@@ -133,8 +142,14 @@ class FrameStore:
     def pack(self) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
         """As a JSON document and arrays (n, ...)."""
         axes = [
-            {"names": list(names), "leaves": list(a.leaves), "frames": {k: v.tolist() for k, v in a.frames.items()}}
-            for names, a in self.axes.items()
+            {
+                "names": list(rig.names),
+                "directions": np.round(rig.directions, 6).tolist(),
+                "leaves": list(own.leaves),
+                "bones": list(own.bones),
+                "frames": {name: frame.tolist() for name, frame in own.frames.items()},
+            }
+            for rig, own in zip(self.rigs, self.axes, strict=True)
         ]
         document = {"fps": self.fps, "clips": [list(clip) for clip in self.clips], "axes": axes}
         return document, {"codes": self.codes, "starts": self.starts, "has": self.has}
@@ -142,12 +157,13 @@ class FrameStore:
     @classmethod
     def unpack(cls, document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> FrameStore:
         """Back from :meth:`pack` (n, ...)."""
-        axes = {
-            tuple(a["names"]): Axes({k: np.array(v) for k, v in a["frames"].items()}, tuple(a["leaves"]))
+        rigs = tuple(Rig(tuple(a["names"]), np.array(a["directions"])) for a in document["axes"])
+        axes = tuple(
+            Axes({k: np.array(v) for k, v in a["frames"].items()}, tuple(a["leaves"]), tuple(a["bones"]))
             for a in document["axes"]
-        }
+        )
         clips = tuple(IndexedClip(name, int(frames), float(fps)) for name, frames, fps in document["clips"])
-        return cls(clips, arrays["codes"], arrays["starts"], arrays["has"], axes, float(document["fps"]))
+        return cls(clips, arrays["codes"], arrays["starts"], arrays["has"], rigs, axes, float(document["fps"]))
 
 
 def jitter(codes: np.ndarray) -> float:
@@ -166,10 +182,3 @@ def column_weights(weights: Mapping[str, float]) -> np.ndarray:
     for leaf, columns in BLOCKS.items():
         factors[columns] = np.sqrt(len(LEAVES) * weights.get(leaf, 0.0))
     return factors
-
-
-def _axes_of(clips: Sequence[Clip]) -> dict[tuple[str, ...], Axes]:
-    families: dict[tuple[str, ...], list[Clip]] = {}
-    for clip in clips:
-        families.setdefault(clip.skeleton.names, []).append(clip)
-    return {names: find_axes(family[:: max(1, len(family) // _FOR_AXES)]) for names, family in families.items()}

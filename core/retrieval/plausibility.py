@@ -31,7 +31,7 @@ def plausibility(index: SearchIndex, query: Query) -> Plausibility:
 
     Raises ValueError where no body is recognised in the query.
     """
-    store = index.engine.store
+    store = index.engine_for(query).store
     composed = compose(store, query, weights_for(query, None))
     scales = column_weights(composed.weights) / 127
     at, clips = _spread(len(store.codes), _SAMPLE), np.repeat(np.arange(len(store.clips)), np.diff(store.starts))

@@ -11,8 +11,11 @@ from typing import Any, Protocol
 import numpy as np
 
 from core.errors import AnalysisError, FormatError, ParameterError
+from core.mocap.anatomy import find_anatomy
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
+from core.mocap.rigs import PEOPLE, comparable_groups
+from core.mocap.skeleton import Skeleton
 from core.parameters import parameter
 from core.poses.body_parts import LEAVES, normalise_weights
 from core.progress import Report, silent
@@ -111,17 +114,39 @@ class Engine(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class SearchIndex:
-    """An index of a data set that answers queries. ``seconds``: what each stage of building it took."""
+    """An index of a data set that answers queries. ``seconds``: what each stage of building it took.
+
+    engine: of the people among the clips; of a data set without any, of the rig with most frames. others: an engine for
+    each rig that cannot be compared with those: a query is looked for among clips of its own kind only.
+    """
 
     engine: Engine
     parameters: SearchParameters
     dataset: Mapping[str, Any] = field(default_factory=dict)
     seconds: Mapping[str, float] = field(default_factory=dict)
+    others: tuple[Engine, ...] = ()
 
     @property
     def clips(self) -> tuple[IndexedClip, ...]:
-        """The clips that are searched."""
-        return self.engine.clips
+        """The clips that are searched, of all kinds."""
+        return tuple(clip for engine in (self.engine, *self.others) for clip in engine.clips)
+
+    def engine_for(self, query: Query) -> Engine:
+        """The engine of the clips that can be compared with a query.
+
+        Raises AnalysisError where there is none, or the parts of the query are of several kinds.
+        """
+        engines = {_engine_of(part.clip.skeleton, (self.engine, *self.others)) for part in query.parts}
+        if len(engines) > 1:
+            raise AnalysisError(f"{query.name}: its parts are of bodies that cannot be compared")
+        (engine,) = engines
+        if engine is None:
+            raise AnalysisError(f"{query.name}: no clip here has a body that can be compared with it")
+        return engine
+
+    def not_compared(self, query: Query) -> int:
+        """How many clips a query is not compared with, for their bodies cannot be."""
+        return len(self.clips) - len(self.engine_for(query).clips)
 
     def search(
         self,
@@ -136,11 +161,13 @@ class SearchIndex:
     ) -> list[Hit]:
         """The stretches that are most like the query, best first.
 
+        Clips whose bodies cannot be compared with the query's are no hits.
+
         weights: node or leaf of the body -> weight (see core.poses.body_parts), None for all alike; parts of the body
         that the query lacks count nothing. level: "clip" gives one hit a clip, all of them unless ``top`` says
         fewer; "interval" gives stretches of clips, 20 unless ``top`` says otherwise. root_path: from 0 (not at all) to
         1, how much the path over the ground counts. only, exclude: names of the clips that count, or do not. Raises
-        ParameterError for weights, level, top or root_path that cannot be used.
+        ParameterError for weights, level, top or root_path that cannot be used, AnalysisError as :meth:`engine_for`.
         """
         if level not in ("clip", "interval"):
             raise ParameterError(f"level must be clip or interval, not {str(level)[:40]!r}")
@@ -148,16 +175,19 @@ class SearchIndex:
             raise ParameterError(f"top must be at least 1, not {top}")
         if not 0 <= root_path <= 1:
             raise ParameterError(f"root_path must be 0 to 1, not {root_path}")
+        engine = self.engine_for(query)
         wanted, unwanted = None if only is None else set(only), set(exclude)
-        among = [k for k, c in enumerate(self.clips) if (wanted is None or c.name in wanted) and c.name not in unwanted]
+        among = [
+            k for k, c in enumerate(engine.clips) if (wanted is None or c.name in wanted) and c.name not in unwanted
+        ]
         shares = weights_for(query, weights)
         if not among:
             return []
         clips, path = np.array(among, np.int64), float(root_path)
         if level == "clip":
-            return self.engine.rank_clips(query, shares, among=clips, top=top, root_path=path)
+            return engine.rank_clips(query, shares, among=clips, top=top, root_path=path)
         top = INTERVALS if top is None else top
-        return self.engine.rank_intervals(query, shares, among=clips, top=top, root_path=path)
+        return engine.rank_intervals(query, shares, among=clips, top=top, root_path=path)
 
     def explain(self, query: Query, hit: Hit | Segment, *, weights: Mapping[str, float] | None = None) -> Explanation:
         """Which parts of a hit are like the query when, and which frames stand beside one another.
@@ -170,7 +200,10 @@ class SearchIndex:
             raise KeyError(f"the index has no clip {segment.clip!r}")
         if not 0 <= segment.start < segment.end <= clip.frames:
             raise ParameterError(f"{clip.name} has frames 0 to {clip.frames}, not {segment.start} to {segment.end}")
-        return self.engine.explain(query, segment, weights_for(query, weights))
+        engine = self.engine_for(query)
+        if clip not in engine.clips:
+            raise ParameterError(f"{query.name} and {clip.name} are of bodies that cannot be compared")
+        return engine.explain(query, segment, weights_for(query, weights))
 
     def add(self, dataset: Dataset, report: Report = silent) -> SearchIndex:
         """The index with the clips of another data set as well, without building it anew.
@@ -182,13 +215,36 @@ class SearchIndex:
         twice = [name for name in dataset.names if name in known]
         if twice:
             raise AnalysisError(f"the index has a clip called {twice[0]!r} already")
-        return replace(self, engine=self.engine.add(dataset, report)) if dataset.clips else self
+        engines = [self.engine, *self.others]
+        for group in comparable_groups(dataset, parts_with_people=True):
+            some = dataset.select(group.clips)
+            own = _engine_of(some.clips[0].skeleton, tuple(engines))
+            if own is None:
+                engines.append(_engine(self.parameters.method).build(some, self.parameters, report))
+            else:
+                engines[engines.index(own)] = own.add(some, report)
+        return replace(self, engine=engines[0], others=tuple(engines[1:]))
 
     def pack(self) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
         """The index as a JSON document and arrays (n, ...), to be kept."""
         document, arrays = self.engine.pack()
+        others = []
+        for k, engine in enumerate(self.others):
+            more, own = engine.pack()
+            others.append(more)
+            arrays = arrays | {f"other {k} {name}": array for name, array in own.items()}
         head = {"format": FORMAT, "parameters": asdict(self.parameters), "dataset": dict(self.dataset)}
-        return head | {"seconds": dict(self.seconds), "engine": document}, arrays
+        return head | {"seconds": dict(self.seconds), "engine": document, "others": others}, arrays
+
+
+def _engine_of(skeleton: Skeleton, engines: tuple[Engine, ...]) -> Engine | None:
+    """The engine whose clips have bodies that a skeleton can be compared with."""
+    human = find_anatomy(skeleton).body != "other"
+    for engine in engines:
+        own = any(axes.bones for axes in engine.store.axes)
+        if (human and not own) or (not human and own and any(rig.fits(skeleton) for rig in engine.store.rigs)):
+            return engine
+    return None
 
 
 def weights_for(query: Query, weights: Mapping[str, float] | None) -> dict[str, float]:
@@ -218,12 +274,15 @@ def build_search_index(
     if not dataset.clips:
         raise AnalysisError("the dataset has no clips, so there is nothing to search")
     started = time.perf_counter()
-    engine = _engine(parameters.method).build(dataset, parameters, report)
+    groups = sorted(comparable_groups(dataset, parts_with_people=True), key=lambda group: group.words != PEOPLE)
+    parts = [dataset] if len(groups) == 1 else [dataset.select(group.clips) for group in groups]
+    engine, *others = (_engine(parameters.method).build(part, parameters, report) for part in parts)
     return SearchIndex(
         engine,
         parameters,
         dataset={"name": dataset.name, "fingerprint": dataset.fingerprint},
         seconds={"index": time.perf_counter() - started},
+        others=tuple(others),
     )
 
 
@@ -232,8 +291,14 @@ def unpack(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Sea
     if document.get("format") != FORMAT:
         raise FormatError(f"not a search index: expected format {FORMAT}, found {document.get('format')}")
     parameters = SearchParameters(**document["parameters"])
-    engine = _engine(parameters.method).unpack(document["engine"], arrays)
-    return SearchIndex(engine, parameters, dict(document["dataset"]), dict(document["seconds"]))
+    kind = _engine(parameters.method)
+    others = []
+    for k, other in enumerate(document["others"]):
+        mark = f"other {k} "
+        own = {name.removeprefix(mark): array for name, array in arrays.items() if name.startswith(mark)}
+        others.append(kind.unpack(other, own))
+    engine = kind.unpack(document["engine"], {n: array for n, array in arrays.items() if not n.startswith("other ")})
+    return SearchIndex(engine, parameters, dict(document["dataset"]), dict(document["seconds"]), tuple(others))
 
 
 def _engine(method: str) -> type[Engine]:

@@ -71,6 +71,7 @@ def pack_clip(clip: Clip) -> tuple[dict[str, Any], dict[str, np.ndarray]]:
     metres for each joint J that has one."""
     document = {"format": FORMAT, "name": clip.name, "fps": clip.fps, "skeleton": clip.skeleton.to_json()}
     document |= {"notes": list(clip.notes), "findings": [asdict(f) for f in clip.findings], "up": clip.up}
+    document |= {"rest_turned": clip.rest_turned}
     arrays = {"root": np.asarray(clip.root_positions), "rotations": np.asarray(clip.rotations)}
     return document, arrays | {f"translation_{j}": np.asarray(track) for j, track in clip.translations.items()}
 
@@ -95,4 +96,5 @@ def unpack_clip(document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -
         tuple(document["notes"]),
         findings_from(document),
         document.get("up", "y"),
+        document.get("rest_turned", False),
     )

@@ -8,7 +8,7 @@ from typing import Any
 from core import analyses
 from core.workspace import WorkspaceError
 from webapp.cli.progress_bar import progress_bar
-from webapp.cli.sources import open_source, stored_dataset
+from webapp.cli.sources import open_source, say_left_out, stored_dataset
 
 
 def result_of(arguments: Namespace, method: str) -> Any:
@@ -25,5 +25,8 @@ def result_of(arguments: Namespace, method: str) -> Any:
     with progress_bar(arguments.quiet) as report:
         if named:
             workspace, name = named
+            say_left_out(workspace.open(name), arguments.quiet)
             return analyses.run(workspace, analyses.Request(name, method, values), report)
-        return analyses.compute(open_source(arguments, report), method, values, report)
+        dataset = open_source(arguments, report)
+        say_left_out(dataset, arguments.quiet)
+        return analyses.compute(dataset, method, values, report)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from core.mocap.dataset import Dataset, open_dataset, reading, reread
 from core.mocap.reading import Change
+from core.mocap.rigs import left_out
 from core.progress import Report
 from core.workspace import Workspace, WorkspaceError, is_workspace
 
@@ -66,6 +67,12 @@ def open_source(arguments: Namespace, report: Report) -> Dataset:
     except KeyError as error:
         raise WorkspaceError(str(error.args[0])) from error
     return reread(dataset, change_of(arguments)) if _said(arguments) else dataset
+
+
+def say_left_out(dataset: Dataset, quiet: bool = False) -> None:
+    """Says on stderr which clips an analysis leaves out, for their bodies cannot be compared with the others."""
+    if not quiet and (words := left_out(dataset)):
+        print(f"note: {words}", file=sys.stderr)
 
 
 def change_of(arguments: Namespace) -> Change:

@@ -18,7 +18,8 @@ MB = 1024 * 1024
 def motifs(arguments: Namespace) -> int:
     """Finds motifs and writes motifs.json; prints the time of each stage, kappa, the memory taken and the metrics."""
     from core import analyses
-    from webapp.cli.sources import open_source, stored_dataset
+    from core.mocap.rigs import comparable
+    from webapp.cli.sources import open_source, say_left_out, stored_dataset
 
     values = {p.name: getattr(arguments, p.name) for p in analyses.parameters("motifs")}
     analyses.normalise(analyses.Request("", "motifs", values))  # refuses before anything is read
@@ -39,6 +40,8 @@ def motifs(arguments: Namespace) -> int:
             dataset = open_source(arguments, report)
             read = time.perf_counter() - started
             graph = analyses.compute(dataset, "motifs", values, report)
+    say_left_out(dataset, arguments.quiet)
+    dataset = comparable(dataset)
     write_json(arguments.out, graph.to_json(dataset, notes))
     if not arguments.quiet:
         print("\n".join(_motif_summary(dataset, graph, {"reading": read} | dict(graph.seconds), arguments)))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+import sys
 import time
 from argparse import Namespace
 from collections.abc import Iterator, Mapping
@@ -51,6 +52,9 @@ def search(arguments: Namespace) -> int:
         answers, started = {}, time.perf_counter()
         for k, (text, one) in enumerate(queries.items()):
             answers[text] = _answer(index, one, arguments)
+            if (others := index.not_compared(one.query)) and not arguments.quiet:
+                words = f"{others} clips are not compared with it, for their bodies cannot be"
+                print(f"note: {one.query.name}: {words}", file=sys.stderr)
             report("searching", (k + 1) / len(queries))
     seconds = {"reading": reading} | dict(index.seconds) | {"searching": time.perf_counter() - started}
     write_json(arguments.out, _document(index, answers, values, arguments, seconds))

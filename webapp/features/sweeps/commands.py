@@ -14,6 +14,7 @@ from core import analyses
 from core.errors import ParameterError
 from core.figures import METRICS, SCORES, Figures, figures_of, read_figures
 from core.mocap.dataset import Dataset
+from core.mocap.rigs import comparable
 from core.motifs.axes import PAPER, SweepParameters, write_axis
 from core.motifs.parameters import MotifParameters
 from core.motifs.suggestion import suggest
@@ -22,7 +23,7 @@ from core.motifs.sweep_table import SweepTable
 from core.progress import Report
 from core.workspace import WorkspaceError, atomic_file
 from webapp.cli.progress_bar import progress_bar
-from webapp.cli.sources import open_source, stored_dataset
+from webapp.cli.sources import open_source, say_left_out, stored_dataset
 
 _FIRST = ("kappa", "rho", "seed")
 
@@ -92,7 +93,9 @@ def _figures(arguments: Namespace, values: SweepParameters, report: Report) -> l
         if len(stored) < len(figures):
             raise WorkspaceError("Some results of the sweep are gone again; run it once more.")
         return stored
-    return _in_memory(open_source(arguments, report), values.points(), report)
+    dataset = open_source(arguments, report)
+    say_left_out(dataset, arguments.quiet)
+    return _in_memory(comparable(dataset), values.points(), report)
 
 
 def _in_memory(dataset: Dataset, points: tuple[MotifParameters, ...], report: Report) -> list[Figures]:
