@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any, Literal
 
 import numpy as np
@@ -104,7 +105,15 @@ class Skeleton:
 
     def children(self, joint: int) -> list[int]:
         """Indices of the joints that hang from ``joint``."""
-        return [j for j, p in enumerate(self.parents) if p == joint]
+        return list(self._children[joint])
+
+    @cached_property
+    def _children(self) -> list[list[int]]:
+        children: list[list[int]] = [[] for _ in self.names]
+        for joint, parent in enumerate(self.parents):
+            if parent >= 0:
+                children[parent].append(joint)
+        return children
 
 
 def _default_channels(end_sites: tuple[bool, ...]) -> tuple[tuple[str, ...], ...]:
