@@ -143,7 +143,7 @@ METHODS: dict[str, Method] = {
     ),
     "ranking": _method(
         "Rankings by several engines",
-        1,
+        2,
         "core.rankings",
         "RankingParameters",
         "rank_dataset",

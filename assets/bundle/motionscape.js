@@ -11127,15 +11127,21 @@
     made.setAttribute("aria-label", words3);
     return made;
   }
-  function hitRow(hit, low, top) {
+  var scoreWords = (score, chances) => {
+    if (!chances) return score.toFixed(3);
+    if (score < 0.01) return "< 1 %";
+    return score >= 0.995 && score < 0.9999 ? "> 99 %" : `${Math.round(100 * score)} %`;
+  };
+  function hitRow(hit, chances) {
     const made = element("div", "search-hit");
     made.setAttribute("role", "listitem");
     made.dataset.hit = hit.name;
     const picture = element("img", "search-strip");
     Object.assign(picture, { src: hit.strip, alt: "", loading: "lazy", draggable: false });
     const bar = element("span", "search-score-bar");
-    bar.style.width = `${Math.round(100 * (hit.score - low) / Math.max(top - low, 1e-9))}%`;
-    const score = element("span", "search-score", bar, element("b", "number", hit.score.toFixed(3)));
+    bar.style.width = `${Math.round(100 * Math.min(Math.max(hit.score, 0), 1))}%`;
+    const score = element("span", "search-score", bar, element("b", "number", scoreWords(hit.score, chances)));
+    if (chances) score.title = "The chance that people would call this the same action";
     const facts = element("span", "search-facts muted", [hit.when, hit.label].filter(Boolean).join(" · "));
     const words3 = element("span", "search-words", element("span", "search-name ellipsis", hit.clip), facts, score);
     const open5 = element("button", "search-open", element("span", "search-rank number", String(hit.rank)), picture, words3);
@@ -11163,9 +11169,14 @@
     const { total: total3, hits, milliseconds } = found;
     const count = hits.length < total3 ? `${hits.length} of ${total3}` : `${total3}`;
     const noun = found.level === "clip" ? "clip" : "moment";
+<<<<<<< HEAD
     box4.replaceChildren(
+=======
+    const others = found.unlike ? `; ${found.unlike} more are unlike it` : "";
+    box2.replaceChildren(
+>>>>>>> 116df63 (Search ranks by action before style on collections it was not tuned on; scores are chances, lists end where chances end; halves of one stretch are one motion)
       element("h2", "", "Hits"),
-      element("span", "muted number", `${count} ${noun}${total3 === 1 ? "" : "s"}, found in ${took(milliseconds)}`),
+      element("span", "muted number", `${count} ${noun}${total3 === 1 ? "" : "s"}, found in ${took(milliseconds)}${others}`),
       element("span", "spacer"),
       element("span", "search-key muted", "which parts match when: ", element("i", "search-key-none"), " not at all", element("i", "search-key-full"), " alike")
     );
@@ -11190,16 +11201,22 @@
     if (mark3 !== drawn5 || !box4.firstChild) {
       drawn5 = mark3;
       head2(title, found);
+<<<<<<< HEAD
       const scores = found.hits.map((hit) => hit.score);
       const rows2 = found.hits.map((hit) => hitRow(hit, Math.min(0, ...scores), Math.max(...scores)));
       box4.replaceChildren(...rows2);
       if (!rows2.length) box4.append(element("p", "muted search-nothing", nothing2(found)));
+=======
+      const rows2 = found.hits.map((hit) => hitRow(hit, Boolean(found.chances)));
+      box2.replaceChildren(...rows2);
+      if (!rows2.length) box2.append(element("p", "muted search-nothing", nothing2(found)));
+>>>>>>> 116df63 (Search ranks by action before style on collections it was not tuned on; scores are chances, lists end where chances end; halves of one stretch are one motion)
       for (const one of rows2) seen2.observe(one);
       if (found.hits.length < found.total && found.hits.length < 300) box4.append(more(found));
     }
     choose5();
   };
-  var nothing2 = (found) => found.inputs.label || found.inputs.named || found.inputs.lasting ? "Nothing passes these filters. Widen them, or look for moments instead of whole clips." : "Nothing else is there to compare with. Add recordings, or choose another query.";
+  var nothing2 = (found) => found.unlike ? "No clip is like this query: the chance that any shows the same action is below 5 %." : found.inputs.label || found.inputs.named || found.inputs.lasting ? "Nothing passes these filters. Widen them, or look for moments instead of whole clips." : "Nothing else is there to compare with. Add recordings, or choose another query.";
   function more(found) {
     const made = element("button", "search-button search-more", `Show more (${found.total - found.hits.length} left)`);
     made.type = "button";

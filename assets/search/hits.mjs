@@ -90,16 +90,24 @@ function link(symbol, words, href) {
   return made;
 }
 
-/** @param {Hit} hit @param {number} low @param {number} top */
-function hitRow(hit, low, top) {
+/** A chance in percent, or another score as it is. @param {number} score @param {boolean} chances */
+export const scoreWords = (score, chances) => {
+  if (!chances) return score.toFixed(3);
+  if (score < 0.01) return "< 1 %";
+  return score >= 0.995 && score < 0.9999 ? "> 99 %" : `${Math.round(100 * score)} %`;
+};
+
+/** @param {Hit} hit @param {boolean} chances */
+function hitRow(hit, chances) {
   const made = element("div", "search-hit");
   made.setAttribute("role", "listitem");
   made.dataset.hit = hit.name;
   const picture = element("img", "search-strip");
   Object.assign(picture, { src: hit.strip, alt: "", loading: "lazy", draggable: false });
   const bar = element("span", "search-score-bar");
-  bar.style.width = `${Math.round((100 * (hit.score - low)) / Math.max(top - low, 1e-9))}%`;
-  const score = element("span", "search-score", bar, element("b", "number", hit.score.toFixed(3)));
+  bar.style.width = `${Math.round(100 * Math.min(Math.max(hit.score, 0), 1))}%`;
+  const score = element("span", "search-score", bar, element("b", "number", scoreWords(hit.score, chances)));
+  if (chances) score.title = "The chance that people would call this the same action";
   const facts = element("span", "search-facts muted", [hit.when, hit.label].filter(Boolean).join(" · "));
   const words = element("span", "search-words", element("span", "search-name ellipsis", hit.clip), facts, score);
   const open = element("button", "search-open", element("span", "search-rank number", String(hit.rank)), picture, words);
@@ -128,8 +136,9 @@ function head(box, found) {
   const { total, hits, milliseconds } = found;
   const count = hits.length < total ? `${hits.length} of ${total}` : `${total}`;
   const noun = found.level === "clip" ? "clip" : "moment";
+  const others = found.unlike ? `; ${found.unlike} more are unlike it` : "";
   box.replaceChildren(element("h2", "", "Hits"),
-    element("span", "muted number", `${count} ${noun}${total === 1 ? "" : "s"}, found in ${took(milliseconds)}`),
+    element("span", "muted number", `${count} ${noun}${total === 1 ? "" : "s"}, found in ${took(milliseconds)}${others}`),
     element("span", "spacer"), element("span", "search-key muted", "which parts match when: ", element("i", "search-key-none"), " not at all", element("i", "search-key-full"), " alike"));
 }
 
@@ -153,8 +162,7 @@ export const drawHits = () => {
   if (mark !== drawn || !box.firstChild) {
     drawn = mark;
     head(title, found);
-    const scores = found.hits.map((hit) => hit.score);
-    const rows = found.hits.map((hit) => hitRow(hit, Math.min(0, ...scores), Math.max(...scores)));
+    const rows = found.hits.map((hit) => hitRow(hit, Boolean(found.chances)));
     box.replaceChildren(...rows);
     if (!rows.length) box.append(element("p", "muted search-nothing", nothing(found)));
     for (const one of rows) seen.observe(one);
@@ -164,7 +172,9 @@ export const drawHits = () => {
 };
 
 /** @param {Found} found */
-const nothing = (found) => (found.inputs.label || found.inputs.named || found.inputs.lasting
+const nothing = (found) => (found.unlike
+  ? "No clip is like this query: the chance that any shows the same action is below 5 %."
+  : found.inputs.label || found.inputs.named || found.inputs.lasting
   ? "Nothing passes these filters. Widen them, or look for moments instead of whole clips."
   : "Nothing else is there to compare with. Add recordings, or choose another query.");
 

@@ -107,6 +107,8 @@
  * @property {import("../shared/ids.mjs").StageRequest} [request]
  * @property {Array<HitRow>} [hits]
  * @property {number} [total]
+ * @property {number} [unlike]
+ * @property {boolean} [chances]
  * @property {number} [milliseconds]
  * @property {string} [doubt]
  * @property {string} [error]

@@ -11,6 +11,7 @@ from core.caching import RecentCache
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.progress import Report
+from core.retrieval.chance import LEAST, chances, usual_distance
 from core.retrieval.compose import Composed, compose
 from core.retrieval.explanation import explain
 from core.retrieval.frames import FrameStore
@@ -27,6 +28,8 @@ of the rough one."""
 
 class BoundedEdit:
     """The default engine (docs/methods/search.md)."""
+
+    least = LEAST
 
     def __init__(self, store: FrameStore):
         self.store = store
@@ -58,8 +61,9 @@ class BoundedEdit:
             apart = (1 - root_path) * apart + root_path * path_distances(
                 composed.codes, self.store.codes, starts, ends, self.store.fps
             )
+        scores = chances(apart, usual_distance(self.store, metric, query_motion, len(composed.codes)))
         order = np.argsort(apart, kind="stable")[:top]
-        ranked = zip(among[order].tolist(), (1 - apart[order]).tolist(), strict=True)
+        ranked = zip(among[order].tolist(), scores[order].tolist(), strict=True)
         return [Hit(self._wholes[clip], score) for clip, score in ranked]
 
     def rank_intervals(

@@ -29,10 +29,11 @@ class Composed:
 
 
 def compose(store: FrameStore, query: Query, weights: Mapping[str, float]) -> Composed:
-    """The query as one motion: parts that come from elsewhere are laid along the leading one by share of their way.
+    """The query as one motion, in the time of its leading part.
 
-    Parts without weight are left out, so that they have no influence. Raises AnalysisError where the skeletons of the
-    query lack every part that has a weight.
+    Parts of the same recording keep their time, so two halves of one stretch are that stretch. Parts of another one are
+    laid along the leading part by share of their path. Parts without weight are left out, so that they have no
+    influence. Raises AnalysisError where the skeletons of the query lack every part that has a weight.
     """
     parts = [part for part in query.parts if any(weights[leaf] > 0 for leaf in part.leaves)]
     coded = [(part, *_encoded(store, part, weights)) for part in parts]
@@ -46,8 +47,15 @@ def compose(store: FrameStore, query: Query, weights: Mapping[str, float]) -> Co
     leading, codes, _ = max(coded, key=lambda entry: _leads(entry[0], kept))
     composed = codes.copy()
     for part, other, _ in coded:
-        if part is not leading:
-            composed[:, :N_COLUMNS] = _laid_along(composed, _share(codes, leading, kept), other, part, kept)
+        if part is leading:
+            continue
+        if part.same_recording(leading):  # both keep their time
+            shares = np.linspace(0, 1, len(codes))
+            times = np.arange(len(other), dtype=np.float64)
+        else:
+            shares = _share(codes, leading, kept)
+            times = path_lengths(_weighted(other, part, kept))
+        composed[:, :N_COLUMNS] = _laid_along(composed, shares, other, times, part)
     rate = store.fps / leading.clip.fps
     at = np.rint(np.arange(leading.end - leading.start) * rate).astype(np.int64)
     return Composed(composed, kept, leading, np.minimum(at, len(composed) - 1))
@@ -98,9 +106,9 @@ def _weighted(codes: np.ndarray, part: QueryPart, weights: Mapping[str, float]) 
 
 
 def _laid_along(
-    found: np.ndarray, shares: np.ndarray, other: np.ndarray, part: QueryPart, weights: Mapping[str, float]
+    found: np.ndarray, shares: np.ndarray, other: np.ndarray, times: np.ndarray, part: QueryPart
 ) -> np.ndarray:
-    taken = at_shares(other[:, :N_COLUMNS].astype(np.float32), path_lengths(_weighted(other, part, weights)), shares)
+    taken = at_shares(other[:, :N_COLUMNS].astype(np.float32), times, shares)
     values = found[:, :N_COLUMNS].copy()
     for leaf in part.leaves:
         values[:, BLOCKS[leaf]] = np.rint(taken[:, BLOCKS[leaf]])

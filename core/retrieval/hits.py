@@ -20,7 +20,10 @@ class IndexedClip(NamedTuple):
 
 
 class Hit(NamedTuple):
-    """A stretch like the query. ``score``: higher is better; 1 is as good as equal (scores of one search compare).
+    """A stretch like the query. ``score``: higher is better, 1 is as good as equal.
+
+    Of the engine bounded-edit it is the chance that people would call the two the same action (core.retrieval.chance),
+    so the scores of all searches compare; those of the other engines compare within one search.
 
     query_segment: the stretch of the query it is like, where that is not all of it.
     """

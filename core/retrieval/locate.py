@@ -14,6 +14,7 @@ import numpy as np
 
 from core.arrays import Float32Array, Float64Array, Int8Array, Int64Array
 from core.compiled import njit
+from core.retrieval.chance import chances, usual_distance
 from core.retrieval.compose import Composed
 from core.retrieval.descriptors import N_COLUMNS
 from core.retrieval.frames import FrameStore
@@ -71,7 +72,14 @@ def locate(store: FrameStore, query: Composed, among: np.ndarray, top: int, root
     windows, warped = _refine(store, query, metric, windows)
     # among the like, what is the very motion comes first; how fast it was played hardly matters then
     distances = apart(windows) * np.minimum(1, warped / COPY) ** 2
-    return [_place(store, query, metric, windows, k, distances[k]) for k in _apart(windows, distances, top)]
+    usual = usual_distance(store, metric, query_motion, len(query.codes))
+    scores, parts = chances(distances, usual), {}
+    for k in np.flatnonzero(windows.end - windows.start < TEMPOS[0] * len(query.codes) - 1).tolist():
+        part, distance = _part(store, query, metric, windows.take(np.array([k])))  # the clip holds no more
+        parts[k] = part
+        scores[k] = chances(distance, usual)[0] * (part[1] - part[0]) / len(query.codes)
+    kept = _apart(windows, -scores, top)
+    return [_place(store, windows, k, scores[k], parts.get(k)) for k in kept]
 
 
 def _coarse(store: FrameStore, query: Composed, metric: Metric, among: np.ndarray, most: int) -> _Windows:
@@ -276,12 +284,15 @@ def _apart(windows: _Windows, distances: np.ndarray, top: int) -> list[int]:
     return kept
 
 
-def _place(store: FrameStore, query: Composed, metric: Metric, windows: _Windows, k: int, distance: float) -> Place:
+def _part(store: FrameStore, query: Composed, metric: Metric, window: _Windows) -> tuple[tuple[int, int], np.ndarray]:
+    """The frames of the query that a window is like, and the distance of the window to them, ``(1,)``."""
+    frames = store.codes[window.start[0] : window.end[0]].astype(np.float32) * metric.scales
+    start, end, _ = warped_stretch(frames, query.codes.astype(np.float32) * metric.scales, metric.cap)
+    part = metric.motions(store, query.codes, np.array([start]), np.array([end]))
+    return (start, end), metric.distances(part, metric.motions(store, store.codes, window.start, window.end))
+
+
+def _place(store: FrameStore, windows: _Windows, k: int, score: float, within: tuple[int, int] | None) -> Place:
     clip = int(windows.clip[k])
-    start, end = int(windows.start[k]), int(windows.end[k])
-    within = None
-    if end - start < TEMPOS[0] * len(query.codes) - 1:  # the clip holds no more
-        frames = store.codes[start:end].astype(np.float32) * metric.scales
-        within = warped_stretch(frames, query.codes.astype(np.float32) * metric.scales, metric.cap)[:2]
     first = int(store.starts[clip])
-    return Place(clip, start - first, end - first, float(1 - distance), within)
+    return Place(clip, int(windows.start[k]) - first, int(windows.end[k]) - first, float(score), within)

@@ -67,6 +67,7 @@ class QueryLists:
 class Parts:
     """The paper's engine with its repairs (docs/methods/search_parts.md)."""
 
+    least = 0.0
     CENTRING, TRAVEL, SMOOTH = 0.7, True, True
     MATCHING = Matching()
 

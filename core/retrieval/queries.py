@@ -6,6 +6,8 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+import numpy as np
+
 from core.errors import ParameterError
 from core.mocap.clip import Clip
 from core.mocap.dataset import Dataset
@@ -31,6 +33,19 @@ class QueryPart:
     def motion(self) -> Clip:
         """The frames as a clip of their own (views, not copies)."""
         return self.clip.cut(self.start, self.end)
+
+    def same_recording(self, other: QueryPart) -> bool:
+        """Whether it is of the recording that another part is of, be it opened twice."""
+        a, b = self.clip, other.clip
+        return a is b or (
+            (a.name, a.n_frames, a.fps, a.skeleton.names) == (b.name, b.n_frames, b.fps, b.skeleton.names)
+            and np.array_equal(a.root_positions, b.root_positions)
+            and np.array_equal(a.rotations, b.rotations)
+        )
+
+    def same_stretch(self, other: QueryPart) -> bool:
+        """Whether it is the very motion that another part is of."""
+        return (self.start, self.end) == (other.start, other.end) and self.same_recording(other)
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,7 +75,7 @@ class Query:
     @property
     def hybrid(self) -> bool:
         """Whether its parts come from more than one stretch."""
-        return len(self.parts) > 1
+        return not all(part.same_stretch(self.parts[0]) for part in self.parts[1:])
 
     @property
     def leading(self) -> QueryPart:

@@ -79,6 +79,7 @@ class Engine(Protocol):
     """
 
     store: FrameStore
+    least: float  # chance below which a clip is no hit; 0 where scores are no chances
 
     @property
     def clips(self) -> tuple[IndexedClip, ...]:
@@ -165,9 +166,10 @@ class SearchIndex:
 
         weights: node or leaf of the body -> weight (see core.poses.body_parts), None for all alike; parts of the body
         that the query lacks count nothing. level: "clip" gives one hit a clip, all of them unless ``top`` says
-        fewer; "interval" gives stretches of clips, 20 unless ``top`` says otherwise. root_path: from 0 (not at all) to
-        1, how much the path over the ground counts. only, exclude: names of the clips that count, or do not. Raises
-        ParameterError for weights, level, top or root_path that cannot be used, AnalysisError as :meth:`engine_for`.
+        fewer; "interval" gives stretches of clips: the ``top`` best, or if ``top`` is None at most 20 whose score is at
+        least ``least``. root_path: from 0 (not at all) to 1, how much the path over the ground counts. only, exclude:
+        names of the clips that count, or do not. Raises ParameterError for weights, level, top or root_path that cannot
+        be used, AnalysisError as :meth:`engine_for`.
         """
         if level not in ("clip", "interval"):
             raise ParameterError(f"level must be clip or interval, not {str(level)[:40]!r}")
@@ -186,8 +188,14 @@ class SearchIndex:
         clips, path = np.array(among, np.int64), float(root_path)
         if level == "clip":
             return engine.rank_clips(query, shares, among=clips, top=top, root_path=path)
-        top = INTERVALS if top is None else top
-        return engine.rank_intervals(query, shares, among=clips, top=top, root_path=path)
+        most = INTERVALS if top is None else top
+        hits = engine.rank_intervals(query, shares, among=clips, top=most, root_path=path)
+        return hits if top else [hit for hit in hits if hit.score >= self.least]
+
+    @property
+    def least(self) -> float:
+        """The chance below which a clip is no hit, such as .05; 0 where the engine's scores are no chances."""
+        return self.engine.least
 
     def explain(self, query: Query, hit: Hit | Segment, *, weights: Mapping[str, float] | None = None) -> Explanation:
         """Which parts of a hit are like the query when, and which frames stand beside one another.

@@ -151,13 +151,14 @@ def found_data(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] |
             return data
         labels = labels_by_clip(dataset)
         rows = [
-            figures.hit_row(dataset, hit, rank, searching.label_of(labels, hit.segment))
+            figures.hit_row(dataset, hit, rank, searching.tag_of(labels, hit.segment))
             for rank, hit in enumerate(result.hits, 1)
         ]
         doubt = searching.doubt(workspace, dataset, view, query)
     except MotionscapeError as error:
         return data | {"error": sentence(error)}
-    return data | {"hits": rows, "total": result.total, "milliseconds": round(result.milliseconds, 1), "doubt": doubt}
+    found = {"hits": rows, "total": result.total, "milliseconds": round(result.milliseconds, 1), "doubt": doubt}
+    return data | found | {"unlike": result.unlike, "chances": result.chances}
 
 
 def _menus(app: Dash, workspace: Workspace) -> None:

@@ -115,6 +115,8 @@ class Found(TypedDict):
     request: NotRequired[StageRequest]
     hits: NotRequired[list[HitRow]]
     total: NotRequired[int]
+    unlike: NotRequired[int]  # clips left out because they are too unlike
+    chances: NotRequired[bool]  # whether scores are chances
     milliseconds: NotRequired[float]
     doubt: NotRequired[str]
     error: NotRequired[str]

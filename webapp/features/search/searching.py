@@ -54,7 +54,10 @@ class Search:
 
 @dataclass(frozen=True)
 class SearchResult:
-    """The hits of a search, best first; ``total``: how many there are without the limit of what is shown."""
+    """The hits of a search, best first; ``total``: how many there are without the limit of what is shown.
+
+    unlike: clips that are left out because they are too unlike. chances: whether scores are chances.
+    """
 
     search: Search
     query: Query
@@ -62,6 +65,8 @@ class SearchResult:
     hits: tuple[Hit, ...]
     total: int
     milliseconds: float
+    unlike: int = 0
+    chances: bool = False
 
 
 def search_keys_of(view: Mapping[str, str] | None) -> dict[str, str]:
@@ -108,19 +113,23 @@ def index_of(workspace: Workspace, dataset: str | None, view: Mapping[str, str] 
     return settings.result_of(workspace, PAGE, dataset, view)
 
 
-def find(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None) -> SearchResult | None:
+def find(
+    workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None, unlike_too: bool = False
+) -> SearchResult | None:
     """The hits of a view's search; None where it has no query or the index has not been built.
 
-    Raises MotionscapeError for a query that cannot be searched for.
+    unlike_too: whether hits whose chance is below the index's ``least`` count too. Raises MotionscapeError for a query
+    that cannot be searched for.
     """
     search = read(view)
     request = settings.request_of(PAGE, dataset.name, view)
     index = index_of(workspace, dataset.name, view) if search else None
     if search is None or index is None:
         return None
-    place = analyses.key(workspace, request), repr((search, dataset.name, _marks(dataset, search)))
+    place = analyses.key(workspace, request), repr((search, dataset.name, _marks(dataset, search), unlike_too))
+    least = 0.0 if unlike_too else index.least
     return _recent.get_or_compute(
-        place, lambda: _search(index, dataset, search, query_of(workspace, dataset, search.pieces))
+        place, lambda: _search(index, dataset, search, query_of(workspace, dataset, search.pieces), least)
     )
 
 
@@ -172,6 +181,18 @@ def doubt(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None
         return ""
 
 
+def tag_of(labels: Mapping[str, Sequence[Label]], segment: Segment) -> str:
+    """The label that covers most of a stretch and its share: ``kick 51 %``; the label alone where it covers all."""
+    action = label_of(labels, segment)
+    covered = sum(
+        max(0, min(label.end, segment.end) - max(label.start, segment.start))
+        for label in labels.get(segment.clip, ())
+        if label.action == action
+    )
+    share = round(100 * covered / segment.n_frames)
+    return action if share >= 100 or not action else f"{action} {max(share, 1)} %"
+
+
 def label_of(labels: Mapping[str, Sequence[Label]], segment: Segment) -> str:
     """The label that covers most of a stretch's frames, "" where none covers any; labels: of each clip."""
     covered: dict[str, int] = {}
@@ -182,7 +203,7 @@ def label_of(labels: Mapping[str, Sequence[Label]], segment: Segment) -> str:
     return max(covered, key=covered.__getitem__, default="")
 
 
-def _search(index: SearchIndex, dataset: Dataset, search: Search, query: Query) -> SearchResult:
+def _search(index: SearchIndex, dataset: Dataset, search: Search, query: Query, least: float) -> SearchResult:
     level = level_of(search, query)
     started = time.perf_counter()
     only = _possible_clips(dataset, search, level)
@@ -195,7 +216,11 @@ def _search(index: SearchIndex, dataset: Dataset, search: Search, query: Query) 
     labels = labels_by_clip(dataset) if search.label else {}
     hits = [hit for hit in hits if level == "clip" or _passes_filters(dataset, search, labels, hit)]
     milliseconds = 1000 * (time.perf_counter() - started)
-    return SearchResult(search, query, level, tuple(hits[: search.top]), len(hits), milliseconds)
+    alike = [hit for hit in hits if hit.score >= least]
+    unlike = len(hits) - len(alike)
+    return SearchResult(
+        search, query, level, tuple(alike[: search.top]), len(alike), milliseconds, unlike, index.least > 0
+    )
 
 
 def _possible_clips(dataset: Dataset, search: Search, level: str) -> list[str]:

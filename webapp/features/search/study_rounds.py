@@ -185,7 +185,7 @@ def _lists(workspace: Workspace, dataset: Dataset, view) -> Iterator[tuple[Segme
     for query in queries_of(view):
         for engine in engines:
             search_view = with_engine(view, engine) | {"query": write_query([Piece(*query)]), "top": str(PER_QUERY)}
-            entries = searching.find(workspace, dataset, search_view)
+            entries = searching.find(workspace, dataset, search_view, unlike_too=True)
             for rank, hit in enumerate(entries.hits if entries else (), 1):
                 yield query, engine, rank, hit.segment
 

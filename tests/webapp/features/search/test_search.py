@@ -64,11 +64,27 @@ def test_a_link_says_what_is_looked_for_within_limits():
 
 
 def test_whole_clips_come_for_a_whole_clip_and_never_its_own(workspace, dataset):
-    found = searching.find(workspace, dataset, view())
+    found = searching.find(workspace, dataset, view(), unlike_too=True)
     assert found.level == "clip" and {hit.segment.clip for hit in found.hits} == set(NAMES) - {"walk"}
     scores = [hit.score for hit in found.hits]
     assert scores == sorted(scores, reverse=True)
-    assert searching.find(workspace, dataset, view()) is found  # kept ready
+    assert searching.find(workspace, dataset, view(), unlike_too=True) is found  # kept ready
+
+
+def test_the_list_ends_where_the_chance_of_the_same_action_ends(workspace, dataset):
+    every, found = (searching.find(workspace, dataset, view(), unlike_too=both) for both in (True, False))
+    assert found.chances and found.hits == tuple(hit for hit in every.hits if hit.score >= 0.05)
+    assert 0 < found.unlike == len(every.hits) - len(found.hits) and found.total == len(found.hits)
+    data = found_data(workspace, dataset, view())
+    assert data["unlike"] == found.unlike and data["chances"]
+
+
+def test_a_tag_says_the_share_of_the_label_that_covers_most():
+    labels = {"a": [Label("a", 0, 49, "kick"), Label("a", 49, 100, "idle")]}
+    assert searching.tag_of(labels, Segment("a", 0, 100)) == "idle 51 %"
+    assert searching.tag_of(labels, Segment("a", 0, 40)) == "kick"
+    assert searching.tag_of(labels, Segment("a", 40, 60)) == "idle 55 %"
+    assert searching.tag_of(labels, Segment("b", 0, 10)) == ""
 
 
 def test_moments_come_for_a_moment_and_never_itself(workspace, dataset):
@@ -81,7 +97,7 @@ def test_moments_come_for_a_moment_and_never_itself(workspace, dataset):
 
 def test_filters_leave_only_what_was_asked_for(workspace, dataset):
     def clips(**more: str) -> set[str]:
-        return {hit.segment.clip for hit in searching.find(workspace, dataset, view(**more)).hits}
+        return {hit.segment.clip for hit in searching.find(workspace, dataset, view(**more), unlike_too=True).hits}
 
     assert clips(label="slow") == {"stroll"}
     assert clips(named="S") == {"stroll", "rush", "dash"}

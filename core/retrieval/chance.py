@@ -1,0 +1,42 @@
+"""Distances as chances: how likely people would call two motions the same action (docs/methods/search.md).
+
+A distance says little by itself: exercises on the spot are all nearer to one another than walks in all directions are.
+So it is seen beside the distance that is usual between the query and anything else in the collection, and a logistic
+regression on labelled collections (``python -m benchmarks chances``) turns the two into a chance.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from core.retrieval.frames import FrameStore
+from core.retrieval.metric import Metric, Motions
+
+PLACES = 256  # stretches of the collection that the usual distance is taken from
+LEAST = 0.05  # chance below which a stretch is no hit
+EVEN, BY_DISTANCE, BY_RATIO = 4.6, -6.7, -4.8
+"""Log odds of the same action: at distance 0, and for each unit of the distance and of its ratio to the usual one."""
+
+_LEAST_USUAL = 0.4  # in a collection of one action everything is near: distances are not called far by their ratio
+
+
+def usual_distance(store: FrameStore, metric: Metric, query: Motions, n_frames: int) -> float:
+    """Median distance of a motion of ``n_frames`` (one of ``query``) to stretches as long, spread over all clips."""
+    total = len(store.codes)
+    places = np.unique(np.linspace(0, total - 1, min(total, PLACES)).astype(np.int64))
+    clips = np.searchsorted(store.starts, places, side="right") - 1
+    first, last = store.starts[clips], store.starts[clips + 1]
+    starts = np.maximum(first, np.minimum(places, last - n_frames))
+    ends = np.minimum(starts + n_frames, last)
+    return float(np.median(metric.distances(query, metric.motions(store, store.codes, starts, ends))))
+
+
+def chances(distances: np.ndarray, usual: float) -> np.ndarray:
+    """Chances ``(k,)`` that motions at these distances show the query's action, from 0 to 1; 1 for an equal motion.
+
+    They fall as the distance grows, so the order stays. usual: see usual_distance.
+    """
+    distances = np.asarray(distances, np.float64)
+    odds = EVEN + BY_DISTANCE * distances + BY_RATIO * distances / max(usual, _LEAST_USUAL)
+    found: np.ndarray = (1 + np.exp(-EVEN)) / (1 + np.exp(-odds))
+    return found

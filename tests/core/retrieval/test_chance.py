@@ -1,0 +1,63 @@
+"""Distances as chances."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from core.demo import make_demo
+from core.poses.body_parts import LEAVES
+from core.progress import silent
+from core.retrieval.chance import LEAST, chances, usual_distance
+from core.retrieval.frames import FrameStore
+from core.retrieval.metric import Metric
+from core.retrieval.queries import whole_query
+from core.retrieval.search import build_search_index
+
+
+@pytest.fixture(scope="module")
+def demo():
+    return make_demo(minutes=2, seed=5)
+
+
+@given(st.lists(st.floats(0, 1), min_size=2, max_size=20), st.floats(0, 1))
+def test_chances_fall_with_the_distance_and_are_one_for_equal_motions(distances, usual):
+    found = chances(np.array(distances), usual)
+    assert ((found >= 0) & (found <= 1)).all()
+    assert (np.diff(found[np.argsort(distances, kind="stable")]) <= 1e-12).all()
+    assert chances(np.zeros(1), usual)[0] == pytest.approx(1)
+
+
+def test_the_same_distance_says_less_where_everything_is_near():
+    assert chances(np.array([0.3]), 0.8)[0] > chances(np.array([0.3]), 0.4)[0] + 0.2
+
+
+def test_the_usual_distance_is_the_median_over_stretches_of_the_querys_length(demo):
+    store, metric = FrameStore.build(demo.clips, 30.0, silent), Metric(dict.fromkeys(LEAVES, 1 / len(LEAVES)))
+    n = 60
+    query = metric.motions(store, store.codes, np.array([100]), np.array([100 + n]))
+    every = []
+    for k in range(len(store.clips)):
+        first, last = store.starts[k], store.starts[k + 1]
+        starts = np.arange(first, max(first + 1, last - n))
+        every.append(metric.distances(query, metric.motions(store, store.codes, starts, np.minimum(starts + n, last))))
+    assert usual_distance(store, metric, query, n) == pytest.approx(np.median(np.concatenate(every)), abs=0.03)
+
+
+def test_hits_of_the_same_action_are_likely_and_others_are_not(demo):
+    index = build_search_index(demo)
+    kicks = [label for label in demo.labels if label.action == "kick"]
+    query = whole_query(demo.clip(kicks[0].clip), kicks[0].start, kicks[0].end)
+    hits = index.search(query, level="interval")
+    assert hits[0].score > 0.95 and all(hit.score >= LEAST for hit in hits)
+    everything = index.search(query, level="interval", top=40)
+    assert len(everything) > len(hits) and min(hit.score for hit in everything) < LEAST
+    likely = [hit for hit in everything if hit.score > 0.5]
+
+    def is_kick(hit):
+        return any(
+            k.clip == hit.segment.clip and min(k.end, hit.segment.end) - max(k.start, hit.segment.start) > 0
+            for k in kicks
+        )
+
+    assert len(likely) >= min(3, len(kicks)) and np.mean([is_kick(hit) for hit in likely]) > 0.9
