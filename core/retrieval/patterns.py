@@ -14,6 +14,7 @@ FIRST_K = 10
 
 _GROWTH = 0.5  # new clusters a round, as a share of those that are there
 _ROUNDS = 5  # steps of k-means between two looks at the error
+_REFILLED = 20  # times at most that room is made so
 _PERCENTILES = 1000
 _SAMPLED = 4000  # segments whose distances say what is near and what is far
 
@@ -97,13 +98,20 @@ def adaptive_k_means(
     limit = max_error * spread
     generator = np.random.default_rng(seed)
     centres = segments[np.sort(generator.permutation(len(segments))[: min(first_k, most)])].copy()
+    refilled = 0  # times that patterns without segments made room for others
     while True:
         for _ in range(_ROUNDS):
             labels, _ = _assign(segments, centres)
             centres = _means(segments, labels, centres)
         labels, errors = _assign(segments, centres)
-        if errors.max() <= limit or len(centres) >= min(most, len(segments)):
+        if errors.max() <= limit:
             break
+        if len(centres) >= min(most, len(segments)):
+            used = np.unique(labels)
+            if len(used) == len(centres) or refilled == _REFILLED:
+                break
+            centres, refilled = centres[used], refilled + 1
+            labels, errors = _assign(segments, centres)
         worst = np.argsort(-errors, kind="stable")[: max(1, int(_GROWTH * len(centres)))]
         worst = worst[errors[worst] > limit]
         worst = np.sort(worst[np.unique(labels[worst], return_index=True)[1]])

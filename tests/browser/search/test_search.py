@@ -107,14 +107,14 @@ def test_from_nothing_to_a_hit_and_its_link(show, workspace) -> None:
 
 def _a_range_is_dragged(page: Page, name: str) -> None:
     box = page.locator(".search-track").bounding_box()
-    page.mouse.move(box["x"] + 0.3 * box["width"], box["y"] + 20)
+    page.mouse.move(box["x"] + 0.05 * box["width"], box["y"] + 20)
     page.mouse.down()
-    page.mouse.move(box["x"] + 0.4 * box["width"], box["y"] + 20, steps=4)
+    page.mouse.move(box["x"] + 0.135 * box["width"], box["y"] + 20, steps=4)
     page.mouse.up()
     page.wait_for_function("() => motionscape.search.now.view.query && !/:0-/.test(motionscape.search.now.view.query)")
     clip, start, end = re.fullmatch(r"(.+):(\d+)-(\d+)", link_of(page)["query"]).groups()
     frames = page.evaluate("motionscape.search.now.clips.clips[0][1]")
-    assert clip == name and abs(int(start) - 0.3 * frames) < 12 and abs(int(end) - 0.4 * frames) < 12
+    assert clip == name and abs(int(start) - 0.05 * frames) < 12 and abs(int(end) - 0.135 * frames) < 12
     wait_for_hits(page, link_of(page)["query"])
     page.get_by_role("slider", name="End of the query").focus()
     page.keyboard.press("Shift+ArrowRight")
