@@ -11169,12 +11169,8 @@
     const { total: total3, hits, milliseconds } = found;
     const count = hits.length < total3 ? `${hits.length} of ${total3}` : `${total3}`;
     const noun = found.level === "clip" ? "clip" : "moment";
-<<<<<<< HEAD
-    box4.replaceChildren(
-=======
     const others = found.unlike ? `; ${found.unlike} more are unlike it` : "";
-    box2.replaceChildren(
->>>>>>> 116df63 (Search ranks by action before style on collections it was not tuned on; scores are chances, lists end where chances end; halves of one stretch are one motion)
+    box4.replaceChildren(
       element("h2", "", "Hits"),
       element("span", "muted number", `${count} ${noun}${total3 === 1 ? "" : "s"}, found in ${took(milliseconds)}${others}`),
       element("span", "spacer"),
@@ -11201,16 +11197,9 @@
     if (mark3 !== drawn5 || !box4.firstChild) {
       drawn5 = mark3;
       head2(title, found);
-<<<<<<< HEAD
-      const scores = found.hits.map((hit) => hit.score);
-      const rows2 = found.hits.map((hit) => hitRow(hit, Math.min(0, ...scores), Math.max(...scores)));
+      const rows2 = found.hits.map((hit) => hitRow(hit, Boolean(found.chances)));
       box4.replaceChildren(...rows2);
       if (!rows2.length) box4.append(element("p", "muted search-nothing", nothing2(found)));
-=======
-      const rows2 = found.hits.map((hit) => hitRow(hit, Boolean(found.chances)));
-      box2.replaceChildren(...rows2);
-      if (!rows2.length) box2.append(element("p", "muted search-nothing", nothing2(found)));
->>>>>>> 116df63 (Search ranks by action before style on collections it was not tuned on; scores are chances, lists end where chances end; halves of one stretch are one motion)
       for (const one of rows2) seen2.observe(one);
       if (found.hits.length < found.total && found.hits.length < 300) box4.append(more(found));
     }
