@@ -94,7 +94,12 @@ def _serve(workspace: Workspace, arguments: Namespace, token: str | None, listen
     if not arguments.no_browser and _has_display():
         threading.Timer(0.3, webbrowser.open, [url]).start()
     server = create_server(
-        app.server, sockets=[listener], threads=THREADS, max_request_body_size=MAX_BODY, ident="motionscape"
+        app.server,
+        sockets=[listener],
+        threads=THREADS,
+        max_request_body_size=MAX_BODY,
+        ident="motionscape",
+        clear_untrusted_proxy_headers=False,  # webapp/shell/origin.py knows which proxies to believe
     )
     server.run()
     raise KeyboardInterrupt  # the server returns only then

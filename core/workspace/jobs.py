@@ -128,11 +128,12 @@ class JobTable:
         """Asks a job to stop: a queued one is cancelled at once, a running one by its worker. None where unknown."""
         now = time.time()
         with self._database.transaction("cancel the job") as table:
-            asked = table.execute("SELECT request, title FROM jobs WHERE id = ?", (job_id,)).fetchone()
+            asked = table.execute("SELECT request, title, state FROM jobs WHERE id = ?", (job_id,)).fetchone()
             if asked is None:
                 return None
             _require_editor(table, json.loads(asked["request"]), "cancel this")
-            record(table, "job cancelled", asked["title"], f"job {job_id}")
+            if asked["state"] in ("queued", "running"):
+                record(table, "job cancelled", asked["title"], f"job {job_id}")
             table.execute(
                 "UPDATE jobs SET cancel = ?, finished = ?, state = 'cancelled' WHERE id = ? AND state = 'queued'",
                 (now, now, job_id),

@@ -82,6 +82,17 @@ def test_others_need_the_token(start):
         assert refusal.value.code in (401, 403)
 
 
+def test_with_accounts_people_sign_in_and_no_token_is_printed(start, tmp_path):
+    Workspace(tmp_path / "space").users.add("ann", "correct horse")
+    process = start("--host", "0.0.0.0", "--port", "0")
+    url = re.sub(r"//[^:]+:", "//127.0.0.1:", address(process))
+    assert "token" not in url
+    assert "Sign in to Motionscape" in get(url)[1]
+    signed_in = urllib.request.build_opener(urllib.request.HTTPCookieProcessor())
+    signed_in.open(f"{url}sign-in", data=b"name=ann&password=correct+horse", timeout=120).read()
+    assert b'"name":"ann"' in signed_in.open(f"{url}api/me", timeout=120).read()
+
+
 def test_a_token_is_made_up_for_other_hosts_only(monkeypatch):
     monkeypatch.delenv(serving.TOKEN, raising=False)
     assert serving.token_for("127.0.0.1") is serving.token_for("localhost") is serving.token_for("::1") is None

@@ -21,6 +21,12 @@ def from_trusted_proxy() -> bool:
     return any(address in network for network in _networks(os.environ.get(PROXIES, "")))
 
 
+def client_address() -> str:
+    """Where the browser is: the address that a trusted proxy names last, else the one that the request comes from."""
+    named = request.headers.get("X-Forwarded-For", "").rpartition(",")[2].strip()
+    return named[:60] if named and from_trusted_proxy() else request.remote_addr or ""
+
+
 def is_encrypted() -> bool:
     """Whether the browser's connection is encrypted, as far as the server or a trusted proxy knows."""
     return request.is_secure or (from_trusted_proxy() and request.headers.get("X-Forwarded-Proto", "") == "https")

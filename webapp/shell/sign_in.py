@@ -11,6 +11,7 @@ from flask.typing import ResponseReturnValue
 from core.workspace import Workspace, WorkspaceError, acting
 from core.workspace.views import check_address
 from webapp.shell import sessions
+from webapp.shell.origin import client_address
 from webapp.shell.visitors import BOARDS_COOKIE, TOKEN_COOKIE, accounts_exist, current
 
 ADDRESS, SIGN_OUT = "/sign-in", "/sign-out"
@@ -52,7 +53,7 @@ def register(server: Flask, workspace: Workspace) -> None:
     @server.post(ADDRESS)
     def take_sign_in() -> ResponseReturnValue:
         name, password = request.form.get("name", "").strip()[:100], request.form.get("password", "")
-        address = request.remote_addr or ""
+        address = client_address()
         seconds = tries.wait(name, address)
         if seconds:
             answer = _page(f"Too many wrong tries. Wait {ceil(seconds / 60)} min and try again.", 429)

@@ -209,6 +209,23 @@ def test_a_trusted_proxy_says_who_it_is(server, monkeypatch):
     assert me("", "10.1.2.3").status_code == 401
 
 
+def test_behind_a_proxy_tries_are_counted_for_the_browser_and_cookies_are_for_encrypted_connections(
+    server, monkeypatch
+):
+    monkeypatch.setenv("MOTIONSCAPE_TRUSTED_PROXIES", "10.1.2.3")
+    client = server.test_client()
+
+    def post(name, forwarded, proxy="10.1.2.3"):
+        headers = {"X-Forwarded-For": forwarded, "X-Forwarded-Proto": "https"}
+        form = {"name": name, "password": PASSWORD if name == "ann" else "wrong"}
+        return client.post("/sign-in", data=form, headers=headers, environ_base={"REMOTE_ADDR": proxy})
+
+    statuses = [post("vic", "made-up, 7.7.7.7").status_code for _ in range(6)]
+    assert statuses == [401] * 5 + [429] and post("vic", "8.8.8.8").status_code == 401
+    assert "Secure" in post("ann", "7.7.7.7").headers["Set-Cookie"]
+    assert "Secure" not in post("ann", "7.7.7.7", proxy="10.9.9.9").headers["Set-Cookie"]
+
+
 def test_a_proxy_that_signs_in_opens_nothing_by_itself(tmp_path, monkeypatch):
     monkeypatch.setenv("MOTIONSCAPE_USER_HEADER", "X-Remote-User")
     client = create_app(tmp_path / "space").server.test_client()
