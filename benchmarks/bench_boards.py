@@ -182,8 +182,8 @@ def main() -> str:
     load = ", ".join(f"{value:.1f}" for value in psutil.getloadavg())
     words = (
         f"A board of {BLOCKS} blocks that many browsers have open. Each is signed in and asks once a second whether\n"
-        f"something has changed; {CHANGES} changes of a block come from one of them. Arrival: from sending a change until\n"
-        "another browser has it. Times in ms; CPU of the server's process, for each question and as a share of a core.\n"
+        f"something has changed; {CHANGES} changes of a block come from one of them. Arrival: from sending a change\n"
+        "until another browser has it. Times in ms; CPU of the server's process, for each question and of a core.\n"
         f"Load of the two cores during the last 1, 5 and 15 minutes: {load}."
     )
     head = (

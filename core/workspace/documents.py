@@ -147,7 +147,10 @@ class Documents(Generic[T], ABC):
             row = self._row(id)
             old, _ = self._read(self._row(id, version))
             newest = replace(old, version=row["version"])
-            document = self._again(old, dict(self._readable()).get(id))
+            present = None
+            with suppress(DocumentDamaged):
+                present = self._read(row)[1]
+            document = self._again(old, present)
             return self._append(table, newest, document, author, f"version {version} restored")
 
     def history(self, id: str) -> list[Change]:
