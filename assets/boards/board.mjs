@@ -11,6 +11,7 @@ import { button, iconButton, openMenu, openWindow, say } from "./dialogs.mjs";
 import { addBlock, editBlock } from "./edit.mjs";
 import { Grid } from "./grid.mjs";
 import { deleteBoard, refresh, renameBoard, showHistory } from "./list.mjs";
+import { openReport } from "./reports.mjs";
 import { isDark, kindOf, known, shown } from "./state.mjs";
 /** @import { Context } from "../blocks/types.d.ts" */
 /** @import { Selection } from "../shared/types.d.ts" */
@@ -304,6 +305,7 @@ export class OpenBoard {
         const copy = await ask(`boards/${this.id}`, { action: "duplicate" });
         changeView({ board: copy.id });
       }],
+      ["Report", () => openReport(board.filters.dataset || shown.dataset, board)],
       ["History", () => showHistory(`boards/${this.id}`, board.title, (version) => this.change({ action: "restore", version }))],
       ["Delete", () => deleteBoard(board, () => changeView({ board: "", screen: "" }))],
     ];

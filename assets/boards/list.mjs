@@ -3,6 +3,7 @@ import { changeView, openPage } from "../shared/dash.mjs";
 import { element, svgElement, withAttributes } from "../shared/dom.mjs";
 import { ask } from "./api.mjs";
 import { ago, button, iconButton, openForm, openMenu, openWindow, say } from "./dialogs.mjs";
+import { openReport } from "./reports.mjs";
 import { known, shown } from "./state.mjs";
 /** @import { BoardEntry, Change, Listing, Shape, ViewEntry } from "./types.d.ts" */
 
@@ -36,7 +37,7 @@ export async function showList(place) {
   fill();
   const { damaged } = listing;
   place.replaceChildren(
-    element("div", "boards-bar", element("h2", "", "Boards"), search, button("New board", openGallery, "primary")),
+    element("div", "boards-bar", element("h2", "", "Boards"), search, shown.dataset ? button(`Report of ${shown.dataset}`, () => openReport(shown.dataset, null)) : null, button("New board", openGallery, "primary")),
     ...(damaged.length ? [element("p", "boards-warning", `${damaged.length} saved ${damaged.length > 1 ? "things are" : "thing is"} damaged and not listed: ${damaged.join(", ")}.`)] : []),
     boards,
     element("h2", "", "Saved views"),

@@ -4592,6 +4592,43 @@
     }
   };
 
+  // boards/reports.mjs
+  var POLL2 = 500;
+  function openReport(dataset2, board) {
+    const place5 = element("div", "boards-form");
+    const dialog2 = openWindow(board ? `Report of ${board.title}` : `Report of ${dataset2}`, element(
+      "p",
+      "muted",
+      "One file that opens without Motionscape and without a network. Its figures play, its graph and map can be explored."
+    ), place5);
+    const begin2 = (form) => write(dialog2, place5, dataset2, board?.id ?? "", form);
+    place5.append(element("div", "boards-actions", button2("As PDF", () => begin2("pdf")), button2("As HTML", () => begin2("html"), "primary")));
+  }
+  async function write(dialog2, place5, dataset2, board, form) {
+    const address2 = `report/${encodeURIComponent(dataset2)}`;
+    let again = "&again=yes";
+    while (dialog2.open) {
+      const state3 = await ask3(`${address2}?form=${form}&board=${board}${again}`).catch((error) => ({ error: error.message }));
+      again = "";
+      if (state3.error) {
+        place5.replaceChildren(element("p", "form-problem", state3.error), element("div", "boards-actions", button2("Close", () => dialog2.close())));
+        return;
+      }
+      if (state3.ready) {
+        const link2 = element("a", "boards-button primary", `Save ${(state3.size / 1e6).toFixed(1)} MB`);
+        link2.href = `/api/${address2}/${state3.key}`;
+        link2.download = "";
+        place5.replaceChildren(element("p", "", state3.motion), ...state3.left_out.map((words3) => element("p", "muted", `Left out: ${words3}`)), element("div", "boards-actions", link2));
+        link2.focus();
+        return;
+      }
+      const bar = element("progress", "boards-progress");
+      bar.value = state3.fraction;
+      place5.replaceChildren(element("p", "", `Writing: ${state3.words}, ${percent(state3.fraction)}`), bar);
+      await new Promise((resolve) => setTimeout(resolve, POLL2));
+    }
+  }
+
   // boards/list.mjs
   var COLOURS = { graph: 0, motifs: 0, matrix: 0, map: 1, overview: 2, tracks: 2, actions: 3, sweep: 4, hits: 5, stage: 6 };
   async function refresh() {
@@ -4624,7 +4661,7 @@
     fill();
     const { damaged } = listing;
     place5.replaceChildren(
-      element("div", "boards-bar", element("h2", "", "Boards"), search2, button2("New board", openGallery, "primary")),
+      element("div", "boards-bar", element("h2", "", "Boards"), search2, shown3.dataset ? button2(`Report of ${shown3.dataset}`, () => openReport(shown3.dataset, null)) : null, button2("New board", openGallery, "primary")),
       ...damaged.length ? [element("p", "boards-warning", `${damaged.length} saved ${damaged.length > 1 ? "things are" : "thing is"} damaged and not listed: ${damaged.join(", ")}.`)] : [],
       boards,
       element("h2", "", "Saved views"),
@@ -5012,6 +5049,7 @@
           const copy2 = await ask3(`boards/${this.id}`, { action: "duplicate" });
           changeView({ board: copy2.id });
         }],
+        ["Report", () => openReport(board.filters.dataset || shown3.dataset, board)],
         ["History", () => showHistory(`boards/${this.id}`, board.title, (version) => this.change({ action: "restore", version }))],
         ["Delete", () => deleteBoard(board, () => changeView({ board: "", screen: "" }))]
       ];
@@ -7095,7 +7133,7 @@
     const link2 = find(BLEND_BVH);
     if (link2) link2.setAttribute("href", `/api/bvh/${encodeURIComponent(mixtureName())}/blend`);
   }
-  function write() {
+  function write2() {
     clearTimeout(writing);
     writing = setTimeout(() => {
       if (!now) return;
@@ -7106,12 +7144,12 @@
   function changed() {
     updateControls(now, shares());
     play2();
-    write();
+    write2();
   }
   function chooseAgain(body2, chosen3, values) {
     Object.assign(now, { body: body2, chosen: chosen3, values });
     show2();
-    write();
+    write2();
   }
   var actions = {
     mean: () => now.values.fill(evenWeight(now.values.length)),
@@ -8021,14 +8059,14 @@
   var same2 = (a, b) => KEYS4.every((key) => (a?.[key] || "") === (b?.[key] || ""));
   var onStage2 = () => Boolean(player.frameOf(0)?.dataset?.startsWith(OURS2));
   var motifs = () => now2.path || [];
-  function write2(path2, more2 = {}) {
+  function write3(path2, more2 = {}) {
     const text = path2.join("-");
     if (text.length > LONGEST2) return problem({ error: "This path is too long for a link; about a hundred motifs fit." });
     changeView({ walk: text, ...more2 });
   }
   function add2(motif) {
     added = true;
-    write2([...motifs(), motif]);
+    write3([...motifs(), motif]);
   }
   function request2(data2) {
     const shown8 = data2.path.slice(0, 8).join(" → ") + (data2.path.length > 8 ? " …" : "");
@@ -8064,9 +8102,9 @@
       button5.addEventListener("click", act2);
       box4.append(button5);
     };
-    if (gap && detour?.length) offer2(`Go by way of ${detour.slice(1, -1).join(", ")}`, () => write2(filled(motifs(), gap, detour)));
+    if (gap && detour?.length) offer2(`Go by way of ${detour.slice(1, -1).join(", ")}`, () => write3(filled(motifs(), gap, detour)));
     if (gap) offer2("Bridge the gap by a blend", () => changeView({ gaps: "bridge" }));
-    if (gap && motifs().length) offer2(`Take ${gap[1]} away`, () => write2(withoutGap(motifs(), gap)));
+    if (gap && motifs().length) offer2(`Take ${gap[1]} away`, () => write3(withoutGap(motifs(), gap)));
   }
   function show3() {
     const busy = !same2(now2.inputs, keysOf2(view));
@@ -8081,7 +8119,7 @@
     need(WALK_HINT).textContent = walks || now2.error ? "" : "Click motifs in the graph one after the other, or let chance choose.";
     need(WALK_NOTES).replaceChildren(...(now2.warnings || []).map((text) => Object.assign(document.createElement("p"), { textContent: text })));
     need(WALK_WAYS).textContent = waysText(now2);
-    drawPath(need(WALK_PATH), now2, { write: write2, jump: seekTo });
+    drawPath(need(WALK_PATH), now2, { write: write3, jump: seekTo });
     problem(now2);
     drawSkateMeter(need(WALK_METERS), "This walk", now2.name ? now2 : null, now2.blends > 0);
     for (const button5 of allWithin(document, "[data-walk='play']")) button5.disabled = !walks;
@@ -8170,7 +8208,7 @@
       if (last3 === source) add2(target2);
       else if (last3 === void 0) {
         added = true;
-        write2([source, target2]);
+        write3([source, target2]);
       }
     }
   };

@@ -11,7 +11,7 @@ import time
 import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from core.workspace.audit import record
 from core.workspace.database import Database
@@ -101,6 +101,21 @@ class Notes:
                 notes[best] = note
                 del free[best]
         return {motif: note for motif, note in notes.items() if not note.is_empty}
+
+    def all(self, dataset: str) -> list[dict[str, Any]]:
+        """All that is said of motifs of a data set, in a fixed order: result, motif, segments, name, tags, note."""
+        rows = self._database.rows("SELECT * FROM notes WHERE dataset = ? ORDER BY result, motif", dataset)
+        return [
+            {
+                "result": row["result"],
+                "motif": row["motif"],
+                "segments": json.loads(row["segments"]),
+                "name": row["name"],
+                "tags": json.loads(row["tags"]),
+                "note": row["note"],
+            }
+            for row in rows
+        ]
 
     def state(self, dataset: str) -> str:
         """A short text that changes whenever something is said of a motif of this data set, by one cheap query."""

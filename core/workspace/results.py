@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+import zipfile
+import zlib
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -68,6 +70,44 @@ class ResultStore:
                     np.savez(file, **entries)
                 else:
                     file.write(text)
+
+    def all_keys(self) -> Iterator[str]:
+        """The keys of all results, in order."""
+        for path in sorted(self.folder.glob("??/*")):
+            if path.suffix in (".json", ".npz") and path.name.startswith(path.parent.name):
+                yield path.stem
+
+    def names(self, key: str, text: str) -> bool:
+        """Whether the document of a result holds a text, such as a fingerprint; arrays are not read."""
+        path = self._find(key)
+        try:
+            if path is None or path.suffix == ".json":
+                return path is not None and text.encode() in path.read_bytes()
+            with zipfile.ZipFile(path) as members:
+                return text.encode() in members.read(f"{_DOCUMENT}.npy")
+        except (OSError, KeyError, zipfile.BadZipFile, zlib.error):
+            return False
+
+    def file(self, key: str) -> Path | None:
+        """The file of the result for ``key``, to be copied; None where there is none. Raises NameRefused."""
+        return self._find(key)
+
+    def adopt(self, key: str, source: Path) -> None:
+        """Takes over the file of a result from elsewhere as it is, once it has been read; raises as :meth:`check`,
+        WorkspaceError where it cannot be stored."""
+        self.check(source)
+        with plain_errors("store the result"), atomic_file(self._path(key, source.suffix)) as file:
+            file.write(source.read_bytes())
+
+    @staticmethod
+    def check(source: Path) -> None:
+        """Raises ResultDamaged where a file from elsewhere cannot be read as a result; pickles are never read."""
+        try:
+            found = _read_npz(source) if source.suffix == ".npz" else Result(_read_json(source), {})
+            if not isinstance(found.document, dict) or any(a.dtype.hasobject for a in found.arrays.values()):
+                raise ValueError("no result")
+        except Exception as error:  # numpy and zipfile raise all kinds of errors on damaged files
+            raise ResultDamaged(f"{source.name} is damaged, or no result.") from error
 
     def remove(self, key: str) -> None:
         """Forgets the result for ``key``, if any; raises WorkspaceError when it cannot."""

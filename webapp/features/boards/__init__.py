@@ -21,6 +21,11 @@ FEATURE = Feature(
             later(f"{_ARGUMENTS}:report"),
             later(f"{_COMMANDS}:report"),
         ),
+        "import-bundle": Command(
+            "Take over a bundle: a dataset with its results, notes, views and boards.",
+            later(f"{_ARGUMENTS}:import_bundle"),
+            later(f"{_COMMANDS}:import_bundle"),
+        ),
     },
     blocks={
         "text": Block(

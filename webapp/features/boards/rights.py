@@ -7,8 +7,10 @@ RIGHTS = Rights(
     reads=(
         "routes.board_history",
         "routes.list_boards",
+        "routes.report_file",
         "routes.show_block",
         "routes.show_board",
+        "routes.show_report",
         "routes.view_history",
         "routes.view_picture",
     ),

@@ -10,6 +10,7 @@ import hashlib
 import json
 from dataclasses import asdict, is_dataclass
 from typing import Any
+from urllib.parse import quote
 
 from flask import Blueprint, Response, jsonify, request
 
@@ -31,6 +32,7 @@ from webapp.features.boards.documents import (
     view_entry,
 )
 from webapp.features.boards.pictures import keep_picture, picture_of
+from webapp.features.boards.report_writing import Reports
 from webapp.features.boards.templates import TEMPLATES, blocks_of
 from webapp.shell.routes import ASK_AGAIN, BadRequest, answer_errors, response_with_etag
 
@@ -47,6 +49,7 @@ def blueprints(workspace: Workspace) -> list[Blueprint]:
     _board_routes(routes, workspace)
     _view_routes(routes, workspace)
     _comment_routes(routes, workspace)
+    _report_routes(routes, workspace)
     return [routes]
 
 
@@ -216,6 +219,30 @@ def _comment_routes(routes: Blueprint, workspace: Workspace) -> None:
         else:
             raise BadRequest("There is no such change of a comment.")
         return jsonify(comment_data(comment))
+
+
+def _report_routes(routes: Blueprint, workspace: Workspace) -> None:
+    reports = Reports(workspace)
+
+    @routes.get("/report/<dataset>")
+    def show_report(dataset: str) -> Response:
+        form = request.args.get("form", "html")
+        if form not in ("html", "pdf"):
+            raise BadRequest("A report is written as html or pdf.")
+        board = workspace.boards.get(request.args["board"]) if request.args.get("board") else None
+        again = bool(request.args.get("again"))
+        return jsonify(reports.ask(dataset, board, "pdf" if form == "pdf" else "html", again))
+
+    @routes.get("/report/<dataset>/<key>")
+    def report_file(dataset: str, key: str) -> Response:
+        workspace.info(dataset)  # raises for those who may not see it
+        found = reports.file(key)
+        if found is None:
+            raise BadRequest("This report is not ready, or what it shows has changed: ask for it again.", 404)
+        name, content = found
+        sent = Response(content, mimetype="application/octet-stream")
+        sent.headers["Content-Disposition"] = f"attachment; filename*=UTF-8''{quote(name)}"
+        return sent
 
 
 def _body() -> Body:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import json
 import re
+import time
 import zlib
 from dataclasses import replace
 
@@ -15,7 +16,9 @@ from core import analyses
 from core.errors import AnalysisError
 from core.mocap.clip import Label
 from core.workspace import Workspace
+from core.workspace.boards import Block
 from tests.webapp.generated import walkers
+from webapp.app import create_app
 from webapp.cli.main import main
 from webapp.features.boards import printing
 from webapp.features.boards.parts import OVERVIEW, Part
@@ -112,7 +115,7 @@ def test_the_command_writes_it(workspace, tmp_path, capsys):
 @pytest.mark.parametrize(
     ("source", "out", "words"),
     [
-        ("walks", "report.docx", ".html or .pdf"),
+        ("walks", "report.docx", ".html, .pdf or .zip"),
         ("nobody", "r.html", "nobody"),
         ("../elsewhere", "r.html", "import it first"),
     ],
@@ -127,3 +130,46 @@ def test_a_pdf_needs_a_browser_and_says_so(monkeypatch):
     monkeypatch.setenv(printing.BROWSER, "/nowhere/chromium")
     with pytest.raises(AnalysisError, match="name it in MOTIONSCAPE_BROWSER, or write"):
         printing.find_browser()
+
+
+def test_a_board_is_written_by_its_name_in_reading_order(workspace, tmp_path, capsys):
+    blocks = [Block("b", "graph", 0, 3, 8, 4, {"title": "Second"}), Block("a", "text", 0, 0, 12, 2, {"title": "First"})]
+    board = workspace.boards.create("Ours", [*blocks, Block("c", "map", 0, 9, 4, 4, {"dataset": "elsewhere"})])
+    out = tmp_path / "board.html"
+    assert main(["report", f"{workspace.path}/walks", "--board", "Ours", "--out", str(out), "--quiet"]) == 0
+    report = json.loads(part_of(out.read_text(encoding="utf-8"), "report"))
+    assert report["title"] == "Ours" and [part["title"] for part in report["parts"]] == ["First", "Second", ""]
+    assert "another dataset" in report["parts"][2]["content"]["html"]
+    workspace.boards.delete(board.id)
+    assert main(["report", f"{workspace.path}/walks", "--board", "Ours", "--out", str(out), "--quiet"]) == 2
+    assert "no board called" in capsys.readouterr().err
+
+
+def test_a_bundle_goes_to_another_workspace_and_back_by_the_commands(workspace, tmp_path, capsys):
+    out = tmp_path / "walks.zip"
+    assert main(["report", f"{workspace.path}/walks", "--out", str(out)]) == 0
+    assert main(["import-bundle", str(tmp_path / "other"), str(out), "--name", "strolls"]) == 0
+    assert "strolls: added" in capsys.readouterr().out
+    assert Workspace(tmp_path / "other").info("strolls").fingerprint == workspace.info("walks").fingerprint
+    assert main(["import-bundle", str(tmp_path / "other"), str(tmp_path / "nothing.zip")]) == 2
+    assert "no such file" in capsys.readouterr().err
+
+
+def test_the_app_writes_a_report_and_says_its_size_first(workspace):
+    client = create_app(workspace.path).server.test_client()
+
+    def ask(path: str):
+        return client.get(f"/api/report/{path}", headers={"Host": "localhost"})
+
+    state = ask("walks").json
+    for _ in range(600):
+        if state["ready"] or state["error"]:
+            break
+        time.sleep(0.1)
+        state = ask("walks").json
+    assert state["ready"] and state["motion"]
+    answer = ask(f"walks/{state['key']}")
+    assert len(answer.data) == state["size"] and answer.data.startswith(b"<!doctype html>")
+    assert "walks%3A%20overview.html" in answer.headers["Content-Disposition"]
+    assert ask("walks/" + "0" * 32).status_code == 404 and ask("nobody").status_code == 400
+    assert ask("walks?form=exe").status_code == 400
