@@ -6061,9 +6061,10 @@
   });
 
   // library/batch.mjs
+  var MOTION = ["FBX", "GLB", "GLTF", "VRM", "VMD", "C3D", "TRC", "NPZ", "NPY", "PKL", "BIP", "HTR", "MVNX", "BLEND", "DAE", "USD"];
   var sizeInWords = (bytes2) => bytes2 >= 2 ** 30 ? (bytes2 / 2 ** 30).toFixed(1) + " GB" : bytes2 >= 1e5 ? (bytes2 / 2 ** 20).toFixed(1) + " MB" : Math.max(1, Math.round(bytes2 / 1024)) + " kB";
   function freshBatch() {
-    return { token: null, items: [], sent: 0, bytes: 0, active: 0, queue: [], stopped: false, name: "", hidden: 0, ignored: 0 };
+    return { token: null, items: [], sent: 0, bytes: 0, active: 0, queue: [], stopped: false, name: "", hidden: 0, ignored: {} };
   }
   function freePath(mine2, file, path2) {
     for (let k = 1; ; k++) {
@@ -6083,26 +6084,36 @@
     return { recordings: count(/\.(bvh|amc)(\.gz)?$/i) + archives, labels: count(/\.csv$/i), amc: count(/\.amc(\.gz)?$/i), archives };
   }
   function nameOf(files) {
+    if (!files.length) return "";
     const parts = files[0].path.split("/");
     if (parts.length > 1) return parts[0];
     return files.length > 1 ? "Recordings" : parts[0].replace(/\.(bvh|amc|asf|csv|zip)(\.gz)?$/i, "");
   }
+  var kindOf2 = (path2) => /\.([a-z0-9]{1,8})$/.exec(path2)?.[1]?.toUpperCase() ?? "other";
+  function leftOut(mine2) {
+    const kinds2 = Object.entries(mine2.ignored).sort((a, b) => b[1] - a[1] || a[0].localeCompare(b[0]));
+    const words3 = kinds2.map(([kind, count]) => `${count} ${kind}`).join(", ");
+    const motion = kinds2.some(([kind]) => MOTION.includes(kind));
+    return words3 && `${words3} left out${motion ? "; convert motion to BVH, with Blender for example" : ""}`;
+  }
   function takeFiles(mine2, files, { fileBytes, totalBytes, files: most, suffixes: suffixes2 }) {
-    if (!mine2.name) mine2.name = nameOf(files);
+    const isReadable = (path2) => suffixes2.some((suffix) => path2.toLowerCase().endsWith(suffix));
+    if (!mine2.name) mine2.name = nameOf(files.filter(({ path: path2 }) => isReadable(path2) && !/\.csv(\.gz)?$/i.test(path2)));
     const taken = [];
     for (const { file, path: given2 } of files) {
       const path2 = freePath(mine2, file, given2);
       if (!path2) continue;
       const lower = path2.toLowerCase();
-      const readable2 = suffixes2.some((suffix) => lower.endsWith(suffix));
+      const readable2 = isReadable(path2);
       if (!readable2 && files.length > 1 && !/\.(bvh|amc|asf|zip)/i.test(lower)) {
-        mine2.ignored += 1;
+        const kind = kindOf2(lower);
+        mine2.ignored[kind] = (mine2.ignored[kind] ?? 0) + 1;
         continue;
       }
       const item = { file, path: path2, sent: 0, state: "waiting", message: "", row: null };
       mine2.items.push(item);
       taken.push(item);
-      if (!readable2) refuse(item, "not a kind of file we read");
+      if (!readable2) refuse(item, "not a kind of file we read; convert it to BVH");
       else if (file.size > fileBytes) refuse(item, `too large: ${sizeInWords(file.size)}; a file may have ${sizeInWords(fileBytes)}`);
       else if (mine2.queue.length + mine2.sent >= most) refuse(item, `too many files: ${most} at most`);
       else if (mine2.bytes + file.size > totalBytes) refuse(item, `too much altogether: ${sizeInWords(totalBytes)} at most`);
@@ -6250,7 +6261,8 @@
     const sentences = [];
     if (mine2.items.length) sentences.push(`${mine2.sent} of ${mine2.items.length - bad} files received, ${sizeInWords(sent2)}`);
     if (bad) sentences.push(`${bad} left out`);
-    if (mine2.ignored) sentences.push(`${mine2.ignored} other file${mine2.ignored > 1 ? "s" : ""} ignored`);
+    const ignored = leftOut(mine2);
+    if (ignored) sentences.push(ignored);
     node.textContent = sentences.join("; ");
     const bar = find(UPLOAD_BAR);
     if (bar) bar.style.width = (mine2.bytes ? Math.min(100, 100 * sent2 / mine2.bytes) : 0) + "%";

@@ -1,13 +1,16 @@
 // Files that were chosen together: which are sent, under which names, and which are left out and why.
 /** @import { Batch, FoundFile, Limits, Upload } from "./types.d.ts" */
 
+/** Kinds of files that may hold motion and are not read. */
+const MOTION = ["FBX", "GLB", "GLTF", "VRM", "VMD", "C3D", "TRC", "NPZ", "NPY", "PKL", "BIP", "HTR", "MVNX", "BLEND", "DAE", "USD"];
+
 /** A size as people read it. @param {number} bytes */
 export const sizeInWords = (bytes) => bytes >= 2 ** 30 ? (bytes / 2 ** 30).toFixed(1) + " GB"
   : bytes >= 1e5 ? (bytes / 2 ** 20).toFixed(1) + " MB" : Math.max(1, Math.round(bytes / 1024)) + " kB";
 
 /** Nothing has been chosen yet. @returns {Batch} */
 export function freshBatch() {
-  return { token: null, items: [], sent: 0, bytes: 0, active: 0, queue: [], stopped: false, name: "", hidden: 0, ignored: 0 };
+  return { token: null, items: [], sent: 0, bytes: 0, active: 0, queue: [], stopped: false, name: "", hidden: 0, ignored: {} };
 }
 
 /**
@@ -40,11 +43,23 @@ export function kinds(mine) {
   return { recordings: count(/\.(bvh|amc)(\.gz)?$/i) + archives, labels: count(/\.csv$/i), amc: count(/\.amc(\.gz)?$/i), archives };
 }
 
-/** The name of a data set that files suggest. @param {FoundFile[]} files */
+/** The name of a data set that files which can be read suggest; none where there is no such file. @param {FoundFile[]} files */
 function nameOf(files) {
+  if (!files.length) return "";
   const parts = files[0].path.split("/");
   if (parts.length > 1) return parts[0];
   return files.length > 1 ? "Recordings" : parts[0].replace(/\.(bvh|amc|asf|csv|zip)(\.gz)?$/i, "");
+}
+
+/** What kind of file a path is, as people call it: FBX, VMD; "other" without an ending. @param {string} path */
+const kindOf = (path) => /\.([a-z0-9]{1,8})$/.exec(path)?.[1]?.toUpperCase() ?? "other";
+
+/** Files that were left out, by kind: "3 FBX, 1 TXT left out"; empty where none was. @param {Batch} mine */
+export function leftOut(mine) {
+  const kinds = Object.entries(mine.ignored).sort((a, b) => b[1] - a[1] || a[0].localeCompare(b[0]));
+  const words = kinds.map(([kind, count]) => `${count} ${kind}`).join(", ");
+  const motion = kinds.some(([kind]) => MOTION.includes(kind));
+  return words && `${words} left out${motion ? "; convert motion to BVH, with Blender for example" : ""}`;
 }
 
 /**
@@ -55,23 +70,26 @@ function nameOf(files) {
  * @param {Limits} limits
  */
 export function takeFiles(mine, files, { fileBytes, totalBytes, files: most, suffixes }) {
-  if (!mine.name) mine.name = nameOf(files);
+  /** @param {string} path */
+  const isReadable = (path) => suffixes.some((suffix) => path.toLowerCase().endsWith(suffix));
+  if (!mine.name) mine.name = nameOf(files.filter(({ path }) => isReadable(path) && !/\.csv(\.gz)?$/i.test(path)));
   /** @type {Upload[]} */
   const taken = [];
   for (const { file, path: given } of files) {
     const path = freePath(mine, file, given);
     if (!path) continue;
     const lower = path.toLowerCase();
-    const readable = suffixes.some((suffix) => lower.endsWith(suffix));
+    const readable = isReadable(path);
     if (!readable && files.length > 1 && !/\.(bvh|amc|asf|zip)/i.test(lower)) {
-      mine.ignored += 1;
+      const kind = kindOf(lower);
+      mine.ignored[kind] = (mine.ignored[kind] ?? 0) + 1;
       continue;
     }
     /** @type {Upload} */
     const item = { file, path, sent: 0, state: "waiting", message: "", row: null };
     mine.items.push(item);
     taken.push(item);
-    if (!readable) refuse(item, "not a kind of file we read");
+    if (!readable) refuse(item, "not a kind of file we read; convert it to BVH");
     else if (file.size > fileBytes) refuse(item, `too large: ${sizeInWords(file.size)}; a file may have ${sizeInWords(fileBytes)}`);
     else if (mine.queue.length + mine.sent >= most) refuse(item, `too many files: ${most} at most`);
     else if (mine.bytes + file.size > totalBytes) refuse(item, `too much altogether: ${sizeInWords(totalBytes)} at most`);

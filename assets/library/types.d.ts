@@ -21,7 +21,8 @@ export interface Batch {
   stopped: boolean;
   name: string;
   hidden: number;
-  ignored: number;
+  /** Files that were left out: kind, and how many. */
+  ignored: Record<string, number>;
 }
 
 /** A file and its path, folders included. */

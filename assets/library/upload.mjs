@@ -1,7 +1,7 @@
 /* Uploading: files and whole folders, dropped or chosen, sent by PUT with progress; a few at a time. */
 import { clientside, register, setStore } from "../shared/dash.mjs";
 import { childrenOf, closest, find, need } from "../shared/dom.mjs";
-import { freshBatch, kinds, refuse, sizeInWords, takeFiles } from "./batch.mjs";
+import { leftOut, freshBatch, kinds, refuse, sizeInWords, takeFiles } from "./batch.mjs";
 import * as ids from "./ids.mjs";
 /** @import { Batch, FoundFile, Upload } from "./types.d.ts" */
 
@@ -124,7 +124,8 @@ function summary(mine) {
   const sentences = [];
   if (mine.items.length) sentences.push(`${mine.sent} of ${mine.items.length - bad} files received, ${sizeInWords(sent)}`);
   if (bad) sentences.push(`${bad} left out`);
-  if (mine.ignored) sentences.push(`${mine.ignored} other file${mine.ignored > 1 ? "s" : ""} ignored`);
+  const ignored = leftOut(mine);
+  if (ignored) sentences.push(ignored);
   node.textContent = sentences.join("; ");
   const bar = find(ids.UPLOAD_BAR);
   if (bar) bar.style.width = (mine.bytes ? Math.min(100, (100 * sent) / mine.bytes) : 0) + "%";

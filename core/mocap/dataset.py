@@ -20,8 +20,9 @@ from core.mocap.corrections import BodyCorrections, read_corrections
 from core.mocap.errors import RecordingError
 from core.mocap.label_files import find_label_files, find_labels
 from core.mocap.labels import fit_labels, read_labels
+from core.mocap.other_files import in_words
 from core.mocap.reading import Change, Reading, read_again, settled
-from core.mocap.recordings import Recording, Source, find_recordings, find_skeleton, name_recordings
+from core.mocap.recordings import Recording, Source, find_left_out, find_recordings, find_skeleton, name_recordings
 from core.mocap.reports import FileReport, ImportReport, Verdict
 from core.mocap.skeleton import Skeleton
 from core.mocap.text import recording_format
@@ -156,7 +157,7 @@ def open_dataset(
         name or (first.resolve().name if first.is_dir() else recording_format(first)[0]),
         tuple(read),
         fitted,
-        replace(label_report, files=(*files, *label_report.files)),
+        ImportReport((*files, *label_report.files), (*label_report.messages, *filter(None, [left_out_words(source)]))),
     )
 
 
@@ -164,6 +165,11 @@ def reread(dataset: Dataset, change: Change) -> Dataset:
     """The dataset as it would be had its files been read with ``change``. Raises ParameterError for a correction that
     does not fit."""
     return replace(dataset, clips=tuple(read_again(clip, change) for clip in dataset.clips), digests=())
+
+
+def left_out_words(source: Source) -> str:
+    """Which files of ``source`` hold motion that is not read, and how to convert it; empty where there is none."""
+    return in_words([group for group in find_left_out(source) if group.advice])
 
 
 def _labels(

@@ -11,6 +11,7 @@ from pathlib import Path
 
 from core.mocap.errors import RecordingError
 from core.mocap.files import files_below
+from core.mocap.other_files import LeftOut, in_words, left_out_files, what_it_is
 from core.mocap.text import recording_format
 
 FORMATS = (".bvh", ".amc")
@@ -30,8 +31,8 @@ class Recording:
 def find_recordings(source: Source) -> list[Path]:
     """Recordings (.bvh, .bvh.gz, .amc, .amc.gz) of a folder and all below it, or of several; a file stands for itself.
 
-    Sorted by path; hidden files and folders are left out. Raises RecordingError where a path does not exist, holds no
-    recording, or is a file of another kind.
+    Sorted by path; hidden files and folders, and files of other kinds, are left out (:func:`find_left_out`). Raises
+    RecordingError where a path does not exist, or there is no recording at all.
     """
     return [path for path, _ in _find(source)]
 
@@ -74,24 +75,36 @@ def _chosen(source: Source, recordings: list[Recording], clips: Iterable[str] | 
     return [r for r in recordings if r.clip in wanted]
 
 
+def find_left_out(source: Source) -> tuple[LeftOut, ...]:
+    """What of ``source`` is not read, by format; hidden files are not looked at."""
+    sources = [source] if isinstance(source, str | os.PathLike) else list(source)
+    files = [file for one in map(Path, sources) for file in (files_below(one) if one.is_dir() else [one])]
+    return left_out_files(dict.fromkeys(files), FORMATS)
+
+
 def _find(source: Source) -> list[tuple[Path, Path]]:
     """Every recording and its folder relative to the source it was found in."""
     sources = [source] if isinstance(source, str | os.PathLike) else list(source)
-    skeletons: dict[Path, Path] = {}
+    found: dict[Path, Path] = {}
     for one in map(Path, sources):
         if not one.exists():
             raise RecordingError(one, "there is no such file or folder")
-        here = sorted(filter(_is_recording, files_below(one))) if one.is_dir() else [one]
-        if not here:
-            raise RecordingError(one, "no recordings in this folder", "files .bvh, .bvh.gz, .amc or .amc.gz")
-        if not one.is_dir() and not _is_recording(one):
-            raise RecordingError(one, "not a recording", "a file .bvh, .bvh.gz, .amc or .amc.gz, or a folder")
-        for path in here:
-            skeletons.setdefault(path, path.parent.relative_to(one) if one.is_dir() else Path())
-    return list(skeletons.items())
+        for path in sorted(filter(is_recording, files_below(one) if one.is_dir() else [one])):
+            found.setdefault(path, path.parent.relative_to(one) if one.is_dir() else Path())
+    if not found:
+        one = Path(sources[0])
+        others = in_words(find_left_out(source))
+        if one.is_dir() or len(sources) > 1:
+            words = "no recordings in this folder" if len(sources) == 1 else "no recordings among these"
+            found_words = f"{words} ({others})" if others else words
+            raise RecordingError(one, found_words, "files .bvh, .bvh.gz, .amc or .amc.gz")
+        what = f"not a recording: {what_it_is(one)}" if what_it_is(one) else "not a recording"
+        raise RecordingError(one, what, "a file .bvh, .bvh.gz, .amc or .amc.gz, or a folder")
+    return list(found.items())
 
 
-def _is_recording(path: Path) -> bool:
+def is_recording(path: Path) -> bool:
+    """Whether a file is a recording, by its name."""
     return recording_format(path)[1] in FORMATS
 
 

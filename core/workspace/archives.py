@@ -6,6 +6,7 @@ uploads; links, and archives within archives, are left alone.
 
 from __future__ import annotations
 
+import lzma
 import shutil
 import stat
 import zipfile
@@ -16,6 +17,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from core.mocap.files import files_below
+from core.mocap.other_files import in_words, left_out_files
 from core.mocap.reports import FileReport
 from core.mocap.text import recording_format
 from core.progress import Report
@@ -77,7 +79,8 @@ def _unpack(archive: Path, target: Path, room: int, report: Report) -> tuple[int
                     file.write(chunk)
                     report("Unpacking", k / len(entries))
     count = f"{len(entries)} files unpacked" if len(entries) > 1 else "one file unpacked"
-    return written, FileReport(archive.name, None, "warning" if left else "ok", (*left, count))
+    doubtful = any(not message.endswith(" left out") for message in left)
+    return written, FileReport(archive.name, None, "warning" if doubtful else "ok", (*left, count))
 
 
 def _choose(infos: list[zipfile.ZipInfo]) -> tuple[list[Entry], list[str]]:
@@ -87,6 +90,7 @@ def _choose(infos: list[zipfile.ZipInfo]) -> tuple[list[Entry], list[str]]:
     entries: list[Entry] = []
     taken: set[str] = set()
     left: dict[str, list[str]] = {"links": [], "names that lead out of it": [], "archives within it": []}
+    other: list[str] = []
     for info in infos:
         name = info.filename
         if info.is_dir() or any(part.startswith(".") or part == "__MACOSX" for part in name.split("/") if part != ".."):
@@ -94,7 +98,7 @@ def _choose(infos: list[zipfile.ZipInfo]) -> tuple[list[Entry], list[str]]:
         if name.lower().endswith(".zip"):
             left["archives within it"].append(name)
         elif recording_format(name)[1] not in WANTED:
-            continue
+            other.append(name)
         elif stat.S_ISLNK(info.external_attr >> 16):
             left["links"].append(name)
         elif (parts := _parts(name, taken)) is None:
@@ -102,6 +106,8 @@ def _choose(infos: list[zipfile.ZipInfo]) -> tuple[list[Entry], list[str]]:
         else:
             entries.append(Entry(info, parts))
     messages = [f"left packed, {kind}: {_some(names)}" for kind, names in left.items() if names]
+    not_read = left_out_files(other, WANTED)
+    messages += [in_words(not_read)] if not_read else []
     if not entries:
         raise WorkspaceError("; ".join(["there is no recording, skeleton or CSV file in it", *messages]))
     if len(entries) > MAX_FILES:
@@ -139,7 +145,12 @@ def _plain_faults() -> Iterator[None]:
     """Faults of the archive inside the block as WorkspaceError."""
     try:
         yield
-    except (zipfile.BadZipFile, zlib.error, EOFError) as error:
+    except WorkspaceError:
+        raise
+    except UnicodeError as error:
+        words = "the names of its files are not in UTF-8, although it says so; pack the recordings again"
+        raise WorkspaceError(words) from error
+    except (zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, ValueError, OverflowError) as error:
         raise WorkspaceError("the archive is damaged; pack the recordings again") from error
     except (NotImplementedError, RuntimeError) as error:  # methods and keys that the library does not know
         raise WorkspaceError("it is packed in a way we cannot read; pack it as a plain zip") from error

@@ -22,8 +22,10 @@ from core.mocap.errors import RecordingError
 from core.mocap.files import files_below
 from core.mocap.label_files import find_labels, take_labels
 from core.mocap.labels import read_labels
+from core.mocap.other_files import LeftOut, in_words
 from core.mocap.reading import Change, Reading, read_again
-from core.mocap.recordings import FORMATS
+from core.mocap.recordings import FORMATS, find_left_out
+from core.mocap.reports import Verdict
 from core.mocap.storage import load_dataset, save_dataset, writing_dataset
 from core.mocap.text import recording_format
 from core.progress import Report
@@ -73,7 +75,9 @@ def store_recordings(folder: Path, name: str, what: Recordings, report: Report) 
         labels, label_reports = labels_for(what, arrivals.frames, arrivals.names)
         if not arrivals.names and not (before.clips and labels):
             raise WorkspaceError(arrivals.why_none(what.also))
-        writer.labels, writer.report = _together(before, what, labels, (*what.also, *arrivals.files, *label_reports))
+        left = left_out_reports(find_left_out(what.sources), what.sources)
+        files = (*what.also, *arrivals.files, *left, *label_reports)
+        writer.labels, writer.report = _together(before, what, labels, files)
     _inspect(folder, report)
 
 
@@ -121,6 +125,23 @@ class _Arrivals:
         if self._before.clips and not errors:
             return f"Nothing was added: {self._before.name} has all of these recordings already."
         return _why_empty(errors, "be read")
+
+
+def left_out_reports(groups: Sequence[LeftOut], sources: Sequence[Source]) -> tuple[FileReport, ...]:
+    """A report for each format that was left out: a warning where it holds motion, with the way to convert it."""
+    reports = []
+    for group in groups:
+        path = _below_source(FileReport(group.files[0], None, "ok"), sources).path
+        more = f" and {len(group.files) - 1} more" if len(group.files) > 1 else ""
+        verdict: Verdict = "warning" if group.advice else "ok"
+        reports.append(FileReport(f"{path}{more}", None, verdict, (in_words([group]),)))
+    return tuple(reports)
+
+
+def left_out_words(folder: Path) -> list[str]:
+    """What of a folder is not read, in one sentence; none where nothing is left out."""
+    groups = find_left_out(folder)
+    return [f"There is no recording among these files: {in_words(groups)}."] if groups else []
 
 
 def labels_for(

@@ -36,14 +36,15 @@ def read_query_file(workspace: Workspace, key: str, values: QueryFileParameters,
     from core.mocap.dataset import read_recordings
     from core.mocap.errors import RecordingError
     from core.workspace.archives import unpack_archives
-    from core.workspace.importing import holds_recordings, only_skeleton
+    from core.workspace.importing import holds_recordings, left_out_words, only_skeleton
 
     folder = workspace.uploads.path(values.upload)
     try:
         reports = unpack_archives(folder, report)
         if not holds_recordings(folder):
-            reasons = " ".join(message for file in reports if file.verdict != "ok" for message in file.messages)
-            raise WorkspaceError(reasons or "There is no recording in this file (BVH, or AMC together with its ASF).")
+            reasons = [message for file in reports if file.verdict != "ok" for message in file.messages]
+            words = " ".join([*reasons, *left_out_words(folder)])
+            raise WorkspaceError(words or "There is no recording in this file (BVH, or AMC together with its ASF).")
         file, clip = next(iter(read_recordings(folder, skeleton=only_skeleton(folder), report=report)))
         if isinstance(file, RecordingError):
             raise file

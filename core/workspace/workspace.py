@@ -303,8 +303,11 @@ class Workspace:
         with plain_errors("unpack the upload"):
             reports = unpack_archives(folder, report)
         if not labels_alone and not _importing().holds_recordings(folder):
-            reasons = " ".join(message for file in reports if file.verdict != "ok" for message in file.messages)
-            raise WorkspaceError(reasons or "There is no recording among these files (BVH, or AMC with its ASF).")
+            reasons = [message for file in reports if file.verdict != "ok" for message in file.messages]
+            reasons += _importing().left_out_words(folder)
+            raise WorkspaceError(
+                " ".join(reasons) or "There is no recording among these files (BVH, or AMC with its ASF)."
+            )
         given = self.uploads.file(upload, skeleton) if skeleton else _importing().only_skeleton(folder)
         chosen = self.uploads.file(upload, labels) if labels else None
         return _recordings(folder, skeleton=given, how=how, labels=chosen, also=reports)

@@ -6,7 +6,7 @@ import sys
 from argparse import Namespace
 from pathlib import Path
 
-from core.mocap.dataset import Dataset, open_dataset, reading, reread
+from core.mocap.dataset import Dataset, left_out_words, open_dataset, reading, reread
 from core.mocap.reading import Change
 from core.mocap.rigs import left_out
 from core.progress import Report
@@ -56,8 +56,8 @@ def open_source(arguments: Namespace, report: Report) -> Dataset:
             labels=arguments.labels,
             report=report,
         )
-        for message in dataset.report.messages:
-            print(f"note: {message}", file=sys.stderr)
+        if not arguments.quiet and (words := left_out_words(path)):
+            print(f"note: {words}", file=sys.stderr)
         return dataset
     refuse_reading_options(arguments)
     workspace, name = named

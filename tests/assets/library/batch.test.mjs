@@ -1,8 +1,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { freshBatch, kinds, sizeInWords, takeFiles } from "../../../assets/library/batch.mjs";
+import { freshBatch, kinds, leftOut, sizeInWords, takeFiles } from "../../../assets/library/batch.mjs";
 
-const LIMITS = { fileBytes: 1000, totalBytes: 2500, files: 4, suffixes: [".bvh", ".amc", ".asf", ".csv", ".zip"] };
+const LIMITS = { fileBytes: 1000, totalBytes: 2500, files: 4, suffixes: [".bvh", ".amc", ".amc.gz", ".asf", ".csv", ".zip"] };
 const file = (path, size = 100, lastModified = 1) => ({ file: { name: path.split("/").pop(), size, lastModified }, path });
 const taken = (files, batch = freshBatch()) => [batch, takeFiles(batch, files, LIMITS)];
 
@@ -14,9 +14,12 @@ test("files that may be sent wait in the queue; others are left out with the rea
   assert.equal(batch.queue.length, 1);
 });
 
-test("of a folder, files that no recording could be are ignored; a single one is refused", () => {
-  const [batch, items] = taken([file("a.bvh"), file("readme.txt"), file("photo.png")]);
-  assert.deepEqual([items.length, batch.ignored], [1, 2]);
+test("of a folder, files that are not read are left out and named; a single one is refused", () => {
+  const [batch, items] = taken([file("a.bvh"), file("readme.txt"), file("b.fbx"), file("c.FBX")]);
+  assert.deepEqual([items.length, batch.ignored], [1, { TXT: 1, FBX: 2 }]);
+  assert.equal(leftOut(batch), "2 FBX, 1 TXT left out; convert motion to BVH, with Blender for example");
+  assert.equal(leftOut(taken([file("a.bvh"), file("LICENCE")])[0]), "1 other left out");
+  assert.equal(leftOut(freshBatch()), "");
   assert.equal(taken([file("readme.txt")])[1][0].state, "error");
 });
 
@@ -36,6 +39,8 @@ test("a data set is called after its folder, or after its only file", () => {
   assert.equal(taken([file("walks/a.bvh"), file("walks/b.bvh")])[0].name, "walks");
   assert.equal(taken([file("a.bvh"), file("b.bvh")])[0].name, "Recordings");
   assert.equal(taken([file("run 3.amc.gz")])[0].name, "run 3");
+  assert.equal(taken([file("notes.pdf"), file("run.bvh")])[0].name, "run");
+  assert.equal(taken([file("scene.fbx")])[0].name, "");
 });
 
 test("the dialog asks for what has come, without what was left out", () => {

@@ -9,12 +9,15 @@ from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from core.progress import Report
 from core.workspace import Workspace, WorkspaceError, clean_name
 from webapp.cli.progress_bar import progress_bar
 from webapp.shell.advice import on_the_command_line
+
+if TYPE_CHECKING:
+    from core.mocap.other_files import LeftOut
 
 SHOWN = 20  # most unreadable files that an import lists
 
@@ -25,7 +28,7 @@ def import_(arguments: Namespace) -> int:
     if missing:
         raise WorkspaceError(f"{missing[0]}: no such file or folder")
     workspace = Workspace(arguments.workspace)
-    first = arguments.paths[0].expanduser().resolve()
+    first = _first_with_recordings(arguments.paths)
     name = arguments.name if arguments.name is not None else clean_name(_stem(first), "recordings")
     with progress_bar(arguments.quiet) as report:
         imported = (workspace.add_files if arguments.add else workspace.import_dataset)(
@@ -44,6 +47,9 @@ def import_(arguments: Namespace) -> int:
     bad = [file for file in added if file.verdict == "error"]
     for file in bad[:SHOWN]:
         print(line_of(file), file=sys.stderr)
+    for file in added:
+        if file.verdict == "warning" and file.clip is None and not arguments.quiet:
+            print(line_of(file), file=sys.stderr)
     if len(bad) > SHOWN:
         print(f"... and {len(bad) - SHOWN} more files that cannot be read", file=sys.stderr)
     if not arguments.quiet:
@@ -55,6 +61,14 @@ def import_(arguments: Namespace) -> int:
     return 0
 
 
+def _first_with_recordings(paths: Iterable[Path]) -> Path:
+    """The path that a dataset is named after: the first that is a recording or a folder, else the first."""
+    from core.mocap.recordings import is_recording
+
+    paths = [path.expanduser().resolve() for path in paths]
+    return next((path for path in paths if path.is_dir() or is_recording(path)), paths[0])
+
+
 def inspect(arguments: Namespace) -> int:
     """A line for each file: verdict and reason, or with ``--json`` one object; exit code 2 if any is unreadable."""
     with progress_bar(arguments.quiet or not arguments.json) as report:
@@ -63,13 +77,29 @@ def inspect(arguments: Namespace) -> int:
             verdicts.append((file, facts))
             if not arguments.json and not (arguments.quiet and file.verdict == "ok"):
                 print(line_of(file), flush=True)
+    from core.mocap.other_files import in_words
+
+    left = _left_out(arguments.paths)
     if not verdicts:
-        raise WorkspaceError(f"no recordings (.bvh, .amc, .asf) in {', '.join(map(str, arguments.paths))}")
+        also = f" ({in_words(left)})" if left else ""
+        raise WorkspaceError(f"no recordings (.bvh, .amc, .asf) in {', '.join(map(str, arguments.paths))}{also}")
     if arguments.json:
         entries = [_entry(file, facts) for file, facts in verdicts]
-        document = {"format": "motionscape/inspection/1", "files": entries}
+        others = [{"format": group.format, "files": group.files, "advice": group.advice} for group in left]
+        document = {"format": "motionscape/inspection/1", "files": entries, "left_out": others}
+        document["messages"] = [in_words(left)] if left else []
         print(json.dumps(document, ensure_ascii=False, indent=1))
+    elif left and not arguments.quiet:
+        print(in_words(left))
     return 2 if any(file.verdict == "error" for file, _ in verdicts) else 0
+
+
+def _left_out(paths: Iterable[Path]) -> tuple[LeftOut, ...]:
+    """What of the folders among ``paths`` is not read."""
+    from core.mocap.recordings import find_left_out
+
+    folders = [path for path in paths if path.is_dir()]
+    return find_left_out(folders) if folders else ()
 
 
 def _entry(file: Any, facts: Any) -> dict[str, Any]:
