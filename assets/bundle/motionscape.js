@@ -6091,9 +6091,9 @@
   }
   var kindOf2 = (path2) => /\.([a-z0-9]{1,8})$/.exec(path2)?.[1]?.toUpperCase() ?? "other";
   function leftOut(mine2) {
-    const kinds2 = Object.entries(mine2.ignored).sort((a, b) => b[1] - a[1] || a[0].localeCompare(b[0]));
-    const words3 = kinds2.map(([kind, count]) => `${count} ${kind}`).join(", ");
-    const motion = kinds2.some(([kind]) => MOTION.includes(kind));
+    const counts2 = Object.entries(mine2.ignored).sort((a, b) => b[1] - a[1] || a[0].localeCompare(b[0]));
+    const words3 = counts2.map(([kind, count]) => `${count} ${kind}`).join(", ");
+    const motion = counts2.some(([kind]) => MOTION.includes(kind));
     return words3 && `${words3} left out${motion ? "; convert motion to BVH, with Blender for example" : ""}`;
   }
   function takeFiles(mine2, files, { fileBytes, totalBytes, files: most, suffixes: suffixes2 }) {

@@ -56,9 +56,9 @@ const kindOf = (path) => /\.([a-z0-9]{1,8})$/.exec(path)?.[1]?.toUpperCase() ?? 
 
 /** Files that were left out, by kind: "3 FBX, 1 TXT left out"; empty where none was. @param {Batch} mine */
 export function leftOut(mine) {
-  const kinds = Object.entries(mine.ignored).sort((a, b) => b[1] - a[1] || a[0].localeCompare(b[0]));
-  const words = kinds.map(([kind, count]) => `${count} ${kind}`).join(", ");
-  const motion = kinds.some(([kind]) => MOTION.includes(kind));
+  const counts = Object.entries(mine.ignored).sort((a, b) => b[1] - a[1] || a[0].localeCompare(b[0]));
+  const words = counts.map(([kind, count]) => `${count} ${kind}`).join(", ");
+  const motion = counts.some(([kind]) => MOTION.includes(kind));
   return words && `${words} left out${motion ? "; convert motion to BVH, with Blender for example" : ""}`;
 }
 
