@@ -37,7 +37,7 @@ export async function showList(place) {
   fill();
   const { damaged } = listing;
   place.replaceChildren(
-    element("div", "boards-bar", element("h2", "", "Boards"), search, shown.dataset ? button(`Report of ${shown.dataset}`, () => openReport(shown.dataset, null)) : null, button("New board", openGallery, "primary")),
+    element("div", "boards-bar", element("h2", "", "Boards"), search, shown.dataset ? button(`Report of ${shown.dataset}`, () => openReport(shown.dataset, null)) : null, button("New board", openGallery, "primary for-editors")),
     ...(damaged.length ? [element("p", "boards-warning", `${damaged.length} saved ${damaged.length > 1 ? "things are" : "thing is"} damaged and not listed: ${damaged.join(", ")}.`)] : []),
     boards,
     element("h2", "", "Saved views"),
@@ -59,6 +59,7 @@ function boardCard(board, again) {
     ["History", () => showHistory(`boards/${board.id}`, board.title, (version) => change(board.id, { action: "restore", version }).then(again))],
     ["Delete", () => deleteBoard(board, again)],
   ]));
+  more.classList.add("for-editors");
   return element("article", "boards-card", open, element("div", "boards-card-foot", element("span", "muted ellipsis", about), more));
 }
 
@@ -95,6 +96,7 @@ function viewCard(saved, again) {
       say(`“${saved.title}” was deleted.`, () => act({ action: "undelete" }));
     }],
   ]));
+  more.classList.add("for-editors");
   return element("article", "boards-card", open, element("div", "boards-card-foot", element("span", "muted ellipsis", about), more));
 }
 

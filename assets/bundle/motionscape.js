@@ -4661,7 +4661,7 @@
     fill();
     const { damaged } = listing;
     place5.replaceChildren(
-      element("div", "boards-bar", element("h2", "", "Boards"), search2, shown3.dataset ? button2(`Report of ${shown3.dataset}`, () => openReport(shown3.dataset, null)) : null, button2("New board", openGallery, "primary")),
+      element("div", "boards-bar", element("h2", "", "Boards"), search2, shown3.dataset ? button2(`Report of ${shown3.dataset}`, () => openReport(shown3.dataset, null)) : null, button2("New board", openGallery, "primary for-editors")),
       ...damaged.length ? [element("p", "boards-warning", `${damaged.length} saved ${damaged.length > 1 ? "things are" : "thing is"} damaged and not listed: ${damaged.join(", ")}.`)] : [],
       boards,
       element("h2", "", "Saved views"),
@@ -4679,6 +4679,7 @@
       ["History", () => showHistory(`boards/${board.id}`, board.title, (version) => change(board.id, { action: "restore", version }).then(again))],
       ["Delete", () => deleteBoard(board, again)]
     ]));
+    more2.classList.add("for-editors");
     return element("article", "boards-card", open5, element("div", "boards-card-foot", element("span", "muted ellipsis", about), more2));
   }
   var change = (id, body2) => ask3(`boards/${id}`, body2).catch((error) => say(error.message));
@@ -4707,6 +4708,7 @@
         say(`“${saved.title}” was deleted.`, () => act2({ action: "undelete" }));
       }]
     ]));
+    more2.classList.add("for-editors");
     return element("article", "boards-card", open5, element("div", "boards-card-foot", element("span", "muted ellipsis", about), more2));
   }
   var viewFields = (saved) => [

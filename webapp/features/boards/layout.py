@@ -29,6 +29,7 @@ def header() -> list[Component]:
         dmc.Button(
             "Save view",
             id=names.SAVE_VIEW,
+            className="for-editors",
             variant="default",
             leftSection=icon("star", 16),
             **attributes(aria_label="Save this view for the team"),
