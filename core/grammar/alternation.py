@@ -14,7 +14,7 @@ from core.grammar.objective import Clustering, clustering_of, span_distances
 from core.grammar.pose_space import PoseSpace
 
 _LITTLE = 1e-3  # the search stops at a turn that lowers the cost by a smaller share
-_MOST = 2500  # segments whose distances to one another are looked at; beyond, a sample of them
+_MOST = 1500  # segments whose distances to one another are looked at; beyond, a sample of them
 
 
 def even_cuts(space: PoseSpace, length: float, limits: tuple[int, int]) -> np.ndarray:

@@ -23,6 +23,7 @@ from core.progress import Report, silent, timed
 _ROUGH_FPS = 6.0  # results are recombined at about this rate; the search begins at half of it
 _SURPLUS = (2.0, 1.6, 1.3)  # times as many groups as asked for, in the first turns
 _FINE_TURNS = 3
+_SEARCHED_SECONDS, _PIECE_SECONDS = 1200, 120  # longer recordings: search in so much of them, in pieces so long
 _PARENTS = 3  # of a recombination
 
 
@@ -96,22 +97,32 @@ def limits_of(parameters: TerminalParameters, fps: float) -> tuple[int, int]:
 
 def _alternation(space: PoseSpace, parameters: TerminalParameters, report: Report) -> Clustering:
     """Several random starts at a very low rate, their results recombined at a low one, the best of these at the
-    full rate."""
+    full rate; all but the last on a sample of long recordings, so that its time does not grow with them."""
     step = max(1, int(space.fps // _ROUGH_FPS))
     thin = space.thinned(step)
-    coarse = thin.thinned(2)
-    refined = [_refined(thin, coarse, 2, one, parameters, turns=1) for one in _beginnings(coarse, parameters, report)]
-    best = _recombined(thin, parameters, refined, report)
+    enough = max(_SEARCHED_SECONDS, 4 * parameters.n_terminals * parameters.max_seconds)
+    rng = np.random.default_rng(parameters.seed)
+    part, rows = thin.sampled(round(enough * thin.fps), round(_PIECE_SECONDS * thin.fps), rng)
+    coarse = part.thinned(2)
+    beginnings = [part.unthinned(_models(one), 2, coarse) for one in _beginnings(coarse, parameters, report)]
+    refined = [_refined(part, medoids, parameters, turns=1) for medoids in beginnings]
+    best = _models(_recombined(part, parameters, refined, report))
     report("fine search", 0.0)
-    return _refined(space, thin, step, best, parameters, turns=_FINE_TURNS)[0]
+    medoids = np.stack([rows[best[:, 0]], rows[best[:, 1] - 1] + 1], axis=1)
+    return _refined(space, space.unthinned(medoids, step, thin), parameters, turns=_FINE_TURNS)[0]
+
+
+def _models(found: Clustering) -> np.ndarray:
+    """Spans of the medoids, ``(k, 2)``."""
+    models: np.ndarray = found.spans[found.medoids]
+    return models
 
 
 def _refined(
-    space: PoseSpace, thin: PoseSpace, step: int, found: Clustering, parameters: TerminalParameters, turns: int
+    space: PoseSpace, medoids: np.ndarray, parameters: TerminalParameters, turns: int
 ) -> tuple[Clustering, float]:
-    """A clustering of ``thin``, which is ``space`` thinned by ``step``, improved at the rate of ``space``; its cost."""
+    """The clustering that medoids ``(k, 2)`` found at a lower rate lead to at the rate of ``space``; its cost."""
     k, limits = parameters.n_terminals, limits_of(parameters, space.fps)
-    medoids = space.unthinned(found.spans[found.medoids], step, thin)
     labels: np.ndarray | None
     spans, labels = cut_by_medoids(space, medoids, limits)
     if len(spans) < k:

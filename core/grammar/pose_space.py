@@ -85,6 +85,30 @@ class PoseSpace:
         frames: np.ndarray = np.minimum(inside + self.clip_starts[clip][:, None], ends[:, None])
         return frames
 
+    def sampled(self, most: int, piece: int, rng: np.random.Generator) -> tuple[PoseSpace, np.ndarray]:
+        """About ``most`` poses, drawn as pieces of clips of at most ``piece`` poses, each a clip of its own; all where
+        there are no more. Also which pose of this space each of them is, ``(n,)``.
+        """
+        if self.n <= most:
+            return self, np.arange(self.n)
+        edges = [np.linspace(a, b, -(-int(b - a) // piece) + 1).astype(np.int64) for a, b in pairwise(self.clip_starts)]
+        spans = np.concatenate([np.stack([edge[:-1], edge[1:]], axis=1) for edge in edges if len(edge) > 1])
+        order = rng.permutation(len(spans))
+        enough = int(np.searchsorted(np.cumsum(np.diff(spans[order])[:, 0]), most)) + 1
+        spans = spans[np.sort(order[:enough])]
+        rows = np.concatenate([np.arange(start, end) for start, end in spans])
+        clip = np.searchsorted(self.clip_starts, spans[:, 0], side="right") - 1
+        part = replace(
+            self,
+            values=np.ascontiguousarray(self.values[rows]),
+            mirrored=None if self.mirrored is None else np.ascontiguousarray(self.mirrored[rows]),
+            clip_starts=np.concatenate([[0], np.cumsum(np.diff(spans)[:, 0])]),
+            clips=tuple(self.clips[k] for k in clip),
+            clip_fps=tuple(self.clip_fps[k] for k in clip),
+            clip_frames=tuple(self.clip_frames[k] for k in clip),
+        )
+        return part, rows
+
     def segment(self, start: int, end: int) -> Segment:
         """Poses ``[start, end)``, which lie in one clip, as a segment at the clip's own rate."""
         clip = int(np.searchsorted(self.clip_starts, start, side="right")) - 1

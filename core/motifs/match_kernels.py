@@ -41,24 +41,28 @@ class Text(NamedTuple):
 
 @njit(nogil=True)
 def inverted_lists(
-    text: Text, distances: Float32Array, costs: Float32Array, among: Int64Array
+    text: Text, distances: Float32Array, adjacent: tuple[Int64Array, Int32Array], among: Int64Array
 ) -> tuple[Int64Array, Int32Array]:
     """For each letter the places ``among`` these, in their order, where a match of a seed with that letter may begin.
 
-    Returns pointers (kappa + 1,) and places: those of letter x are ``places[pointers[x] : pointers[x + 1]]``.
+    adjacent: pointers (kappa + 1,) and the letters adjacent to each letter, its own among them. Returns pointers
+    (kappa + 1,) and places: those of letter x are ``places[pointers[x] : pointers[x + 1]]``.
     """
     letters, _, _, firsts, stops = text
-    pointers = np.zeros(len(costs) + 1, np.int64)
-    for x in range(len(costs)):
-        pointers[x + 1] = pointers[x]
-        for a in among:
-            pointers[x + 1] += _fits(letters, firsts, stops, distances, costs, x, a)
-    places, n = np.empty(pointers[-1], np.int32), 0
-    for x in range(len(costs)):
-        for a in among:
-            if _fits(letters, firsts, stops, distances, costs, x, a):
-                places[n] = a
-                n += 1
+    begins, neighbours = adjacent
+    pointers = np.zeros(len(begins), np.int64)
+    for a in among:
+        for k in range(begins[letters[a]], begins[letters[a] + 1]):
+            pointers[neighbours[k] + 1] += _is_nearest(letters, firsts, stops, distances, neighbours[k], a)
+    for x in range(len(begins) - 1):
+        pointers[x + 1] += pointers[x]
+    at, places = pointers[:-1].copy(), np.empty(pointers[-1], np.int32)
+    for a in among:
+        for k in range(begins[letters[a]], begins[letters[a] + 1]):
+            x = neighbours[k]
+            if _is_nearest(letters, firsts, stops, distances, x, a):
+                places[at[x]] = a
+                at[x] += 1
     return pointers, places
 
 
@@ -68,35 +72,24 @@ def places_like(x: int, text: Text, distances: Float32Array, costs: Float32Array
     letters, _, _, firsts, stops = text
     places, n = np.empty(len(among), np.int32), 0
     for a in among:
-        if _fits(letters, firsts, stops, distances, costs, x, a):
+        if costs[x, letters[a]] < np.inf and _is_nearest(letters, firsts, stops, distances, x, a):
             places[n] = a
             n += 1
     return places[:n]
 
 
 @njit(nogil=True)
-def _fits(
-    letters: Int32Array,
-    firsts: Int32Array,
-    stops: Int32Array,
-    distances: Float32Array,
-    costs: Float32Array,
-    x: int,
-    a: int,
-) -> bool:
-    """Whether place a is adjacent to letter x and nearer to it than both of its neighbours."""
-    return bool(costs[x, letters[a]] < np.inf and _is_nearest(letters, firsts, stops, distances, x, a))
-
-
-@njit(nogil=True)
 def _is_nearest(
     letters: Int32Array, firsts: Int32Array, stops: Int32Array, distances: Float32Array, x: int, a: int
 ) -> bool:
-    """Whether place a is nearer to letter x than the letters beside it; beyond a clip's end all is infinitely far."""
-    here = distances[x, letters[a]]
-    if a > firsts[a] and distances[x, letters[a - 1]] <= here:
+    """Whether place a is nearer to letter x than the letters beside it; beyond a clip's end all is infinitely far.
+
+    Distances are symmetric; read from the place to the letter, neighbouring letters lie side by side in memory.
+    """
+    here = distances[letters[a], x]
+    if a > firsts[a] and distances[letters[a - 1], x] <= here:
         return False
-    return not (a + 1 < stops[a] and distances[x, letters[a + 1]] <= here)
+    return not (a + 1 < stops[a] and distances[letters[a + 1], x] <= here)
 
 
 @njit(nogil=True)

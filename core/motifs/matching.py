@@ -49,6 +49,9 @@ class Matcher:
         self.adjacency = adjacency
         self._uncut = first_cuts(runs)
         self._columns = int((runs.stops - runs.firsts).max(initial=1))
+        letters, adjacent = np.nonzero(np.isfinite(adjacency.costs))
+        begins = np.searchsorted(letters, np.arange(len(adjacency.costs) + 1))
+        self._adjacent = begins.astype(np.int64), adjacent.astype(np.int32)
 
     def of(
         self, first: int, last: int, rule: Rule, cut: np.ndarray | None = None, among: np.ndarray | None = None
@@ -84,7 +87,7 @@ class Matcher:
         among: the letters ``(n,)``, ascending, at which seeds and matches may start, where these are not all.
         """
         a, among, cut = self.adjacency, self._all_letters(among), self._cuts(cut)
-        lists = inverted_lists(self.text, a.distances, a.costs, among)
+        lists = inverted_lists(self.text, a.distances, self._adjacent, among)
         cuts = _even_blocks(np.cumsum(np.diff(lists[0])[self.text.letters[among]]), _BLOCK)
         blocks: list[Matches] = []
         with ThreadPoolExecutor(os.cpu_count()) as pool:
