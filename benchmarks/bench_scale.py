@@ -17,6 +17,7 @@ import sys
 import time
 from collections.abc import Callable
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -88,7 +89,7 @@ def _cut(dataset: Dataset) -> Dataset:
     for clip in dataset.clips:
         n = max(1, round(clip.seconds / SHORT_SECONDS))
         edges = np.linspace(0, clip.n_frames, n + 1).astype(int)
-        clips += [replace(clip.cut(a, b), name=f"{clip.name}_{a:06d}") for a, b in zip(edges, edges[1:], strict=False)]
+        clips += [replace(clip.cut(a, b), name=f"{clip.name}_{a:06d}") for a, b in pairwise(edges.tolist())]
     return Dataset("short", tuple(clips))
 
 
@@ -189,10 +190,11 @@ def main(hundred: bool = False, only: list[str] | None = None) -> str:
         [
             "## Cost against length",
             "",
-            "The demo made an hour and ten hours long (30 frames a second are looked at, 15 for the grammar): motion that "
-            "repeats itself all the time. Recordings lie in a workspace; reading them is part of the time. Megabytes: "
-            "the most the process had, mapped files included. The machine was busy, so processor seconds say more than "
-            "seconds on the clock; exponent: of the processor time. `python -m benchmarks scale`",
+            "The demo made an hour and ten hours long: motion that repeats itself all the time. 30 frames a second are "
+            "looked at, 15 for the grammar. Recordings lie in a workspace; reading them is part of the time. "
+            "Megabytes: the most the process had, mapped files included. The machine was busy, so processor seconds "
+            "say more than seconds on the clock. Exponent: of the processor time. `python -m benchmarks scale`; with "
+            "`python -m benchmarks.bench_scale --hundred` also a hundred hours.",
             "",
             *table(found),
             "",

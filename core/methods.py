@@ -119,10 +119,10 @@ def _bake_off(dataset: Dataset, values: Any, report: Report, learned: Any, graph
 
 
 METHODS: dict[str, Method] = {
-    "motifs": _method("Motif graph", 2, "core.motifs.build", "MotifParameters", "find_motifs", unpack=_read_graph),
+    "motifs": _method("Motif graph", 3, "core.motifs.build", "MotifParameters", "find_motifs", unpack=_read_graph),
     # these two, compression and walk look at the motifs of the first: a new version of that makes new ones of theirs
-    "stability": _method("Stability", 2, "core.motifs.stability", "StabilityParameters", "stability"),
-    "redundancy": _method("Coverage report", 2, "core.motifs.redundancy", "RedundancyParameters", "redundancy"),
+    "stability": _method("Stability", 3, "core.motifs.stability", "StabilityParameters", "stability"),
+    "redundancy": _method("Coverage report", 3, "core.motifs.redundancy", "RedundancyParameters", "redundancy"),
     "map": _method(
         "Motion map",
         2,
@@ -161,7 +161,7 @@ METHODS: dict[str, Method] = {
     ),
     "compression": Method(
         "Compression",
-        2,
+        3,
         lambda: import_module("core.motifs.parameters").MotifParameters,
         _compress,
         lambda result, dataset: (result.to_json(), {}),
@@ -170,7 +170,7 @@ METHODS: dict[str, Method] = {
     ),
     "walk": Method(
         "Walk",
-        3,
+        4,
         lambda: import_module("core.synthesis.parameters").WalkParameters,
         _walk,
         lambda walk, dataset: import_module("core.synthesis.kept_walks").pack_walk(walk),
@@ -179,7 +179,7 @@ METHODS: dict[str, Method] = {
     ),
     "terminals": _method(
         "Terminals",
-        2,
+        3,
         "core.grammar.identification",
         "TerminalParameters",
         "find_terminals",
@@ -187,7 +187,7 @@ METHODS: dict[str, Method] = {
     ),
     "grammar": Method(
         "Grammar",
-        3,
+        4,
         lambda: import_module("core.grammar.build").GrammarParameters,
         _grammar,
         lambda result, dataset: (result.to_json(), {}),
@@ -196,7 +196,7 @@ METHODS: dict[str, Method] = {
     ),
     "derive": Method(
         "New routine",
-        3,
+        4,
         lambda: import_module("core.synthesis.parameters").DeriveParameters,
         _derive,
         lambda made, dataset: import_module("core.synthesis.kept_derivations").pack_derivation(made),
@@ -205,7 +205,7 @@ METHODS: dict[str, Method] = {
     ),
     "bakeoff": Method(
         "Comparison of four ways",
-        3,
+        4,
         lambda: import_module("core.synthesis.bakeoff").BakeoffParameters,
         _bake_off,
         lambda found, dataset: import_module("core.synthesis.kept_bakeoff").pack_bakeoff(found),

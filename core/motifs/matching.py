@@ -17,6 +17,8 @@ from core.sequences.repeats import Runs
 __all__ = ["Matcher", "Matches", "Rule", "first_cuts"]
 
 _BLOCK = 50_000  # pairs of seed start and candidate matched at a time, some tens of milliseconds
+_TRIED = 256  # letters from whose matches the number of all is estimated
+_BYTES = 2 * 12  # of a match: in its block and among all
 
 
 class Matches(NamedTuple):
@@ -68,6 +70,12 @@ class Matcher:
     ) -> Matches:
         """Matches of all seeds that start at letter ``first``. cut ``(m,)``, among ``(n,)``: as in :meth:`all`."""
         return self._starting_at(first, int(self._cuts(cut)[first]), rule, cut, among)
+
+    def expected_bytes(self, rule: Rule) -> float:
+        """About how much memory the matches of all seeds take while they are put together, from some of the seeds."""
+        some = np.unique(np.linspace(0, len(self._uncut) - 1, _TRIED).astype(np.int64))
+        found = sum(len(self.starting_at(int(first), rule).costs) for first in some)
+        return _BYTES * found * len(self._uncut) / len(some)
 
     def _starting_at(
         self, first: int, limit: int, rule: Rule, cut: np.ndarray | None, among: np.ndarray | None

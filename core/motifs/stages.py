@@ -14,6 +14,7 @@ from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
+from core.machine import check_fits
 from core.mocap.dataset import Dataset
 from core.motifs.adjacency import Adjacency, nearest_pairs_radius, radius_adjacency, sphere_adjacency
 from core.motifs.alignment import AlignedMotif, align_motifs, entry_frames, spans_of
@@ -98,14 +99,14 @@ def _matches(work: Work, parameters: MotifParameters, report: Report) -> Work:
     if 0 < parameters.sample < len(made(work.runs).letters):
         return work
     rule = _rule(parameters, matcher.adjacency, parameters.strictness)
-    return work._replace(matches=matcher.all(rule, report))
+    return work._replace(matches=_all_matches(matcher, rule, report))
 
 
 def _motifs(work: Work, parameters: MotifParameters, report: Report) -> Work:
     runs, matcher, matches, rho = made(work.runs), made(work.matcher), work.matches, parameters.rho
     rule, tightness = _rule(parameters, matcher.adjacency, parameters.strictness), parameters.tightness
     if parameters.seeding == "random":
-        matches = matches or matcher.all(rule, report)
+        matches = matches or _all_matches(matcher, rule, report)
         found = random_seeds(runs, matches, rule, rho, parameters.seed, tightness=tightness, report=report)
     elif matches:
         found = largest_first(runs, matches, rule, rho, tightness=tightness, report=report)
@@ -133,6 +134,13 @@ def _alignment(work: Work, parameters: MotifParameters, report: Report) -> Work:
 def _graph(work: Work, parameters: MotifParameters, report: Report) -> Work:
     used = asdict(parameters) | {"kappa": len(made(work.letters).centres)}
     return work._replace(graph=graph_of(made(work.poses), made(work.aligned), used, dataset_head(work.dataset)))
+
+
+def _all_matches(matcher: Matcher, rule: Rule, report: Report) -> Matches:
+    """All matches of all seeds. Raises TooLarge where there is not enough memory for them."""
+    advice = "Leave sample at its default and seeding at largest, or take fewer clips or a lower frame rate."
+    check_fits(matcher.expected_bytes(rule), "Matching all motions with all at once", advice)
+    return matcher.all(rule, report)
 
 
 def _adjacency(letters: Letters, parameters: MotifParameters) -> Adjacency:

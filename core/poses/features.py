@@ -23,6 +23,7 @@ from core.mocap.dataset import Dataset
 from core.mocap.kinematics import forward_kinematics, resample
 from core.mocap.rigs import kinds_of, rigs_of
 from core.mocap.skeleton import Skeleton
+from core.poses.rows import Rows
 from core.progress import Report, silent
 
 CMU_UNIT = 0.056444
@@ -34,6 +35,7 @@ SPEED_FPS = 30.0
 _STANDARD_HEIGHT = 1.7  # metres; positions are scaled to this body
 _MAX_YAW = 30.0  # degrees per 1/30 s: an upside-down pelvis has no heading, its yaw may jump
 _KINDS = ("angles", "positions")
+_TOGETHER = 131_072  # frames whose features are in memory at a time beside those of all
 
 
 @dataclass(frozen=True)
@@ -109,16 +111,18 @@ def pose_features(
         raise AnalysisError("the dataset has no clips, so there are no poses")
     bodies = _bodies([clip.skeleton for clip in clips])
     rest = _mean_rotations(clips, bodies)
-    blocks = []
+    rows, counts = Rows(), []
     for i, clip in enumerate(clips):
         body = bodies[clip.skeleton]
-        blocks.append(_clip_features(resample(clip, analysis_fps), body, rest[body.family], pose, scales))
+        block = _clip_features(resample(clip, analysis_fps), body, rest[body.family], pose, scales)
+        rows.add(block)
+        counts.append(len(block))
         report("poses", (i + 1) / len(clips))
-    starts = np.concatenate([[0], np.cumsum([len(b) for b in blocks])]).astype(np.int64)
-    raw = np.concatenate(blocks)
+    starts = np.concatenate([[0], np.cumsum(counts)]).astype(np.int64)
+    raw = rows.array()
     mean, basis, explained = principal_directions(raw, variance)
     return Poses(
-        values=(raw - mean.astype(np.float32)) @ basis.astype(np.float32),
+        values=_projected(raw, mean.astype(np.float32), basis.astype(np.float32)),
         clip_starts=starts,
         clips=tuple(clip.name for clip in clips),
         clip_fps=tuple(float(clip.fps) for clip in clips),
@@ -149,6 +153,14 @@ def principal_directions(raw: np.ndarray, variance: float) -> tuple[np.ndarray, 
     basis = vectors[:, :k]
     signs = np.sign(basis[np.abs(basis).argmax(0), np.arange(k)])
     return mean, basis * signs, float(share[k - 1])
+
+
+def _projected(raw: np.ndarray, mean: np.ndarray, basis: np.ndarray) -> np.ndarray:
+    """Raw features ``(n, f)`` about their mean along the directions ``(f, k)``, so many at a time: ``(n, k)``."""
+    values = np.empty((len(raw), basis.shape[1]), np.float32)
+    for i in range(0, len(raw), _TOGETHER):
+        values[i : i + _TOGETHER] = (raw[i : i + _TOGETHER] - mean) @ basis
+    return values
 
 
 @dataclass(frozen=True)

@@ -181,8 +181,10 @@ def _watch(workspace: Workspace, job: Job, child: subprocess.Popen) -> bool:
 def _compute(workspace: Workspace, job_id: int) -> None:
     from core.analyses import execute
     from core.errors import AnalysisError
+    from core.machine import limit_memory
     from core.progress import Cancelled
 
+    limit_memory()
     job = workspace.jobs.get(job_id)
     if job is not None and job.state == "running":
         with contextlib.suppress(AnalysisError, Cancelled):  # the table has both states
