@@ -157,6 +157,9 @@ def _is_active() -> bool:
 
 def _ask_who(workspace: Workspace, token: str | None) -> ResponseReturnValue:
     """What someone is told whom nobody knows: to sign in, or to open the link with the token."""
+    if request.method == "GET" and "key" in request.args and not request.path.startswith(("/api/", "/_")):
+        text = "It may have been deleted, or its links renewed. Ask for a new link"
+        return _refuse(403, "This link opens no board", f"{text}, or open the app as usual if you have an account.")
     if visitors.accounts_exist(workspace):
         if request.method == "GET" and not request.path.startswith(("/api/", "/_", "/assets/")):
             address = request.full_path if request.query_string else request.path

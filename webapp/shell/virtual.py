@@ -13,7 +13,7 @@ from pathlib import Path
 
 from core.caching import RecentCache
 from core.mocap.dataset import Dataset
-from core.workspace import Workspace, WorkspaceError
+from core.workspace import Workspace, WorkspaceError, acting
 from webapp.shell.feature import features
 
 MARK = "~"  # no data set of a person begins with it
@@ -28,6 +28,8 @@ def open_any(workspace: Workspace, name: str) -> Dataset:
     """The data set of this name, from the workspace or made up. Raises WorkspaceError where there is none."""
     if not name.startswith(MARK):
         return workspace.open(name)
+    if acting().is_guest:  # what others made may be of a dataset that guests may not see: opening that again tells
+        return _make(workspace, name)
     return _opened.get_or_compute((workspace.path, name), lambda: _make(workspace, name))
 
 

@@ -270,12 +270,24 @@ def test_a_read_link_opens_one_board_and_its_data_and_is_taken_out_of_the_addres
 def test_a_link_that_opens_nothing_lets_nobody_in(client, workspace, board):
     workspace.boards.renew_keys(board.id)
     for key in (board.read_key, board.edit_key, "x", board.id, ""):
-        assert client.get(f"/library?key={key}").status_code == 302
+        answer = client.get(f"/library?key={key}")
+        assert answer.status_code == 403 and b"opens no board" in answer.data
         assert client.get("/api/me").status_code == 401
     client.get(f"/library?key={workspace.boards.get(board.id).read_key}")
     assert client.get("/api/me").status_code == 200
     workspace.boards.delete(board.id)
     assert client.get("/api/me").status_code == 401
+
+
+def test_a_link_of_a_board_opens_it_where_others_need_the_token(tmp_path):
+    workspace = Workspace(tmp_path / "without accounts")
+    board = workspace.boards.create("first")
+    client = create_app(workspace.path, token="s3cret").server.test_client()
+    assert client.get("/library").status_code == 401
+    client.get(f"/library?key={board.edit_key}")
+    assert client.get("/library").status_code == 200 and client.get("/api/me").json["guest"]
+    client.get("/library?token=s3cret")
+    assert client.get("/api/me").json == {"name": "", "role": "owner", "roles": {}, "guest": False}
 
 
 def test_after_a_request_the_next_one_starts_as_nobody(server, workspace):

@@ -50,7 +50,7 @@ def board_data(workspace: Workspace, id: str) -> dict[str, Any]:
         "me": acting().name,
         "datasets": sorted(known),
         "links": links_of(board, may_edit),
-        "names": _names(board, comments),
+        "names": _names(workspace, board, comments),
     }
 
 
@@ -133,7 +133,13 @@ def _texts(values: object) -> dict[str, str]:
     return {str(key): str(value) for key, value in values.items()} if isinstance(values, Mapping) else {}
 
 
-def _names(board: Board, comments: list[Comment]) -> list[str]:
-    """People who have worked on a board, for mentions."""
-    names = [board.author, *(block.author for block in board.blocks), *(comment.author for comment in comments)]
+def _names(workspace: Workspace, board: Board, comments: list[Comment]) -> list[str]:
+    """People who have worked on a board, and for people with an account all who have one, for mentions."""
+    accounts = [] if acting().is_guest else [account.name for account in workspace.users.list()]
+    names = [
+        *accounts,
+        board.author,
+        *(block.author for block in board.blocks),
+        *(comment.author for comment in comments),
+    ]
     return sorted({name for name in names if name})[:MOST_NAMES]

@@ -95,6 +95,11 @@ def test_two_who_save_at_once_are_told_by_name(signed_in, with_link, board):
     assert guest.post(**changed(board, "both", version=theirs["version"])).status_code == 200
 
 
+def test_those_who_can_be_mentioned_are_the_accounts_and_for_guests_those_who_worked_on_it(signed_in, with_link, board):
+    assert signed_in("vic").get(f"boards/{board.id}").json["names"] == ["ann", "vic"]
+    assert with_link(board.read_key).get(f"boards/{board.id}").json["names"] == []
+
+
 def test_a_read_link_shows_the_board_and_changes_nothing(with_link, board, workspace):
     guest, other = with_link(board.read_key), workspace.boards.create("Other")
     shown = guest.get(f"boards/{board.id}")
