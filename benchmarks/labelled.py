@@ -66,7 +66,7 @@ def some_clips(store: FrameStore, which: np.ndarray) -> FrameStore:
     codes = [store.of(int(k)) for k in which]
     starts = np.concatenate([[0], np.cumsum([len(c) for c in codes])]).astype(np.int64)
     clips = tuple(store.clips[k] for k in which)
-    return FrameStore(clips, np.concatenate(codes), starts, store.has[which], store.axes, store.fps)
+    return replace(store, clips=clips, codes=np.concatenate(codes), starts=starts, has=store.has[which])
 
 
 def _cuts(dataset: Dataset, labels: list[tuple[Label, str]]) -> Collection:

@@ -14,7 +14,7 @@ from core.retrieval.metric import Metric, Motions
 
 PLACES = 256  # stretches of the collection that the usual distance is taken from
 LEAST = 0.05  # chance below which a stretch is no hit
-EVEN, BY_DISTANCE, BY_RATIO = 4.6, -6.7, -4.8
+EVEN, BY_DISTANCE, BY_RATIO = 4.5, -6.8, -4.6
 """Log odds of the same action: at distance 0, and for each unit of the distance and of its ratio to the usual one."""
 
 _LEAST_USUAL = 0.4  # in a collection of one action everything is near: distances are not called far by their ratio

@@ -23,7 +23,7 @@ CENTRE = MappingProxyType({"arm": 0.75})
 """Share of a leaf's mean posture that is taken off, by kind of leaf; 1 for all others. How people stand and stoop is
 their style, where they hold their arms is half of what they do."""
 FASTEST = 3.0  # m/s and rad/s: of a frame's velocity no more counts
-TRAVEL, SIZE, SIDE = 0.8, 0.08, 0.1  # weights of what motions are on the whole, beside the edit distance
+TRAVEL, SIZE, SIDE = 0.8, 0.04, 0.1  # weights of what motions are on the whole, beside the edit distance
 
 SPREAD = MappingProxyType({"head": 0.6, "torso": 0.25, "arm": 2.1, "hand": 0.2, "leg": 0.5, "foot": 0.2})
 """Mean squared distance of two frames of unlike motions, per leaf: of unit vectors, so the same for all data."""
