@@ -20,7 +20,7 @@
 /**
  * What is to be done with the clips that are chosen in the table.
  * @typedef {object} ClipsAction
- * @property {"remove" | "clear"} action
+ * @property {"remove" | "clear" | "reread"} action
  * @property {number} [at]
  */
 
@@ -28,6 +28,14 @@
  * The data set that the dialog is opened for.
  * @typedef {object} UploadInto
  * @property {string} dataset
+ * @property {number} [at]
+ */
+
+/**
+ * The clips that are to be read otherwise; all of the data set where none is named.
+ * @typedef {object} Reread
+ * @property {string} dataset
+ * @property {Array<string>} [clips]
  * @property {number} [at]
  */
 
@@ -105,13 +113,22 @@ export const UPLOAD_NAME = "upload-name";
 export const UPLOAD_LABELS = "upload-labels";
 export const UPLOAD_LABELS_BOX = "upload-labels-box";
 export const UPLOAD_LABELS_LABEL = "upload-labels-label";
+export const UPLOAD_UNIT = "upload-unit";
+export const UPLOAD_UP = "upload-up";
 export const UPLOAD_FPS = "upload-fps";
-export const UPLOAD_FPS_BOX = "upload-fps-box";
 export const UPLOAD_IMPORT = "upload-import";
 export const UPLOAD_PROBLEM = "upload-problem";
 export const UPLOAD = /** @type {StoreId<Upload>} */ ("upload");
 export const UPLOAD_INTO = /** @type {StoreId<UploadInto>} */ ("upload-into");
 export const UPLOAD_SUGGESTED = /** @type {StoreId<string>} */ ("upload-suggested");
 export const UPLOADED = /** @type {StoreId<string>} */ ("uploaded");
+export const REREAD_DIALOG = "reread-dialog";
+export const REREAD_OF = /** @type {StoreId<Reread>} */ ("reread-of");
+export const REREAD_NOW = "reread-now";
+export const REREAD_UNIT = "reread-unit";
+export const REREAD_UP = "reread-up";
+export const REREAD_FPS = "reread-fps";
+export const REREAD_PROBLEM = "reread-problem";
+export const REREAD_DO = "reread-do";
 export const FEATURES_CHOICE = /** @type {StoreId<FeaturesChoice>} */ ("features-choice");
 export const FEATURES_READY = /** @type {StoreId<Download>} */ ("features-ready");

@@ -33,15 +33,16 @@ __all__ = ["address", "demo_workspace", "show", "workspace"]
 
 @pytest.fixture
 def recordings(tmp_path: Path) -> list[Path]:
-    """Two good files, one cut off in the middle of a row, one with NaN, one that is no recording."""
+    """Two good files, one cut off in the middle of its skeleton, one without a number in its rows, one that is no
+    recording."""
     folder = tmp_path / "recordings"
     folder.mkdir()
     for name in ("stroll", "rush"):
         write_bvh(folder / f"{name}.bvh", walk(name, seconds=1.0))
     whole = (folder / "stroll.bvh").read_text()
-    (folder / "cut.bvh").write_text(whole[: int(len(whole) * 0.9)])
-    head, _, row = whole.rstrip().rpartition("\n")
-    (folder / "nan.bvh").write_text(f"{head}\n{row.replace(row.split()[3], 'nan', 1)}\n")
+    (folder / "cut.bvh").write_text(whole[: whole.index("MOTION") // 2])
+    start = whole.index("\n", whole.index("Frame Time:"))
+    (folder / "nan.bvh").write_text(whole[:start] + re.sub(r"\S+", "nan", whole[start:]))
     (folder / "notes.txt").write_text("hello")
     return sorted(folder.iterdir())
 

@@ -12,10 +12,10 @@ from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
 from core import analyses, requests
-from core.errors import MotionscapeError, ParameterError
+from core.errors import MotionscapeError
 from core.workspace import Workspace, check_name
 from webapp import jobs
-from webapp.features.library import names
+from webapp.features.library import names, reading
 from webapp.jobs import changes
 from webapp.jobs.names import JOB_POKE
 from webapp.shell.attributes import attributes
@@ -73,18 +73,7 @@ def dialog(limits: Limits) -> Component:
                             ),
                         ],
                     ),
-                    html.Div(
-                        dmc.NumberInput(
-                            id=names.UPLOAD_FPS,
-                            label="AMC frames per second",
-                            placeholder="120",
-                            min=1,
-                            max=1000,
-                            debounce=False,
-                        ),
-                        id=names.UPLOAD_FPS_BOX,
-                        style=HIDDEN,
-                    ),
+                    reading.fold(),
                     dmc.Button("Import", id=names.UPLOAD_IMPORT, disabled=True),
                 ],
             ),
@@ -143,24 +132,18 @@ def problem_of(upload: Mapping[str, Any] | None, name: str | None) -> str:
     return ""
 
 
-def request_for(upload: Mapping[str, Any], name: str | None, new: str, labels: str, fps: object) -> analyses.Request:
+def request_for(
+    upload: Mapping[str, Any], name: str | None, new: str, labels: str, how: Mapping[str, Any]
+) -> analyses.Request:
     """The request that adds an upload to the dataset ``name``, or makes the dataset ``new`` of it.
 
-    Raises WorkspaceError, ParameterError.
+    how: what reading.import_options gives. Raises WorkspaceError, ParameterError.
     """
-    uses_fps = fps not in (None, "") and (upload.get("amc") or upload.get("archives"))
-    options = {"fps": _frame_rate(fps)} if uses_fps else {}
+    options = how if upload.get("recordings") or upload.get("archives") else {}
     token = str(upload.get("token"))
     if name:
         return requests.add_request(name, token, labels=labels or "add", **options)
     return requests.import_request(check_name(new), token, **options)
-
-
-def _frame_rate(value: object) -> float:
-    try:
-        return float(str(value))
-    except ValueError:
-        raise ParameterError(f"A frame rate is a number, not {str(value)[:20]!r}.") from None
 
 
 def register(app: Dash, workspace: Workspace) -> None:
@@ -225,7 +208,6 @@ def _choose(app: Dash, workspace: Workspace) -> None:
         Output(names.UPLOAD_IMPORT, "children"),
         Output(names.UPLOAD_NAME, "style"),
         Output(names.UPLOAD_LABELS_BOX, "style"),
-        Output(names.UPLOAD_FPS_BOX, "style"),
         Output(names.UPLOAD_PROBLEM, "children", allow_duplicate=True),
         Input(names.UPLOAD, "data"),
         Input(names.UPLOAD_TARGET, "value"),
@@ -240,7 +222,6 @@ def _choose(app: Dash, workspace: Workspace) -> None:
             "Add" if name else "Import",
             shown[name is None],
             shown[name is not None and bool(upload.get("labels") or upload.get("archives"))],
-            shown[bool(upload.get("amc") or upload.get("archives"))],
             problem if upload.get("done") and upload.get("received") else None,
         )
 
@@ -256,15 +237,17 @@ def _ask(app: Dash, workspace: Workspace) -> None:
         State(names.UPLOAD_TARGET, "value"),
         State(names.UPLOAD_NAME, "value"),
         State(names.UPLOAD_LABELS, "value"),
+        State(names.UPLOAD_UNIT, "value"),
+        State(names.UPLOAD_UP, "value"),
         State(names.UPLOAD_FPS, "value"),
         prevent_initial_call=True,
     )
-    def add_upload(_clicks, _submits, upload, target, new, labels, fps):
+    def add_upload(_clicks, _submits, upload, target, new, labels, *how):
         name = into(target)
         if problem := problem_of(upload, name):
             return problem, no_update, no_update
         try:
-            request = request_for(upload, name, new or "", labels, fps)
+            request = request_for(upload, name, new or "", labels, reading.import_options(*how))
             if name:
                 changes.start(workspace, request)
             else:

@@ -12,7 +12,7 @@ from dash.development.base_component import Component
 from core import analyses, requests
 from core.workspace import Workspace, WorkspaceError
 from webapp import jobs
-from webapp.features.library import adding, feature_files, layout, names
+from webapp.features.library import adding, cards, feature_files, layout, names, reading
 from webapp.features.library.figures import tables
 from webapp.jobs import changes
 from webapp.jobs.names import JOB_POKE
@@ -28,13 +28,14 @@ def register(app: Dash, workspace: Workspace) -> None:
     _act(app, workspace)
     _choose_clips(app, workspace)
     adding.register(app, workspace)
+    reading.register(app, workspace)
     feature_files.register(app, workspace)
 
 
 def _show(app: Dash, workspace: Workspace) -> None:
     @app.callback(Output(names.DATASET_CARDS, "children"), Input(REVISION, "data"), Input(DATASET, "data"))
     def show_cards(_revision, chosen):
-        return layout.dataset_cards(workspace.datasets(), chosen)
+        return cards.dataset_cards(workspace.datasets(), chosen)
 
     @app.callback(
         Output(names.DATASET_DETAIL, "children"),
@@ -81,7 +82,7 @@ def _show(app: Dash, workspace: Workspace) -> None:
 def first_values(workspace: Workspace, dataset: str, view: Mapping[str, str]) -> Values:
     """The page with its table of clips, for the layout that the browser gets first."""
     return {
-        names.DATASET_CARDS: {"children": layout.dataset_cards(workspace.datasets(), dataset)},
+        names.DATASET_CARDS: {"children": cards.dataset_cards(workspace.datasets(), dataset)},
         names.DATASET_DETAIL: {"children": detail(workspace, dataset, view)},
         names.DETAIL_SHOWN: {"data": dataset},
     }
@@ -187,6 +188,9 @@ def _choose_clips(app: Dash, workspace: Workspace) -> None:
         prevent_initial_call=True,
     )
     def act_on_clips(request, rows, name):
+        if (request or {}).get("action") == "reread" and rows:
+            reading.open_for(name, [row["clip"] for row in rows])
+            return no_update
         if (request or {}).get("action") == "remove" and rows:
             try:
                 if len(rows) == workspace.info(name).clips:

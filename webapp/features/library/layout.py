@@ -12,13 +12,12 @@ from dash.development.base_component import Component
 from core.mocap.reports import ImportReport
 from core.workspace import DatasetInfo
 from core.workspace.datasets import is_version
-from webapp.features.library import adding, names
+from webapp.features.library import adding, names, reading
+from webapp.features.library.cards import duration
 from webapp.jobs.names import UNDO
 from webapp.shell.attributes import attributes
 from webapp.shell.buttons import sends
 from webapp.shell.icons import icon
-from webapp.shell.messages import empty_state
-from webapp.shell.names import DATASET_CHOICE
 from webapp.shell.uploads import Limits
 from webapp.ui.page_head import page_head
 
@@ -44,134 +43,18 @@ def page() -> Component:
             html.Div(id=names.DATASET_DETAIL),
             dcc.Store(id=names.DETAIL_SHOWN),
             adding.dialog(limits),
+            reading.dialog(),
             _rename_dialog(),
             dmc.Modal(id=names.TRASH_DIALOG, title="Trash", size="lg", children=html.Div(id=names.TRASH_LIST)),
             dcc.Store(id=names.DATASET_ACTION),  # {"action": "rename" | "trash" | "empty", "dataset"}
-            dcc.Store(id=names.CLIPS_ACTION),  # {"action": "remove" | "clear"}
+            dcc.Store(id=names.CLIPS_ACTION),  # {"action": "remove" | "reread" | "clear"}
+            dcc.Store(id=names.REREAD_OF),  # {"dataset": name, "clips": [names]}: open the dialog for them
             dcc.Store(id=names.UPLOAD_INTO),  # {"dataset": name}: open the dialog for it
             dcc.Store(id=names.UPLOAD, data={}),  # written by assets/library/upload.mjs
             dcc.Store(id=names.UPLOAD_SUGGESTED),  # a name for the upload; "" where there is none
             dcc.Store(id=names.UPLOADED),  # the token whose import was started
         ],
     )
-
-
-def dataset_cards(datasets: Sequence[DatasetInfo], chosen: str | None) -> Component:
-    """All datasets as cards; an invitation where there are none."""
-    if not datasets:
-        demo = dmc.Button(
-            "Open the demo", id=names.DEMO("empty"), className="for-editors", leftSection=icon("spark", 16)
-        )
-        add = dmc.Button(
-            "Add recordings",
-            id=names.ADD("empty"),
-            className="for-editors",
-            variant="default",
-            leftSection=icon("upload", 16),
-        )
-        return html.Div(
-            empty_state(
-                "person",
-                "No recordings yet",
-                "Drop BVH or AMC files, whole folders or a zip of them anywhere on this page; "
-                "or look at the demo: six minutes of labelled motion.",
-                demo,
-                add,
-            ),
-            className="card",
-        )
-    return html.Div([_card(info, info.name == chosen) for info in datasets], className="dataset-cards", role="list")
-
-
-def _card(info: DatasetInfo, chosen: bool) -> Component:
-    facts = f"{info.clips:,} clip{'s' if info.clips != 1 else ''} · {duration(info.seconds)}"
-    pills = []
-    if info.errors:
-        pills.append(html.Span(f"{info.errors:,} not read", className="verdict verdict-error"))
-    if info.warnings:
-        words = f"{info.warnings:,} warnings" if info.warnings > 1 else "1 warning"
-        pills.append(html.Span(words, className="verdict verdict-warning"))
-    pills = pills or [html.Span("All files read", className="verdict verdict-ok")]
-    if info.labels:
-        words = f"{info.labels:,} labels" if info.labels > 1 else "1 label"
-        pills.append(html.Span(words, className="verdict verdict-plain"))
-    return html.Div(
-        className="card dataset-card" + (" chosen" if chosen else ""),
-        role="listitem",
-        **attributes(data_dataset=info.name),
-        children=[
-            html.Button(
-                className="dataset-open",
-                title=info.name,
-                children=[
-                    html.Span(info.name, className="dataset-name ellipsis"),
-                    html.Span(facts, className="muted number"),
-                    html.Span(pills, className="dataset-doubts"),
-                ],
-                **sends(DATASET_CHOICE, {"dataset": info.name}, every_time=True),
-                **attributes(aria_current="true" if chosen else "false"),
-            ),
-            _card_menu(info.name),
-        ],
-    )
-
-
-def _card_menu(name: str) -> Component:
-    return dmc.Menu(
-        position="bottom-end",
-        shadow="md",
-        children=[
-            dmc.MenuTarget(
-                dmc.ActionIcon(
-                    icon("dots"),
-                    variant="subtle",
-                    color="gray",
-                    className="dataset-menu",
-                    **attributes(aria_label=f"More for {name}"),
-                )
-            ),
-            dmc.MenuDropdown(
-                [
-                    dmc.MenuItem(
-                        "Add recordings or labels",
-                        className="for-editors",
-                        leftSection=icon("upload", 16),
-                        **sends(names.UPLOAD_INTO, {"dataset": name}, every_time=True),
-                    ),
-                    dmc.MenuItem(
-                        "Rename",
-                        className="for-editors",
-                        leftSection=icon("edit", 16),
-                        **sends(names.DATASET_ACTION, {"action": "rename", "dataset": name}, every_time=True),
-                    ),
-                    dmc.MenuItem(
-                        "Features (npz)",
-                        leftSection=icon("download", 16),
-                        **sends(names.FEATURES_CHOICE, {"dataset": name, "suffix": ".npz"}, every_time=True),
-                    ),
-                    dmc.MenuItem(
-                        "Features (Parquet)",
-                        leftSection=icon("download", 16),
-                        **sends(names.FEATURES_CHOICE, {"dataset": name, "suffix": ".parquet"}, every_time=True),
-                    ),
-                    dmc.MenuItem(
-                        "Delete",
-                        className="for-editors",
-                        color="red",
-                        leftSection=icon("trash", 16),
-                        **sends(names.DATASET_ACTION, {"action": "trash", "dataset": name}, every_time=True),
-                    ),
-                ]
-            ),
-        ],
-    )
-
-
-def duration(seconds: float) -> str:
-    """Length of motion in words: 42 s, 17.7 min, 3.2 h."""
-    if seconds < 90:
-        return f"{seconds:.0f} s"
-    return f"{seconds / 60:.1f} min" if seconds < 5400 else f"{seconds / 3600:.1f} h"
 
 
 def detail(name: str, tables: dict[str, Component], report: ImportReport, tab: str, files: str) -> Component:
@@ -234,6 +117,13 @@ def clips_chosen(chosen: int) -> Component | None:
                 variant="light",
                 leftSection=icon("trash", 14),
                 **sends(names.CLIPS_ACTION, {"action": "remove"}, every_time=True),
+            ),
+            dmc.Button(
+                "Read otherwise",
+                className="for-editors",
+                size="compact-sm",
+                variant="default",
+                **sends(names.CLIPS_ACTION, {"action": "reread"}, every_time=True),
             ),
             dmc.Button(
                 "Clear",

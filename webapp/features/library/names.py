@@ -24,7 +24,7 @@ class DatasetAction(TypedDict):
 class ClipsAction(TypedDict):
     """What is to be done with the clips that are chosen in the table."""
 
-    action: Literal["remove", "clear"]
+    action: Literal["remove", "clear", "reread"]
     at: NotRequired[float]
 
 
@@ -32,6 +32,14 @@ class UploadInto(TypedDict):
     """The data set that the dialog is opened for."""
 
     dataset: Name
+    at: NotRequired[float]
+
+
+class Reread(TypedDict):
+    """The clips that are to be read otherwise; all of the data set where none is named."""
+
+    dataset: Name
+    clips: NotRequired[list[str]]
     at: NotRequired[float]
 
 
@@ -115,14 +123,24 @@ UPLOAD_NAME = Id("upload-name")
 UPLOAD_LABELS = Id("upload-labels")
 UPLOAD_LABELS_BOX = Id("upload-labels-box")
 UPLOAD_LABELS_LABEL = Id("upload-labels-label")
+UPLOAD_UNIT = Id("upload-unit")
+UPLOAD_UP = Id("upload-up")
 UPLOAD_FPS = Id("upload-fps")
-UPLOAD_FPS_BOX = Id("upload-fps-box")
 UPLOAD_IMPORT = Id("upload-import")
 UPLOAD_PROBLEM = Id("upload-problem")
 UPLOAD = Store("upload", Upload)
 UPLOAD_INTO = Store("upload-into", UploadInto)
 UPLOAD_SUGGESTED = Store("upload-suggested", Name)  # a name for the upload; "" where there is none
 UPLOADED = Store("uploaded", Name)  # the token whose import was started
+
+REREAD_DIALOG = Id("reread-dialog")
+REREAD_OF = Store("reread-of", Reread)
+REREAD_NOW = Id("reread-now")
+REREAD_UNIT = Id("reread-unit")
+REREAD_UP = Id("reread-up")
+REREAD_FPS = Id("reread-fps")
+REREAD_PROBLEM = Id("reread-problem")
+REREAD_DO = Id("reread-do")
 
 FEATURES_CHOICE = Store("features-choice", FeaturesChoice)
 FEATURES_READY = Store("features-ready", Download)

@@ -12,6 +12,7 @@ RIGHTS = Rights(
         "callbacks.show_chosen",
         "callbacks.show_detail",
         "callbacks.show_trash",
+        "reading.open_dialog",
         "routes.bvh",
         "routes.features",
     ),
@@ -24,5 +25,6 @@ RIGHTS = Rights(
         "callbacks.act",
         "callbacks.act_on_clips",
         "callbacks.rename",
+        "reading.read_again",
     ),
 )

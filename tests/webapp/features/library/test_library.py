@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import pytest
 
+from core.errors import ParameterError
 from core.mocap.clip import Label, Segment
 from core.mocap.dataset import Dataset
 from core.mocap.reports import FileReport, ImportReport
 from core.workspace import DatasetInfo, WorkspaceError
 from tests.webapp.generated import walk
 from tests.webapp.stored import misfit
-from webapp.features.library import adding, names
+from webapp.features.library import adding, names, reading
 from webapp.features.library import layout as pages_layout
+from webapp.features.library.cards import dataset_cards, duration
 from webapp.features.library.figures import tables as library_tables
-from webapp.features.library.layout import dataset_cards, duration, trash_list
+from webapp.features.library.layout import trash_list
 from webapp.jobs import changes
 from webapp.ui import tables
 
@@ -97,14 +99,30 @@ def test_what_has_arrived_decides_what_can_be_done_with_it():
     assert "wait until" in adding.problem_of(arrived | {"done": False}, None) and "at least one" in adding.problem_of(
         None, None
     )
-    new = adding.request_for(arrived | {"amc": 1}, None, " park ", "add", "60")
+    new = adding.request_for(arrived, None, " park ", "add", {"fps": 60.0})
     assert (new.dataset, new.method, new.parameters) == ("park", "import", {"upload": "0" * 16, "fps": 60.0})
-    more = adding.request_for(arrived, "walks", "", "replace", 60)  # no AMC: the rate is not asked for
+    more = adding.request_for(only_labels, "walks", "", "replace", {"unit": "cm"})  # nothing is read
     assert (more.method, more.parameters) == ("add", {"upload": "0" * 16, "labels": "replace"})
     with pytest.raises(WorkspaceError, match="empty"):
-        adding.request_for(arrived, None, " ", "add", None)
+        adding.request_for(arrived, None, " ", "add", {})
     names = adding.targets(["a", "b"])
     assert [adding.into(item["value"]) for item in (names[0], *names[1]["items"])] == [None, "a", "b"]
+
+
+def test_what_was_chosen_of_reading_becomes_a_request():
+    assert reading.import_options("auto", "auto", "") == {}
+    assert reading.import_options("cm", "z", "24") == {"unit": "cm", "up": "z", "fps": 24.0}
+    with pytest.raises(ParameterError, match="a number"):
+        reading.import_options("auto", "auto", "fast")
+    again = reading.request_for("walks", ["b", "a"], "auto", "keep", None)
+    assert (again.method, again.parameters) == ("reread", {"unit": "auto", "clips": '["a", "b"]'})
+    assert "clips" not in reading.request_for("walks", (), "keep", "y", None).parameters
+    with pytest.raises(ParameterError, match="Choose what"):
+        reading.request_for("walks", (), "keep", "keep", "")
+    dataset = Dataset("d", (walk("a", 2.0, 60.0), walk("b", 4.0, 30.0)), (), ImportReport())
+    words = reading.read_now(dataset, ())
+    assert words.startswith("2 clips of d.") and "Y up; 60 frames per second in 1, 30 frames" in words
+    assert "1 clip of d." in reading.read_now(dataset, ["b"])
 
 
 def test_a_change_is_told_in_one_sentence():
