@@ -6,6 +6,7 @@ uploads; links, and archives within archives, are left alone.
 
 from __future__ import annotations
 
+import errno
 import lzma
 import shutil
 import stat
@@ -151,6 +152,10 @@ def _plain_faults() -> Iterator[None]:
         words = "the names of its files are not in UTF-8, although it says so; pack the recordings again"
         raise WorkspaceError(words) from error
     except (zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError, ValueError, OverflowError) as error:
+        raise WorkspaceError("the archive is damaged; pack the recordings again") from error
+    except OSError as error:
+        if error.errno != errno.EINVAL:  # a full disk is no fault of the archive; a place before its beginning is
+            raise
         raise WorkspaceError("the archive is damaged; pack the recordings again") from error
     except (NotImplementedError, RuntimeError) as error:  # methods and keys that the library does not know
         raise WorkspaceError("it is packed in a way we cannot read; pack it as a plain zip") from error

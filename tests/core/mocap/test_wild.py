@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import csv
+import re
 
 import pytest
 
-from core.inspection import inspect_file
+from core.inspection import inspect_recording
 
 # What the message must say, by the letter and number in front of a file's name.
 WORDS = {
@@ -15,6 +16,13 @@ WORDS = {
     "A3": "41 frames where .* says 40",
     "A4": "39 frames where .* says 40",
     "B1": "displacements, added to OFFSET",
+    "C1": "Z points up",
+    "C2": "1.15 m tall in inches .* it would be 2.57 m",
+    "E1": "no human body",
+    "E2": "no human body",
+    "E3": "no human body",
+    "E4": "no legs",
+    "F1": "left and right seem swapped",
     "G1": "numbers without a space",
     "G2": "frame 5 is filled",
     "G4": "decimal comma",
@@ -39,17 +47,42 @@ WORDS = {
 def reports(shared_data):
     folder = shared_data / "wild"
     with (folder / "manifest.csv").open(newline="") as file:
-        return {row["file"]: inspect_file(folder / row["file"]) for row in csv.DictReader(file)}
+        return {row["file"]: inspect_recording(folder / row["file"]) for row in csv.DictReader(file)}
+
+
+# What was read, by the beginning of the name: unit, way up, height in metres (within 2 cm), body.
+FACTS = {
+    "B1": ("dm", "z", 1.77, "human"),
+    "C0": ("cm", "y", 1.70, "human"),
+    "C1": ("cm", "z", 1.70, "human"),
+    "C2": ("in", "z", 1.16, "human"),
+    "C3": ("dm", "z", 1.60, "human"),
+    "E1": (None, "y", None, "other"),
+    "E2": (None, "y", None, "other"),
+    "E3": (None, "y", None, "other"),
+    "E4": ("cm", "y", None, "partial"),
+    "F1": ("cm", "y", 1.70, "human"),
+    "I6": ("cm", "y", 1.70, "human"),
+    "K_a13": ("cmu", "y", 1.43, "human"),
+}
+
+
+@pytest.mark.parametrize("kind", FACTS)
+def test_size_way_up_and_body(reports, kind):
+    ((_, facts),) = (entry for name, entry in reports.items() if name.startswith(f"{kind}_"))
+    unit, up, height, body = FACTS[kind]
+    assert (facts.up, facts.body) == (up, body)
+    assert unit is None or facts.unit == unit
+    assert height is None or facts.height == pytest.approx(height, abs=0.02)
+    assert (body == "other") == (list(facts.joints) == ["pelvis"])
 
 
 def test_all_but_skeletons_without_motion_are_read(reports):
-    refused = {name for name, report in reports.items() if report.verdict == "error"}
+    refused = {name for name, (report, _) in reports.items() if report.verdict == "error"}
     assert refused == {"J1_frames_0_real.bvh", "J2_no_motion_real.bvh"}
 
 
 @pytest.mark.parametrize("kind", WORDS)
 def test_what_is_odd_is_said(reports, kind):
-    import re
-
-    (report,) = (report for name, report in reports.items() if name.startswith(f"{kind}_"))
+    ((report, _),) = (entry for name, entry in reports.items() if name.startswith(f"{kind}_"))
     assert any(re.search(WORDS[kind], message) for message in report.messages), report.messages

@@ -1,0 +1,256 @@
+"""Damaged files for every reader: nothing but the product's own errors, no reading over 5 s, no memory over 1 GB.
+
+usage: python -m benchmarks.fuzz_readers [SECONDS] [SEED]
+
+Small recordings (and, where they are there, the shared odd ones) are mutated over and over: bytes, words and lines are
+changed, repeated, moved or cut. A mutant that breaks a rule is kept in the temporary folder and named.
+"""
+
+from __future__ import annotations
+
+import gzip
+import io
+import os
+import random
+import resource
+import signal
+import sys
+import tempfile
+import time
+import zipfile
+from collections import Counter
+from collections.abc import Callable
+from pathlib import Path
+
+from core.errors import MotionscapeError
+from core.inspection import inspect_file
+from core.mocap.asfamc import read_amc, read_asf
+from core.mocap.bvh import read_bvh_clips
+from core.mocap.corrections import read_corrections
+from core.mocap.labels import read_labels
+from core.progress import silent
+from core.workspace.archives import unpack_archives
+
+LONGEST = 5.0  # seconds a reading may take
+MOST = 1 << 30  # bytes that reading may add to the process
+LARGE = 200_000  # bytes: seeds beyond it are left out, so that many mutants are tried
+
+BVH = """HIERARCHY
+ROOT Hips
+{
+  OFFSET 0 0 0
+  CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation
+  JOINT Chest
+  {
+    OFFSET 0 20 0
+    CHANNELS 3 Zrotation Xrotation Yrotation
+    End Site
+    {
+      OFFSET 0 50 0
+    }
+  }
+}
+MOTION
+Frames: 12
+Frame Time: 0.0333333
+""" + "".join(f"0 9{k} 0 0.5 -2 0.5 {k}.25 0 -1e-3\n" for k in range(12))
+ASF = """:version 1.10
+:units
+  mass 1.0
+  length 0.45
+  angle deg
+:root
+  order TX TY TZ RX RY RZ
+  axis XYZ
+  position 0 0 0
+  orientation 0 0 0
+:bonedata
+  begin
+    id 1
+    name femur
+    direction 0 -1 0
+    length 7.2
+    axis 10 -30 20 XYZ
+    dof rx rz
+    limits (-90 90)
+           (-90 90)
+  end
+:hierarchy
+  begin
+    root femur
+  end
+"""
+AMC = "#!OML\n:FULLY-SPECIFIED\n:DEGREES\n" + "".join(f"{k}\nroot 0 17 {k} 0 1 0\nfemur -10 5\n" for k in range(1, 13))
+LABELS = "clip,start_frame,end_frame,action\nwalk,0,10,walk\nwalk,10,20,stop\n"
+BODY = '{"format": "motionscape/body/1", "rigs": [{"rig": ["a", "b"], "body": null, "joints": {"head": "b"}}]}'
+_ODD_NUMBERS = b"nan inf -inf 1e400 -1.#IND 0x1A 1,5 99999999999999999999 -1 0 1e-320 null 5-2".split()
+_KEYWORDS = b"{ } MOTION HIERARCHY ROOT JOINT End Site OFFSET CHANNELS Frames: Frame Time: EndSite # //".split()
+_SECTIONS = b":root :bonedata :units :hierarchy begin end dof limits 7 Xposition Zrotation Xscale".split()
+_BYTES = (
+    b"\xff\xfe",
+    b"\x00",
+    b"\xef\xbb\xbf",
+    b"\r",
+    b"\n\n\n",
+    b"{" * 400,
+    b"9" * 400,
+    b"a" * 3000,
+    b"-" * 50,
+    b"\xe4\xf6",
+)
+_WORDS = (*_ODD_NUMBERS, *_KEYWORDS, *_SECTIONS, *_BYTES)
+
+
+def mutated(data: bytes, chance: random.Random) -> bytes:
+    """The bytes with one to six changes."""
+    for _ in range(chance.choice((1, 1, 1, 2, 2, 3, 6))):
+        data = chance.choice(_CHANGES)(data, chance) or b""
+    return data
+
+
+def _place(data: bytes, chance: random.Random) -> tuple[int, int]:
+    start = chance.randrange(len(data) + 1)
+    return start, min(len(data), start + chance.choice((1, 4, 30, 300)))
+
+
+def _flip(data: bytes, chance: random.Random) -> bytes:
+    start, _ = _place(data, chance)
+    return data[:start] + bytes([chance.randrange(256)]) + data[start + 1 :]
+
+
+def _cut(data: bytes, chance: random.Random) -> bytes:
+    start, end = _place(data, chance)
+    return data[:start] if chance.random() < 0.3 else data[:start] + data[end:]
+
+
+def _repeat(data: bytes, chance: random.Random) -> bytes:
+    start, end = _place(data, chance)
+    return data[:end] + data[start:end] * chance.choice((1, 2, 50)) + data[end:]
+
+
+def _put(data: bytes, chance: random.Random) -> bytes:
+    start, _ = _place(data, chance)
+    space = b"" if chance.random() < 0.3 else b" "
+    return data[:start] + space + chance.choice(_WORDS) + space + data[start:]
+
+
+def _exchange_word(data: bytes, chance: random.Random) -> bytes:
+    words = data.split(b" ")
+    words[chance.randrange(len(words))] = chance.choice(_WORDS)
+    return b" ".join(words)
+
+
+def _move_line(data: bytes, chance: random.Random) -> bytes:
+    lines = data.split(b"\n")
+    line = lines.pop(chance.randrange(len(lines)))
+    lines.insert(chance.randrange(len(lines) + 1), line)
+    return b"\n".join(lines)
+
+
+def _re_encode(data: bytes, chance: random.Random) -> bytes:
+    text = data.decode("latin-1")
+    return text.encode(chance.choice(("utf-16", "utf-16-be", "utf-8-sig", "utf-32")))
+
+
+_CHANGES: tuple[Callable[[bytes, random.Random], bytes], ...] = (
+    *(_flip, _cut, _repeat, _put, _put, _exchange_word, _exchange_word, _move_line),
+    _re_encode,
+)
+
+
+class Readers:
+    """Every reader by the format of its files, each given a path in a folder of its own."""
+
+    def __init__(self, folder: Path):
+        self.folder = folder
+        (folder / "good.asf").write_text(ASF)
+        self.skeleton = read_asf(folder / "good.asf")
+        self.by_format: dict[str, tuple[Callable[[Path], object], list[bytes]]] = {
+            ".bvh": (read_bvh_clips, [BVH.encode()]),
+            ".bvh.gz": (read_bvh_clips, [gzip.compress(BVH.encode())]),
+            ".asf": (read_asf, [ASF.encode()]),
+            ".amc": (lambda path: read_amc(path, self.skeleton), [AMC.encode()]),
+            "_inspected.bvh": (inspect_file, [BVH.encode()]),
+            ".csv": (read_labels, [LABELS.encode()]),
+            ".json": (read_corrections, [BODY.encode()]),
+            ".zip": (self.unpack, [_zip(), _zip("gähen.bvh")]),
+        }
+
+    def unpack(self, path: Path) -> object:
+        """The zip file unpacked beside itself, as an upload is."""
+        place = Path(tempfile.mkdtemp(dir=self.folder))
+        path.rename(place / path.name)
+        return unpack_archives(place, silent)
+
+    def add_shared(self, data: Path) -> None:
+        """The shared odd files as seeds, where they are there and small."""
+        for path in sorted(p for name in ("wild", "malformed") for p in (data / name).rglob("*") if p.is_file()):
+            if path.suffix in (".bvh", ".asf", ".amc") and path.stat().st_size < LARGE:
+                self.by_format[path.suffix][1].append(path.read_bytes())
+
+
+def _zip(name: str = "walks/walk.bvh") -> bytes:
+    file = io.BytesIO()
+    with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr(name, BVH)
+        archive.writestr("labels.csv", LABELS)
+    return file.getvalue()
+
+
+def read_one(read: Callable[[Path], object], path: Path) -> str:
+    """What came of reading: "read", "refused", or the rule that was broken. Raises nothing of the reader's."""
+
+    def too_long(_signal: int, _frame: object) -> None:
+        raise TimeoutError(f"over {LONGEST:g} s")
+
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    old = signal.signal(signal.SIGALRM, too_long)
+    signal.setitimer(signal.ITIMER_REAL, LONGEST)
+    try:
+        read(path)
+        outcome = "read"
+    except MotionscapeError as error:
+        outcome = "refused" if "\n" not in str(error) else "a message of several lines"
+    except Exception as error:  # this is what is looked for
+        outcome = f"{type(error).__name__}: {str(error)[:80]}"
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, old)
+    grown = (resource.getrusage(resource.RUSAGE_SELF).ru_maxrss - before) * 1024
+    return outcome if grown < MOST else f"took {grown >> 20} MB"
+
+
+def main(seconds: float = 60.0, seed: int = 0, data: Path | None = None) -> int:
+    """Tries mutants for so long; prints what came of them, and gives the number that broke a rule."""
+    chance, outcomes, broken = random.Random(seed), Counter[tuple[str, str]](), 0
+    with tempfile.TemporaryDirectory() as place:
+        readers = Readers(Path(place))
+        here = Path(__file__).resolve().parents[1]
+        readers.add_shared(data or Path(os.environ.get("MOTIONSCAPE_SHARED", here.parent / "shared")) / "data")
+        for read, seeds in readers.by_format.values():  # compiled, or loaded from numba's cache, before the clock runs
+            (Path(place) / "first.bvh").write_bytes(seeds[0])
+            read_one(read, Path(place) / "first.bvh")
+        until, k = time.monotonic() + seconds, 0
+        while time.monotonic() < until:
+            ending = list(readers.by_format)[k % len(readers.by_format)]
+            read, seeds = readers.by_format[ending]
+            path = Path(place) / f"mutant{k}{ending}"
+            content = mutated(seeds[0] if chance.random() < 0.5 else chance.choice(seeds), chance)
+            path.write_bytes(content)
+            outcome = read_one(read, path)
+            outcomes[ending, outcome if outcome in ("read", "refused") else "BROKEN"] += 1
+            if outcome not in ("read", "refused"):
+                broken += 1
+                kept = Path(tempfile.gettempdir()) / f"fuzz-{seed}-{k}{ending}"
+                kept.write_bytes(content)
+                print(f"{kept}: {outcome}")
+            path.unlink(missing_ok=True)
+            k += 1
+    print(f"{sum(outcomes.values())} mutants, seed {seed}: {broken} broke a rule")
+    for (ending, outcome), count in sorted(outcomes.items()):
+        print(f"  {ending:<16}{outcome:<10}{count:8}")
+    return broken
+
+
+if __name__ == "__main__":
+    sys.exit(1 if main(*(float(a) if k == 0 else int(a) for k, a in enumerate(sys.argv[1:3]))) else 0)
