@@ -618,9 +618,10 @@
   var QUIET = 1e4;
   var said = /* @__PURE__ */ new Map();
   function words(status2, body2) {
-    if (status2 === 401) return ["Nobody is signed in", "Your session has ended. Reload the page to sign in again; what you see stays until then."];
-    if (status2 === 403 && typeof body2.error === "string") return [typeof body2.title === "string" ? body2.title : "You may not do this", body2.error];
-    return null;
+    if (typeof body2.error !== "string") return null;
+    const title = typeof body2.title === "string" ? body2.title : "You may not do this";
+    if (status2 === 401) return [title, `${body2.error} Reload the page to sign in; what you see stays until then.`];
+    return status2 === 403 ? [title, body2.error] : null;
   }
   async function tell(answer2) {
     const body2 = await answer2.json().catch(() => ({}));

@@ -12,9 +12,10 @@ const said = new Map();
  * @returns {[string, string] | null}
  */
 export function words(status, body) {
-  if (status === 401) return ["Nobody is signed in", "Your session has ended. Reload the page to sign in again; what you see stays until then."];
-  if (status === 403 && typeof body.error === "string") return [typeof body.title === "string" ? body.title : "You may not do this", body.error];
-  return null;
+  if (typeof body.error !== "string") return null;
+  const title = typeof body.title === "string" ? body.title : "You may not do this";
+  if (status === 401) return [title, `${body.error} Reload the page to sign in; what you see stays until then.`];
+  return status === 403 ? [title, body.error] : null;
 }
 
 /** @param {Response} answer */

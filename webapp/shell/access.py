@@ -164,6 +164,8 @@ def _ask_who(workspace: Workspace, token: str | None) -> ResponseReturnValue:
         if request.method == "GET" and not request.path.startswith(("/api/", "/_", "/assets/")):
             address = request.full_path if request.query_string else request.path
             return redirect(f"{sign_in.ADDRESS}?next={quote(address, safe='/')}")
+        if any(visitors.kept_keys()):
+            return _refuse(401, "The link has ended", "The link by which you came opens the board no more.")
         return _refuse(401, "Nobody is signed in", "Your session has ended, or you have not signed in yet.")
     return _refuse(
         401,
