@@ -6766,7 +6766,10 @@
       const axis = plot.full["yaxis" + trace.yaxis.slice(1)];
       const row7 = axis.p2l(y - plot.top + plot.full._size.t - axis._offset);
       if (Math.abs(row7 - trace.meta.row) > 0.5) continue;
-      const hit = trace.meta.picks.find(([start3, end]) => seconds * plot.meta.fps >= start3 && seconds * plot.meta.fps < end);
+      const frame = seconds * plot.meta.fps;
+      const hits = trace.meta.picks.filter(([start3, end]) => frame >= start3 && frame < end);
+      const away = ([start3, end]) => Math.abs(frame - (start3 + end) / 2);
+      const hit = hits.sort((a, b) => away(a) - away(b))[0];
       if (hit) return hit;
     }
     return null;

@@ -89,6 +89,7 @@ export const CLIP_DRAWN = /** @type {StoreId<string>} */ ("clip-drawn");
 export const CLIP_MARKED = /** @type {StoreId<any>} */ ("clip-marked");
 export const CLIP_SOUGHT = /** @type {StoreId<any>} */ ("clip-sought");
 export const CLIP_SEEK = /** @type {StoreId<Moment>} */ ("clip-seek");
+export const CLIP_DOUBTS = "clip-doubts";
 export const CLIP_GAIT = "clip-gait";
 export const CLIP_GAIT_TABLE = /** @type {StoreId<GaitTable>} */ ("clip-gait-table");
 export const CLIP_GAIT_DRAWN = /** @type {StoreId<any>} */ ("clip-gait-drawn");

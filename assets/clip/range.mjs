@@ -109,7 +109,11 @@ function blockAt({ plot, x, y }) {
     const axis = plot.full["yaxis" + trace.yaxis.slice(1)];
     const row = axis.p2l(y - plot.top + plot.full._size.t - axis._offset);
     if (Math.abs(row - trace.meta.row) > 0.5) continue;
-    const hit = trace.meta.picks.find((/** @type {Range} */ [start, end]) => seconds * plot.meta.fps >= start && seconds * plot.meta.fps < end);
+    const frame = seconds * plot.meta.fps;
+    const hits = trace.meta.picks.filter((/** @type {Range} */ [start, end]) => frame >= start && frame < end);
+    /** @param {Range} range */
+    const away = ([start, end]) => Math.abs(frame - (start + end) / 2);
+    const hit = hits.sort((/** @type {Range} */ a, /** @type {Range} */ b) => away(a) - away(b))[0];
     if (hit) return hit;
   }
   return null;

@@ -10,9 +10,10 @@ from dash.dependencies import ClientsideFunction
 
 from core.editing.curves import ClipCurves
 from core.mocap.dataset import Dataset
+from core.mocap.reports import Finding
 from core.motifs.graph import MotifGraph
 from core.workspace import Workspace, WorkspaceError
-from webapp.features.clip import clips, editing, layout, names, table
+from webapp.features.clip import clips, doctor, editing, layout, names, table
 from webapp.features.clip.figures import curves as figures
 from webapp.features.clip.figures.gait import gait_table
 from webapp.features.clip.figures.path import path_chart, selected_part
@@ -20,6 +21,7 @@ from webapp.shell import results
 from webapp.shell.names import DATASET, MOTIF_METHOD, REVISION, SELECTION, THEME, VIEW
 from webapp.shell.results import find_edge, find_motif
 from webapp.ui.charts import tall
+from webapp.ui.doubts import findings_by_clip
 from webapp.ui.timeline import motif_colour, motif_name
 
 
@@ -106,14 +108,16 @@ def _choose(app: Dash, workspace: Workspace) -> None:
 def _controls(app: Dash, workspace: Workspace) -> None:
     @app.callback(
         Output(names.CLIP_FACTS, "children"),
+        Output(names.CLIP_DOUBTS, "children"),
         Output(names.CLIP_GAIT_TABLE, "data"),
         Input(names.CLIP_SHOWN, "data"),
     )
     def show_facts(shown):
         curves = curves_of(workspace, shown)
         if curves is None:
-            return None, None
-        return layout.facts(curves), gait_table(curves.gait, curves.clip.name, curves.clip.fps)
+            return None, None, None
+        doubts = doctor.panel(_findings(workspace, shown), curves.clip)
+        return layout.facts(curves), doubts, gait_table(curves.gait, curves.clip.name, curves.clip.fps)
 
     @app.callback(
         Output(names.CLIP_CHART, "value"),
@@ -183,7 +187,8 @@ def _draw(app: Dash, workspace: Workspace) -> None:
             document = path_chart(curves, selection or {}, scheme)
             return document, tall(document), None
         panels = figures.panels_of(clips.chosen_curves(curves, chosen), chosen, scheme)
-        bands = [*figures.foot_bands(curves, scheme), *_spans(workspace, shown, view)]
+        doubts = doctor.bands(_findings(workspace, shown), curves.clip, scheme)
+        bands = [*doubts, *figures.foot_bands(curves, scheme), *_spans(workspace, shown, view)]
         document = figures.time_chart(curves, panels, bands, chosen, scheme)
         return document, tall(document), layout.legend(panels)
 
@@ -212,6 +217,11 @@ def curves_of(workspace: Workspace, shown: Mapping[str, Any] | None) -> ClipCurv
         return clips.clip_curves(dataset, shown["clip"])
     except (WorkspaceError, KeyError):
         return None
+
+
+def _findings(workspace: Workspace, shown: Mapping[str, Any]) -> tuple[Finding, ...]:
+    """What was found odd about the clip that is shown."""
+    return findings_by_clip(workspace.open(shown["dataset"])).get(shown["clip"], ())
 
 
 def _spans(workspace: Workspace, shown: Mapping[str, Any], view: Mapping[str, Any] | None) -> list[figures.Band]:

@@ -45,6 +45,8 @@ def page() -> Component:
                     ),
                     _chart(),
                     html.Div(id=names.CLIP_RANGE, className="clip-range"),
+                    html.Div([html.H2("Doubts")], className="section-head section"),
+                    html.Div(id=names.CLIP_DOUBTS, className="card clip-doubts"),
                     html.Div([html.H2("Gait")], className="section-head section"),
                     html.Div(id=names.CLIP_GAIT, className="card clip-gait"),
                 ],

@@ -97,6 +97,7 @@ CLIP_MARKED = Store("clip-marked", Any)
 CLIP_SOUGHT = Store("clip-sought", Any)
 CLIP_SEEK = Store("clip-seek", Moment)
 
+CLIP_DOUBTS = Id("clip-doubts")
 CLIP_GAIT = Id("clip-gait")
 CLIP_GAIT_TABLE = Store("clip-gait-table", GaitTable)
 CLIP_GAIT_DRAWN = Store("clip-gait-drawn", Any)

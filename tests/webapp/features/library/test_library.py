@@ -7,7 +7,7 @@ import pytest
 from core.errors import ParameterError
 from core.mocap.clip import Label, Segment
 from core.mocap.dataset import Dataset
-from core.mocap.reports import FileReport, ImportReport
+from core.mocap.reports import FileReport, Finding, ImportReport
 from core.workspace import DatasetInfo, WorkspaceError
 from tests.webapp.generated import walk
 from tests.webapp.stored import misfit
@@ -19,9 +19,10 @@ from webapp.features.library.layout import trash_list
 from webapp.jobs import changes
 from webapp.ui import tables
 
+FINDINGS = (Finding("jump", "x", 3, 5), Finding("sides", "y"), Finding("jump", "z", 8, 10))
 REPORTS = (
     FileReport("in/a.bvh", "a", "ok", ()),
-    FileReport("in/b.bvh", "b", "warning", ("foot skate",)),
+    FileReport("in/b.bvh", "b", "warning", ("foot skate",), findings=FINDINGS),
     FileReport("in/c.bvh", None, "error", ("c.bvh:7: found NaN; expected a number",)),
 )
 NO_SKELETON = (
@@ -44,6 +45,8 @@ def test_clips_say_length_labels_and_verdict():
     a, b = library_tables.clip_rows(dataset)
     assert (a["frames"], a["seconds"], a["fps"], a["labels"], a["verdict"]) == ("120 frames", 2.0, 60.0, "", "ok")
     assert (b["labels"], b["verdict"], b["messages"]) == ("walk, turn", "warning", "foot skate")
+    assert (a["doubts"], a["doubted"]) == (None, "")
+    assert (b["doubts"], b["doubted"]) == (3, "jump (2×), left and right")
     fields = [[column["field"] for column in library_tables.clip_columns(d)] for d in (dataset, dataset.select(["a"]))]
     assert "labels" in fields[0] and "labels" not in fields[1]
     assert b["selection"] == {"clip": "b"} and b["href"] == "/clip?dataset=d&clip=b"

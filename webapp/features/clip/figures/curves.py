@@ -56,12 +56,13 @@ class Panel(NamedTuple):
 
 
 class Block(NamedTuple):
-    """A stretch of frames in a band; a click selects it."""
+    """A stretch of frames in a band; a click selects it, or the frames ``picks``."""
 
     start: int
     end: int
     text: str
     colour: str
+    picks: tuple[int, int] | None = None
 
 
 class Mark(NamedTuple):
@@ -231,7 +232,9 @@ def _band(row: int, band: Band, axis: str, fps: float) -> list[Document]:
         look = (
             _named_blocks(row, band, fps) if any(block.text for block in band.blocks) else _plain_blocks(row, band, fps)
         )
-        traces.append(common | look | {"meta": {"row": row, "picks": [[b.start, b.end] for b in band.blocks]}})
+        traces.append(
+            common | look | {"meta": {"row": row, "picks": [list(b.picks or (b.start, b.end)) for b in band.blocks]}}
+        )
     if band.marks:
         colours = [mark.colour for mark in band.marks]
         traces.append(

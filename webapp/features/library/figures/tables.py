@@ -11,6 +11,7 @@ from urllib.parse import quote, urlencode
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset, FileReport
 from webapp.shell.advice import in_the_browser
+from webapp.ui.doubts import counted, findings_by_clip
 from webapp.ui.tables import NUMBER, SECONDS, STRIP, TEXT, Row, column, strip_address
 
 CLIP_COLUMNS = [
@@ -19,6 +20,16 @@ CLIP_COLUMNS = [
     column("seconds", "Seconds", 84, tooltipField="frames", **SECONDS),
     column("fps", "Rate", 56, "Frames per second", **NUMBER),
     column("labels", "Labels", 92, "Its labelled actions", flex=1, minWidth=84, tooltipField="counted", **TEXT),
+    column(
+        "doubts",
+        "Doubts",
+        88,
+        "How many things were found odd; filter by their kinds",
+        tooltipField="doubted",
+        filter="agTextColumnFilter",
+        filterValueGetter={"function": "params.data.doubted"},
+        **NUMBER,
+    ),
     column("verdict", "Import", 66, "Remarks of the import", cellRenderer="Mark", cellClass="strip-cell"),
 ]
 REPORT_COLUMNS = [
@@ -60,6 +71,7 @@ def clip_rows(dataset: Dataset) -> list[Row]:
     for label in dataset.labels:
         actions.setdefault(label.clip, Counter())[label.action] += 1
     reports = {file.clip: file for file in dataset.report.files if file.clip}
+    found = findings_by_clip(dataset)
     rows = []
     for clip in dataset.clips:
         report, done = reports.get(clip.name), actions.get(clip.name, Counter())
@@ -74,6 +86,8 @@ def clip_rows(dataset: Dataset) -> list[Row]:
                 "fps": round(clip.fps, 2),
                 "labels": ", ".join(done),
                 "counted": ", ".join(f"{action} ({n}\N{MULTIPLICATION SIGN})" for action, n in done.items()),
+                "doubts": len(found.get(clip.name, ())) or None,
+                "doubted": counted(found.get(clip.name, ())),
                 "verdict": report.verdict if report else "ok",
                 "messages": "\n".join(report.messages) if report else "",
                 "selection": {"clip": clip.name},
