@@ -11,7 +11,7 @@ from core.caching import RecentCache
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.progress import Report
-from core.retrieval.chance import LEAST, chances, usual_distance
+from core.retrieval.chance import LEAST, chances, usual_distance, usual_of_clips
 from core.retrieval.compose import Composed, compose
 from core.retrieval.explanation import explain
 from core.retrieval.frames import FrameStore
@@ -61,7 +61,8 @@ class BoundedEdit:
             apart = (1 - root_path) * apart + root_path * path_distances(
                 composed.codes, self.store.codes, starts, ends, self.store.fps
             )
-        scores = chances(apart, usual_distance(self.store, metric, query_motion, len(composed.codes)))
+        usual = usual_of_clips(metric, query_motion, every)
+        scores = chances(apart, usual or usual_distance(self.store, metric, query_motion, len(composed.codes)))
         order = np.argsort(apart, kind="stable")[:top]
         ranked = zip(among[order].tolist(), scores[order].tolist(), strict=True)
         return [Hit(self._wholes[clip], score) for clip, score in ranked]

@@ -12,7 +12,7 @@ import numpy as np
 from core.retrieval.frames import FrameStore
 from core.retrieval.metric import Metric, Motions
 
-PLACES = 256  # stretches of the collection that the usual distance is taken from
+PLACES = 64  # stretches or clips of the collection that the usual distance is taken from
 LEAST = 0.05  # chance below which a stretch is no hit
 EVEN, BY_DISTANCE, BY_RATIO = 4.5, -6.8, -4.6
 """Log odds of the same action: at distance 0, and for each unit of the distance and of its ratio to the usual one."""
@@ -22,13 +22,24 @@ _LEAST_USUAL = 0.4  # in a collection of one action everything is near: distance
 
 def usual_distance(store: FrameStore, metric: Metric, query: Motions, n_frames: int) -> float:
     """Median distance of a motion of ``n_frames`` (one of ``query``) to stretches as long, spread over all clips."""
-    total = len(store.codes)
-    places = np.unique(np.linspace(0, total - 1, min(total, PLACES)).astype(np.int64))
+    places = _spread(len(store.codes))
     clips = np.searchsorted(store.starts, places, side="right") - 1
     first, last = store.starts[clips], store.starts[clips + 1]
     starts = np.maximum(first, np.minimum(places, last - n_frames))
     ends = np.minimum(starts + n_frames, last)
     return float(np.median(metric.distances(query, metric.motions(store, store.codes, starts, ends))))
+
+
+def usual_of_clips(metric: Metric, query: Motions, clips: Motions) -> float | None:
+    """The usual distance of a whole clip (one of ``query``): the median to whole clips; None where they are too few."""
+    if len(clips.samples) < PLACES:
+        return None
+    return float(np.median(metric.distances(query, clips[_spread(len(clips.samples))])))
+
+
+def _spread(n: int) -> np.ndarray:
+    """PLACES of n numbers, evenly spread."""
+    return np.unique(np.linspace(0, n - 1, min(n, PLACES)).astype(np.int64))
 
 
 def chances(distances: np.ndarray, usual: float) -> np.ndarray:

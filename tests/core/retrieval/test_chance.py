@@ -41,7 +41,7 @@ def test_the_usual_distance_is_the_median_over_stretches_of_the_querys_length(de
         first, last = store.starts[k], store.starts[k + 1]
         starts = np.arange(first, max(first + 1, last - n))
         every.append(metric.distances(query, metric.motions(store, store.codes, starts, np.minimum(starts + n, last))))
-    assert usual_distance(store, metric, query, n) == pytest.approx(np.median(np.concatenate(every)), abs=0.03)
+    assert usual_distance(store, metric, query, n) == pytest.approx(np.median(np.concatenate(every)), abs=0.06)
 
 
 def test_hits_of_the_same_action_are_likely_and_others_are_not(demo):
