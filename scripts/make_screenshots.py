@@ -3,7 +3,8 @@
 usage: python -m scripts.make_screenshots [FOLDER] [NAME...]      (default: docs/images, all pictures)
 
 Serves a fresh workspace with the demo and the results that the pages show, and writes library.png, motifs.png,
-walk.png, sweeps.png, map.png, search.png, grammar.png, compose.png and clip.png, each with at most 256 colours.
+walk.png, sweeps.png, map.png, search.png, grammar.png, compose.png, clip.png and boards.png, each with at most
+256 colours.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from playwright.sync_api import Page, sync_playwright
 from core.analyses import DEMO, Request, run
 from core.retrieval.queries import whole_query
 from core.workspace import Workspace
+from core.workspace.boards import Block
 from tests.browser.start import running, start_chromium
 from webapp.app import create_app
 
@@ -96,6 +98,40 @@ def grammar(page: Page) -> None:
     page.wait_for_function("window.motionscape.stage.figures > 1")
 
 
+def boards(page: Page) -> None:
+    """A board that two people have open: Ben answers Ana, and it appears in her browser."""
+    page.locator(".block-motif").nth(2).click()
+    page.wait_for_function("window.motionscape.stage.figures > 1")
+    page.locator("[data-block=graph] .board-head").hover()
+    page.locator("[data-block=graph]").get_by_role("button", name="Comments").click()
+    other = page.context.browser.new_page(viewport=SIZE)
+    other.goto(page.url)
+    other.evaluate("localStorage.setItem('motionscape-name', 'Ben')")
+    other.locator("[data-block=graph]").get_by_role("button", name="Comments").click()
+    other.get_by_role("button", name="Answer").click()
+    other.get_by_label("Answer").last.fill("Yes, in all but two. @Ana: shall we call it “run”?")
+    other.locator(".boards-comment form button.primary").click()
+    page.locator(".boards-said").nth(1).wait_for()
+    other.close()
+    page.locator(".board-block").first.hover()
+
+
+def shared_board(workspace: Workspace) -> str:
+    """The id of a board with a question of Ana's."""
+    words = "## Routines\n\nWhich movements do all three people share?\n\n- **name** the motifs\n- check the kicks"
+    blocks = [
+        Block("graph", "graph", 0, 0, 7, 7, {"title": "Motif graph"}),
+        Block("figures", "numbers", 7, 0, 5, 3, {"options": {"figures": "clips,n_motifs,coverage"}}),
+        Block("words", "text", 7, 3, 5, 4, {"options": {"markdown": words}}),
+        Block("tracks", "tracks", 0, 7, 7, 5, {"title": "Labels and motifs over time"}),
+        Block("map", "map", 7, 7, 5, 5, {"title": "Motion map"}),
+    ]
+    board = workspace.boards.create("What recurs", blocks, "Ana")
+    workspace.boards.set_filters(board.id, {"dataset": DEMO}, "Ana")
+    workspace.comments.add(f"board:{board.id}/block:graph", "Is this one the run, @Ben?", "Ana")
+    return board.id
+
+
 def pictures(workspace: Workspace) -> dict[str, tuple[str, Callable[[Page], None]]]:
     """Name -> link and what is done there. The map's keys and the query are postures and frames of one kick."""
     kick = next(label for label in workspace.open(DEMO).labels if label.action == "kick")
@@ -113,6 +149,7 @@ def pictures(workspace: Workspace) -> dict[str, tuple[str, Callable[[Page], None
         "search": (f"/search?dataset={DEMO}&query={kick.clip}:{kick.start}-{kick.end}", search),
         "grammar": (f"/grammar?dataset={DEMO}", grammar),
         "compose": (f"/grammar?dataset={DEMO}&show=compose&sentence=random:7:8", compose),
+        "boards": (f"/boards?dataset={DEMO}&board={shared_board(workspace)}", boards),
         "clip": (f"/clip?dataset={DEMO}&clip={kick.clip}", clip),
     }
 

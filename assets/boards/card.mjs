@@ -92,7 +92,8 @@ export class Card {
     const { state, content, words, job } = answer;
     this.item.dataset.state = state;
     this.note.replaceChildren();
-    if (content === null) this.clear(element("p", "muted board-empty", words));
+    const computes = state === "missing" && !job && !this.still && kindOf(this.block.kind)?.computes;
+    if (content === null) this.clear(element("div", "muted board-empty", words, computes ? button("Compute", () => this.compute()) : null));
     else if (JSON.stringify(content) !== this.last) this.draw(content);
     if (state === "changed") this.note.append(words, this.still ? "" : button("Recompute", () => this.actions.renew(this)));
     else if (state === "gone") this.note.append(words);
@@ -100,8 +101,6 @@ export class Card {
     else if (job) {
       this.note.append(`Computing: ${percent(job.fraction)}`);
       this.waiting = window.setTimeout(() => this.load(), POLL);
-    } else if (state === "missing" && !this.still && kindOf(this.block.kind)?.computes) {
-      this.note.append(button("Compute", () => this.compute()));
     }
   }
 

@@ -4253,7 +4253,8 @@
       const { state: state3, content, words: words3, job } = answer2;
       this.item.dataset.state = state3;
       this.note.replaceChildren();
-      if (content === null) this.clear(element("p", "muted board-empty", words3));
+      const computes = state3 === "missing" && !job && !this.still && kindOf(this.block.kind)?.computes;
+      if (content === null) this.clear(element("div", "muted board-empty", words3, computes ? button2("Compute", () => this.compute()) : null));
       else if (JSON.stringify(content) !== this.last) this.draw(content);
       if (state3 === "changed") this.note.append(words3, this.still ? "" : button2("Recompute", () => this.actions.renew(this)));
       else if (state3 === "gone") this.note.append(words3);
@@ -4261,8 +4262,6 @@
       else if (job) {
         this.note.append(`Computing: ${percent(job.fraction)}`);
         this.waiting = window.setTimeout(() => this.load(), POLL);
-      } else if (state3 === "missing" && !this.still && kindOf(this.block.kind)?.computes) {
-        this.note.append(button2("Compute", () => this.compute()));
       }
     }
     async compute() {
@@ -5093,6 +5092,62 @@
   // boards/ids.mjs
   var BOARDS_PLACE = "boards-place";
   var SAVE_VIEW = "save-view";
+
+  // boards/palette.mjs
+  var MOST = 12;
+  document.addEventListener("keydown", (event) => {
+    if (event.key.toLowerCase() !== "k" || !(event.ctrlKey || event.metaKey) || event.shiftKey || event.altKey) return;
+    if (document.querySelector("dialog[open]")) return;
+    event.preventDefault();
+    openPalette();
+  });
+  async function openPalette() {
+    let places = allWithin(document, ".nav-link").map((link2) => ({ name: link2.textContent ?? "", about: "page", address: link2.getAttribute("href") ?? "/" }));
+    const field = withAttributes(element("input"), { type: "search", placeholder: "A page, a board or a saved view", "aria-label": "Go to", autocomplete: "off" });
+    const list2 = element("div", "boards-found");
+    const dialog2 = openWindow("Go to", element("div", "boards-form", field, list2));
+    const go = (address2) => {
+      dialog2.close();
+      followLink(address2);
+    };
+    const show6 = () => {
+      const found = matching(places, field.value).slice(0, MOST);
+      list2.replaceChildren(...found.map(({ name, about, address: address2 }) => {
+        const entry = element("button", "boards-button", element("span", "ellipsis", name), element("span", "muted ellipsis", about));
+        entry.type = "button";
+        entry.addEventListener("click", () => go(address2));
+        return entry;
+      }), found.length ? "" : element("p", "muted", "Nothing is called so."));
+    };
+    field.addEventListener("input", show6);
+    dialog2.addEventListener("keydown", (event) => {
+      const entries = allWithin(list2, "button");
+      const at3 = entries.indexOf(
+        /** @type {any} */
+        document.activeElement
+      );
+      if (event.key === "Enter" && at3 < 0) entries[0]?.click();
+      else if (event.key === "ArrowDown") entries[Math.min(at3 + 1, entries.length - 1)]?.focus();
+      else if (event.key === "ArrowUp") (at3 > 0 ? entries[at3 - 1] : field).focus();
+      else return;
+      event.preventDefault();
+    });
+    show6();
+    field.focus();
+    const { boards, views } = await refresh().catch(() => ({ boards: [], views: [] }));
+    places = [
+      ...boards.map(({ id, title, note }) => ({ name: title, about: `board ${note}`.trim(), address: `/boards?board=${id}` })),
+      ...views.map(({ title, note, tags, address: address2 }) => ({ name: title, about: ["view", note, ...tags.map((tag) => `#${tag}`)].filter(Boolean).join(" "), address: address2 })),
+      ...places
+    ];
+    show6();
+  }
+  function matching(places, text) {
+    const words3 = text.toLowerCase().split(/\s+/).filter(Boolean);
+    const found = places.filter(({ name, about }) => words3.every((word) => `${name} ${about}`.toLowerCase().includes(word)));
+    const begins = ({ name }) => Number(words3.length > 0 && name.toLowerCase().startsWith(words3[0]));
+    return found.sort((a, b) => begins(b) - begins(a));
+  }
 
   // boards/save_view.mjs
   var [WIDTH, HEIGHT, BESIDE] = [360, 220, 130];
@@ -7634,9 +7689,9 @@
         const all = ["id", "name", "tags", "note", "label"].map((field) => row7[field] ?? "").join(" ").toLowerCase();
         return words3.every((word) => all.includes(word));
       };
-      const matching = new Set((rows2 || []).filter(fits2).map((row7) => "m" + row7.id));
+      const matching2 = new Set((rows2 || []).filter(fits2).map((row7) => "m" + row7.id));
       cy.batch(() => cy.nodes("[motif >= 0]").forEach((node) => {
-        node.toggleClass("unmatched", words3.length > 0 && !matching.has(node.id()));
+        node.toggleClass("unmatched", words3.length > 0 && !matching2.has(node.id()));
       }));
       return clientside.no_update;
     }
@@ -8858,13 +8913,13 @@
   };
 
   // grammar/history.mjs
-  var MOST = 100;
+  var MOST2 = 100;
   function visited(past2, sentence) {
     const { key, list: list2, at: at3 } = past2;
     if (list2[at3] === sentence) return past2;
     if (list2[at3 - 1] === sentence) return { key, list: list2, at: at3 - 1 };
     if (list2[at3 + 1] === sentence) return { key, list: list2, at: at3 + 1 };
-    const kept = [...list2.slice(Math.max(0, at3 + 2 - MOST), at3 + 1), sentence];
+    const kept = [...list2.slice(Math.max(0, at3 + 2 - MOST2), at3 + 1), sentence];
     return { key, list: kept, at: kept.length - 1 };
   }
 
@@ -10391,7 +10446,7 @@
 
   // motion_map/paths.mjs
   var TONES = ["#d1495b", "#00798c", "#edae49", "#6a4c93", "#3a7d44", "#c8553d", "#1982c4", "#8a6d3b"];
-  var MOST2 = 24;
+  var MOST3 = 24;
   var known2 = /* @__PURE__ */ new Map();
   var nameOf3 = (map, item) => [map.key, item.dataset, item.clip, item.start, item.end].join("\n");
   async function pathsOf(map, items) {
@@ -10429,7 +10484,7 @@
      * @param {Followed[]} items
      */
     async take(map, items) {
-      const shown8 = this.on ? items.slice(0, MOST2).map(({ dataset: dataset2, clip, start: start3, end, index }) => ({ dataset: dataset2, clip, start: start3, end, index })) : [];
+      const shown8 = this.on ? items.slice(0, MOST3).map(({ dataset: dataset2, clip, start: start3, end, index }) => ({ dataset: dataset2, clip, start: start3, end, index })) : [];
       const name = JSON.stringify([map.key, shown8]);
       if (name === this.name) return;
       this.name = name;
@@ -10828,7 +10883,7 @@
   }
 
   // search/body.mjs
-  var MOST3 = 50;
+  var MOST4 = 50;
   var SHAPES = {
     torso: ["M48 44 Q60 39 72 44 L69 74 L71 92 Q60 97 49 92 L51 74 Z"],
     head: ["M60 8 a12.5 13.500 0 1 1 -.01 0 Z"],
@@ -10861,7 +10916,7 @@
     }, 140);
   }
   function put2(leaf, value) {
-    raw[leaf] = Math.min(Math.max(value, 0), MOST3);
+    raw[leaf] = Math.min(Math.max(value, 0), MOST4);
     paint();
     need(SEARCH_BODY).classList.toggle("search-none", total2() === 0);
     send2();
@@ -10910,7 +10965,7 @@
   }
   function slider(leaf) {
     const input2 = element("input", "search-weight");
-    Object.assign(input2, { type: "range", min: 0, max: MOST3, step: 0.5 });
+    Object.assign(input2, { type: "range", min: 0, max: MOST4, step: 0.5 });
     input2.dataset.weight = leaf;
     input2.setAttribute("aria-label", `Weight of the ${now5.body.words[leaf].toLowerCase()}`);
     const label = element("span", "search-weight-name", now5.body.words[leaf]);
@@ -10977,7 +11032,7 @@
       const leaf = row7.dataset.part ?? "";
       const input2 = within(row7, "input");
       if (Number(input2.value) !== raw[leaf]) input2.value = String(raw[leaf]);
-      input2.style.setProperty("--share", `${100 * raw[leaf] / MOST3}%`);
+      input2.style.setProperty("--share", `${100 * raw[leaf] / MOST4}%`);
       input2.setAttribute("aria-valuetext", percent2(share(leaf)));
       within(row7, ".search-weight-share").textContent = percent2(share(leaf));
       row7.classList.toggle("off", raw[leaf] === 0);
@@ -11051,7 +11106,7 @@
     if (event.key === "Enter" || event.key === " ") press3(leaf, event.shiftKey);
     else if (step3 && !assigning()) put2(leaf, raw[leaf] + step3);
     else if (event.key === "Home" && !assigning()) put2(leaf, 0);
-    else if (event.key === "End" && !assigning()) put2(leaf, MOST3);
+    else if (event.key === "End" && !assigning()) put2(leaf, MOST4);
     else return;
     event.preventDefault();
     event.stopPropagation();
@@ -11063,7 +11118,7 @@
   document.addEventListener("change", (event) => {
     if (targetOf(event).id !== SEARCH_PRESET || !targetOf(event).value) return;
     const weights = now5.presets[targetOf(event).value];
-    const scale3 = targetOf(event).value === "whole body" ? 100 : Math.min(100, MOST3 / Math.max(...Object.values(weights)));
+    const scale3 = targetOf(event).value === "whole body" ? 100 : Math.min(100, MOST4 / Math.max(...Object.values(weights)));
     raw = Object.fromEntries(now5.body.leaves.map((leaf) => [leaf, scale3 * (weights[leaf] || 0)]));
     if (targetOf(event).value === "whole body") raw = evenWeights(now5.body);
     paint();

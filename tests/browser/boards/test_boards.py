@@ -141,3 +141,28 @@ def test_a_board_begins_with_a_template_and_a_view_is_saved(show):
     expect(page.locator(".header")).to_be_hidden()
     page.get_by_role("button", name="Leave").click()
     expect(page.locator(".header")).to_be_visible()
+
+
+def test_a_server_that_is_gone_is_told_and_the_board_goes_on_when_it_is_back(both, workspace, board):
+    page, _ = both
+    page.watch.expected += ["ERR_FAILED", "request failed"]
+    page.route("**/api/boards/*", lambda route: route.abort())
+    expect(page.locator(".boards-warning")).to_contain_text("what you change now is not saved")
+    assert block(page, "graph").locator(".block-motif").count() > 0  # what was there is still shown
+    workspace.boards.rename(board, "Another title")
+    page.unroute_all()
+    expect(page.get_by_role("heading", name="Another title")).to_be_visible()
+    expect(page.locator(".boards-warning")).to_be_hidden()
+
+
+def test_boards_and_views_are_found_by_ctrl_k(show, board, workspace):
+    workspace.views.save("/library?dataset=demo", "All recordings", tags=["start"])
+    page = show("/motifs?dataset=demo")
+    page.keyboard.press("Control+k")
+    page.get_by_label("Go to").last.fill("our")
+    page.keyboard.press("Enter")
+    expect(block(page, "words")).to_be_visible()
+    page.keyboard.press("Control+k")
+    page.get_by_label("Go to").last.fill("recordings start")
+    page.keyboard.press("Enter")
+    expect(page.locator("#clips-table")).to_be_visible()

@@ -17,6 +17,7 @@ from webapp.ui.tables import labels_by_clip, majority_label
 from webapp.ui.timeline import motif_colour, motif_name
 
 MOST_STRIPS = 60
+USUAL = ("clips", "seconds", "labels", "n_motifs", "coverage", "mean_motions")
 FIGURES = {  # name -> what it is called, its unit, digits, explanation
     "clips": ("Clips", "", 0, "Recordings in the dataset"),
     "seconds": ("Duration", "s", 0, "Of all clips together"),
@@ -104,12 +105,12 @@ def matrix(
 def numbers(
     workspace: Workspace, dataset: Dataset, view: Mapping[str, str], options: Mapping[str, str]
 ) -> dict[str, Any] | None:
-    """``figures``: [name, value as text, unit, explanation]; those that ``options`` name, in its order, or all."""
+    """``figures``: [name, value as text, unit, explanation]; those that ``options`` name, in its order, or USUAL."""
     known = {"clips": len(dataset.clips), "seconds": dataset.seconds, "labels": len(dataset.labels)}
     found = motif_graph(workspace, dataset.name, view)
     if found is not None:
         known |= dict(found.metrics) | {"coverage": 100 * found.metrics["coverage"]}
-    wanted = [name.strip() for name in options.get("figures", "").split(",") if name.strip()] or list(FIGURES)
+    wanted = [name.strip() for name in options.get("figures", "").split(",") if name.strip()] or list(USUAL)
     shown = [(FIGURES[name], known[name]) for name in wanted if name in FIGURES and name in known]
     return {"figures": [[name, f"{value:,.{digits}f}", unit, words] for (name, unit, digits, words), value in shown]}
 
