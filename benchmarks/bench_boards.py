@@ -24,7 +24,7 @@ from urllib.parse import urlencode
 import psutil
 
 from core import Workspace, make_demo
-from core.workspace.boards import Block
+from core.workspace.blocks import Block
 
 COMMAND = "python -m benchmarks.bench_boards"
 BROWSERS = (20, 50)

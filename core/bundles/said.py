@@ -10,7 +10,7 @@ from urllib.parse import parse_qsl, urlencode, urlsplit
 from core.bundles.manifest import plain
 from core.mocap.dataset import Dataset
 from core.workspace import Workspace, WorkspaceError
-from core.workspace.boards import Block
+from core.workspace.blocks import Block
 
 
 def said_of(workspace: Workspace, dataset: Dataset) -> dict[str, list[dict[str, Any]]]:

@@ -2,7 +2,8 @@
 
 from core.mocap.files import atomic_file
 from core.workspace.audit import Audit
-from core.workspace.boards import Block, Board, Boards, pinned_state
+from core.workspace.blocks import Block, pinned_state
+from core.workspace.boards import Board, Boards
 from core.workspace.comments import Comment, Comments
 from core.workspace.datasets import DatasetInfo
 from core.workspace.documents import Change

@@ -3,42 +3,22 @@
 from __future__ import annotations
 
 import hmac
-import re
 import secrets
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, dataclass, replace
 from typing import Any, Literal
-from urllib.parse import parse_qs, urlsplit
 
 from core.workspace import people
+from core.workspace.blocks import LARGEST_SETTINGS, Block, check_block, checked, moved_to, named, place_of
 from core.workspace.database import Database
-from core.workspace.documents import LONGEST_NAME, Document, Documents, Kept, one_line, paragraphs, plain_json
+from core.workspace.documents import Document, Documents, Kept
 from core.workspace.errors import ConflictError, DocumentGone, WorkspaceError
 from core.workspace.people import AccessRefused, acting, require, require_board
+from core.workspace.texts import one_line, paragraphs, plain_json
 from core.workspace.views import LONGEST_NOTE, LONGEST_TITLE
 
-MOST_BLOCKS, LARGEST_SETTINGS, LARGEST_PLACE = 100, 64_000, 10_000
+MOST_BLOCKS = 100
 Right = Literal["read", "edit"]
-Place = tuple[int, int, int, int]  # x, y, width, height in cells of the grid
-
-
-@dataclass(frozen=True)
-class Block:
-    """A part of a board. x, y, w, h: its place in cells of the grid; settings: JSON that its kind understands.
-
-    ``settings["pinned"]`` names the result it shows as it was made: its dataset, fingerprint and key.
-    version: the board's version in which its kind or settings were changed last, by ``author``.
-    """
-
-    id: str
-    kind: str
-    x: int = 0
-    y: int = 0
-    w: int = 4
-    h: int = 4
-    settings: Mapping[str, Any] = field(default_factory=dict)
-    version: int = 0
-    author: str = ""
 
 
 @dataclass(frozen=True)
@@ -78,7 +58,7 @@ class Boards(Documents[Board]):
         """A new board; blocks whose id is empty or taken get one."""
         known: list[Block] = []
         for block in blocks:
-            known.append(_checked(block, known, 1, people.author(author)))
+            known.append(checked(block, known, 1, people.author(author)))
         return self._create(_document(_title(title), _note(note), known, {}, *_new_keys()), author)
 
     def by_key(self, key: str) -> tuple[Board, Right]:
@@ -102,7 +82,7 @@ class Boards(Documents[Board]):
         def edit(board: Board) -> list[Block]:
             present = _unchanged(board, block.id, expected_version)
             new = replace(present, kind=block.kind, settings=block.settings)
-            new = _checked(new, [], board.version + 1, people.author(author))
+            new = checked(new, [], board.version + 1, people.author(author))
             return [new if old.id == block.id else old for old in board.blocks]
 
         return self._change_blocks(board_id, edit, author, f"block {block.id} changed")
@@ -111,7 +91,7 @@ class Boards(Documents[Board]):
         """Adds a block at the end; one whose id is empty or taken gets a new id."""
 
         def edit(board: Board) -> list[Block]:
-            return [*board.blocks, _checked(block, board.blocks, board.version + 1, people.author(author))]
+            return [*board.blocks, checked(block, board.blocks, board.version + 1, people.author(author))]
 
         return self._change_blocks(board_id, edit, author, "block added")
 
@@ -128,10 +108,10 @@ class Boards(Documents[Board]):
 
     def move_blocks(self, board_id: str, places: Mapping[str, Sequence[int]], author: str = "") -> Board:
         """Places blocks anew. places: block id -> x, y, width, height in cells; blocks that are gone are left out."""
-        checked = {id: _place(place) for id, place in places.items()}
+        checked = {id: place_of(place) for id, place in places.items()}
 
         def edit(board: Board) -> list[Block]:
-            return [_at(block, checked[block.id]) if block.id in checked else block for block in board.blocks]
+            return [moved_to(block, checked[block.id]) if block.id in checked else block for block in board.blocks]
 
         return self._change_blocks(board_id, edit, author, "blocks moved")
 
@@ -184,7 +164,7 @@ class Boards(Documents[Board]):
             return
         require_board(id, to=to)
         if document is not None and person.is_guest:
-            datasets, views = _named(document["blocks"], document["filters"])
+            datasets, views = named(document["blocks"], document["filters"])
             if not (datasets <= person.datasets and views <= person.views):
                 raise AccessRefused("This link does not let you show data that the board does not show already.")
 
@@ -192,7 +172,7 @@ class Boards(Documents[Board]):
         document = kept.document
         blocks = tuple(Block(**block) for block in document["blocks"])
         for block in blocks:
-            _check_block(block)
+            check_block(block)
         keys = [f"{kept.id}-{document[name]}" for name in ("read_key", "edit_key")]
         texts, filters = (str(document["title"]), str(document["note"])), dict(document["filters"])
         return Board(kept.id, *texts, blocks, filters, kept.version, kept.author, kept.created, kept.saved, *keys)
@@ -211,48 +191,9 @@ class Boards(Documents[Board]):
         return _as_document(board)
 
 
-def pinned_state(
-    settings: Mapping[str, Any], fingerprints: Mapping[str, str]
-) -> Literal["not pinned", "unchanged", "changed", "gone"]:
-    """Whether the data behind a block's pinned result is still what it was made with.
-
-    fingerprints: name of each dataset -> fingerprint of what it holds now. "gone": there is no such dataset.
-    """
-    pinned = settings.get("pinned")
-    if not isinstance(pinned, Mapping) or not pinned.get("dataset"):
-        return "not pinned"
-    now = fingerprints.get(str(pinned["dataset"]))
-    if now is None:
-        return "gone"
-    return "unchanged" if now == pinned.get("fingerprint") else "changed"
-
-
 def shown(board: Board) -> tuple[frozenset[str], frozenset[str]]:
     """The datasets (names) and saved views (ids) that blocks and filters of a board name."""
-    return _named([block.settings for block in board.blocks], board.filters)
-
-
-def _named(*parts: object) -> tuple[frozenset[str], frozenset[str]]:
-    datasets: set[str] = set()
-    views: set[str] = set()
-
-    def look(value: object, key: str = "") -> None:
-        if isinstance(value, Mapping):
-            for name, part in value.items():
-                look(part, name)
-        elif isinstance(value, list | tuple):
-            for part in value:
-                look(part, key)
-        elif isinstance(value, str):
-            if key in ("dataset", "datasets"):
-                datasets.add(value)
-            elif key in ("view", "views"):
-                views.add(value)
-            elif key == "address":
-                datasets.update(parse_qs(urlsplit(value).query).get("dataset", ()))
-
-    look(parts)
-    return frozenset(datasets), frozenset(views)
+    return named([block.settings for block in board.blocks], board.filters)
 
 
 def _unchanged(board: Board, block_id: str, expected_version: int | None) -> Block:
@@ -263,38 +204,6 @@ def _unchanged(board: Board, block_id: str, expected_version: int | None) -> Blo
         who = present.author or "Someone"
         raise ConflictError(f"{who} has changed this block meanwhile.", present, present.author)
     return present
-
-
-def _checked(block: Block, others: Sequence[Block], version: int, author: str) -> Block:
-    """The block in its final form, with an id that none of ``others`` has."""
-    taken = {other.id for other in others}
-    id = block.id if block.id and block.id not in taken else secrets.token_hex(4)
-    settings = plain_json(block.settings, "settings of a block", LARGEST_SETTINGS)
-    author = one_line(author, "name", LONGEST_NAME)
-    place = _place((block.x, block.y, block.w, block.h))
-    return _check_block(_at(replace(block, id=id, settings=settings, version=version, author=author), place))
-
-
-def _check_block(block: Block) -> Block:
-    if not (re.fullmatch(r"[0-9A-Za-z_-]{1,40}", block.id) and re.fullmatch(r"[a-z][a-z0-9 _-]{0,39}", block.kind)):
-        raise WorkspaceError("The id or the kind of a block holds characters that it cannot have.")
-    if not isinstance(block.settings, Mapping) or not isinstance(block.version, int):
-        raise WorkspaceError("The settings of a block are a mapping and its version is a whole number.")
-    _place((block.x, block.y, block.w, block.h))
-    return block
-
-
-def _place(numbers: Sequence[int]) -> Place:
-    whole = len(numbers) == 4 and all(isinstance(n, int) and not isinstance(n, bool) for n in numbers)
-    if not whole or min(numbers) < 0 or max(numbers) > LARGEST_PLACE or min(numbers[2:]) < 1:
-        raise WorkspaceError("The place of a block is four whole numbers: x and y from 0, width and height from 1.")
-    x, y, w, h = numbers
-    return x, y, w, h
-
-
-def _at(block: Block, place: Place) -> Block:
-    x, y, w, h = place
-    return replace(block, x=x, y=y, w=w, h=h)
 
 
 def _title(title: object) -> str:

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from core.workspace import people
 from core.workspace.audit import record
 from core.workspace.database import Database
-from core.workspace.documents import LONGEST_NAME, one_line, paragraphs
 from core.workspace.errors import ConflictError, DocumentGone, WorkspaceError
+from core.workspace.texts import LONGEST_NAME, one_line, paragraphs
 
 LONGEST_TEXT, LONGEST_PLACE = 4000, 400
 _PLACE = re.compile(r"(board|motif|moment|view|dataset):[^/]+(/.*[^/])?")

@@ -6,9 +6,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from core.workspace.database import Database
-from core.workspace.documents import Document, Documents, Kept, one_line, paragraphs
+from core.workspace.documents import Document, Documents, Kept
 from core.workspace.errors import ConflictError, WorkspaceError
 from core.workspace.people import acting, require
+from core.workspace.texts import one_line, paragraphs
 
 LONGEST_TITLE, LONGEST_NOTE, MOST_TAGS, LONGEST_ADDRESS = 120, 4000, 20, 4200
 

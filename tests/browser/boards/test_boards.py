@@ -9,7 +9,7 @@ import pytest
 from playwright.sync_api import Locator, Page, expect
 
 from core.workspace import Workspace
-from core.workspace.boards import Block
+from core.workspace.blocks import Block
 from tests.browser.app import address, demo_workspace, show, workspace
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]

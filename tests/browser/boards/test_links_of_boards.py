@@ -6,7 +6,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from core.workspace import Board, Workspace
-from core.workspace.boards import Block
+from core.workspace.blocks import Block
 from tests.browser.app import address, demo_workspace, workspace
 from tests.browser.boards.test_boards import block, choose
 

@@ -13,7 +13,7 @@ import pytest
 from core import analyses
 from core.bundles import take_bundle, write_bundle
 from core.workspace import Workspace, WorkspaceError
-from core.workspace.boards import Block
+from core.workspace.blocks import Block
 from tests.webapp.generated import walkers
 
 

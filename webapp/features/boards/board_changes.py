@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import Any
 
 from core.workspace import Workspace
-from core.workspace.boards import Block
+from core.workspace.blocks import Block
 from webapp.features.boards.contents import pin_of
 from webapp.features.boards.documents import dataset_of, part_of
 from webapp.shell.routes import BadRequest

@@ -10,7 +10,7 @@ from typing import Any
 from urllib.parse import urlencode
 
 from core.workspace import Board, Comment, SavedView, Workspace, acting, pinned_state
-from core.workspace.boards import Block
+from core.workspace.blocks import Block
 from webapp.features.boards.contents import request_of
 from webapp.features.boards.parts import Part
 from webapp.shell import settings

@@ -17,7 +17,7 @@ from flask import Blueprint, Response, jsonify, request
 from core import analyses
 from core.errors import ParameterError
 from core.workspace import AccessRefused, ConflictError, DocumentGone, Workspace, WorkspaceError
-from core.workspace.boards import Block
+from core.workspace.blocks import Block
 from webapp import jobs
 from webapp.features.boards.board_changes import CHANGES, Body, pinned_to, whole_of
 from webapp.features.boards.contents import answer, request_of

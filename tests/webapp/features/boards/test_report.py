@@ -16,7 +16,7 @@ from core import analyses
 from core.errors import AnalysisError
 from core.mocap.clip import Label
 from core.workspace import Workspace
-from core.workspace.boards import Block
+from core.workspace.blocks import Block
 from tests.webapp.generated import walkers
 from webapp.app import create_app
 from webapp.cli.main import main
