@@ -157,7 +157,6 @@ METHODS: dict[str, Method] = {
         "feature_table",
         pack=lambda table, dataset: import_module("core.export").pack_features(table),
         unpack=lambda document, arrays: import_module("core.export").unpack_features(document, arrays),
-        all_kinds=True,
     ),
     "compression": Method(
         "Compression",

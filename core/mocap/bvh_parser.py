@@ -93,6 +93,7 @@ def _head(path: str | Path, data: bytes, at: int, fps: float | None) -> tuple[tu
 
 
 def _stated_frames(path: str | Path, data: bytes, word: str, at: int) -> int:
+    word = re.sub(r"[.,]0*$", "", word)
     if not (word.isascii() and word.isdigit()) or int(word[:30]) > _MOST_FRAMES:
         raise RecordingError(path, f"Frames: {quoted(word)}", "a whole number of at least 1", line_at(data, at))
     return int(word)

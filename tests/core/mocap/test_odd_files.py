@@ -41,6 +41,7 @@ SAME = {  # reads as if nothing were odd
     "motion head on one line": L.replace("MOTION\nFrames: 30\nFrame", "MOTION Frames: 30 Frame"),
     "head in another order": L.replace("Frames: 30\nFrame Time: 0.0333333\n", "Frame Time: 0.0333333\nFrames: 30\n"),
     "labels without spaces": L.replace("Frames: 30\nFrame Time: ", "FRAMES:30\nFrameTime:"),
+    "frames with a point": L.replace("Frames: 30", "Frames: 30.0"),
     "everything on one line": " ".join(L.split()),
     "channels over two lines": L.replace("Zposition Zrot", "Zposition\n      Zrot"),
     "name on the next line": L.replace("JOINT Chest", "JOINT\n\n   Chest"),

@@ -41,6 +41,7 @@ def derive_(arguments: Namespace) -> int:
     with progress_bar(arguments.quiet) as report:
         dataset = open_source(arguments, report)
         check_clips(arguments.grammar, clips, [name for name, _, _ in clips], dataset, arguments.source)
+        dataset = dataset.select(name for name, _, _ in clips)
         derivation = derive(
             dataset,
             learned,

@@ -11,9 +11,10 @@ from core.export.files import SUFFIXES
 from core.mocap.bvh import write_bvh
 from core.mocap.clip import Clip
 from core.mocap.dataset import Dataset
+from core.mocap.rigs import comparable
 from core.workspace import WorkspaceError, clean_name
 from webapp.cli.progress_bar import progress_bar
-from webapp.cli.sources import open_source
+from webapp.cli.sources import open_source, say_left_out
 
 
 def export(arguments: Namespace) -> int:
@@ -29,7 +30,10 @@ def export(arguments: Namespace) -> int:
     with progress_bar(arguments.quiet) as report:
         dataset = open_source(arguments, report)
         if suffix in SUFFIXES:
-            table = feature_table(dataset, FeatureParameters(arguments.analysis_fps, arguments.test_share), report)
+            say_left_out(dataset, arguments.quiet)
+            table = feature_table(
+                comparable(dataset), FeatureParameters(arguments.analysis_fps, arguments.test_share), report
+            )
             write_features(arguments.out, table)
             tested = sum(split == "test" for split in table.splits)
             written = (

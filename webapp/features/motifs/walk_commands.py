@@ -6,6 +6,7 @@ from argparse import Namespace
 from collections.abc import Iterator
 
 from core.mocap.bvh import write_bvh
+from core.mocap.rigs import comparable, comparable_groups
 from core.motifs.graph import dataset_head, from_json
 from core.synthesis import Between, NoWay, Random, Walk, make_walk
 from core.synthesis.kept_walks import walk_json
@@ -25,6 +26,7 @@ def walk(arguments: Namespace) -> int:
     with progress_bar(arguments.quiet) as report:
         dataset = open_source(arguments, report)
         check_clips(arguments.graph, graph.clips, used, dataset, arguments.source)
+        dataset = comparable(dataset.select(used)) if len(comparable_groups(dataset)) > 1 else dataset
         try:
             walk = make_walk(
                 dataset,
