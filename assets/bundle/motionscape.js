@@ -11163,6 +11163,13 @@
     row7.querySelector("canvas")
   );
 
+  // search/words.mjs
+  var scoreWords = (score, chances) => {
+    if (!chances) return score.toFixed(3);
+    if (score < 0.01) return "< 1 %";
+    return score >= 0.995 && score < 0.9999 ? "> 99 %" : `${Math.round(100 * score)} %`;
+  };
+
   // search/hits.mjs
   var MORE = 30;
   var reasons = /* @__PURE__ */ new Map();
@@ -11238,11 +11245,6 @@
     made.setAttribute("aria-label", words3);
     return made;
   }
-  var scoreWords = (score, chances) => {
-    if (!chances) return score.toFixed(3);
-    if (score < 0.01) return "< 1 %";
-    return score >= 0.995 && score < 0.9999 ? "> 99 %" : `${Math.round(100 * score)} %`;
-  };
   function hitRow(hit, chances) {
     const made = element("div", "search-hit");
     made.setAttribute("role", "listitem");
@@ -11250,7 +11252,7 @@
     const picture = element("img", "search-strip");
     Object.assign(picture, { src: hit.strip, alt: "", loading: "lazy", draggable: false });
     const bar = element("span", "search-score-bar");
-    bar.style.width = `${Math.round(100 * Math.min(Math.max(hit.score, 0), 1))}%`;
+    bar.style.setProperty("--share", String(Math.min(Math.max(hit.score, 0), 1)));
     const score = element("span", "search-score", bar, element("b", "number", scoreWords(hit.score, chances)));
     if (chances) score.title = "The chance that people would call this the same action";
     const facts = element("span", "search-facts muted", [hit.when, hit.label].filter(Boolean).join(" · "));

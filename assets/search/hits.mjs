@@ -7,6 +7,7 @@ import { lightPart } from "./body.mjs";
 import * as ids from "./ids.mjs";
 import { now, searchAddress } from "./state.mjs";
 import { canvasOf, paintStrip } from "./strip.mjs";
+import { scoreWords } from "./words.mjs";
 /** @import { Found, Hit, HitRow, Reason } from "./types.d.ts" */
 /** @import { StageRequest } from "../stage/types.d.ts" */
 
@@ -90,13 +91,6 @@ function link(symbol, words, href) {
   return made;
 }
 
-/** A chance in percent, or another score as it is. @param {number} score @param {boolean} chances */
-export const scoreWords = (score, chances) => {
-  if (!chances) return score.toFixed(3);
-  if (score < 0.01) return "< 1 %";
-  return score >= 0.995 && score < 0.9999 ? "> 99 %" : `${Math.round(100 * score)} %`;
-};
-
 /** @param {Hit} hit @param {boolean} chances */
 function hitRow(hit, chances) {
   const made = element("div", "search-hit");
@@ -105,7 +99,7 @@ function hitRow(hit, chances) {
   const picture = element("img", "search-strip");
   Object.assign(picture, { src: hit.strip, alt: "", loading: "lazy", draggable: false });
   const bar = element("span", "search-score-bar");
-  bar.style.width = `${Math.round(100 * Math.min(Math.max(hit.score, 0), 1))}%`;
+  bar.style.setProperty("--share", String(Math.min(Math.max(hit.score, 0), 1)));
   const score = element("span", "search-score", bar, element("b", "number", scoreWords(hit.score, chances)));
   if (chances) score.title = "The chance that people would call this the same action";
   const facts = element("span", "search-facts muted", [hit.when, hit.label].filter(Boolean).join(" · "));
