@@ -24,6 +24,8 @@ from core.sequences.repeats import Runs
 _STRETCH = 128  # letters that are drawn together, several times the longest motion
 _TRUSTED = 4  # motions of a motif in the sample from which on its size there says enough
 _WORTHWHILE = 0.05  # share of the free letters that a round must take for another one like it
+_ROUND = 0.4  # of the progress that is left, what a round adds: nobody knows how many there will be
+_MATCHED = 0.8  # of that, what matching the sample adds
 _CONTENDERS = 16  # starts of seeds of about the largest volume in the sample that are tried on the whole string
 
 
@@ -48,12 +50,13 @@ def sampled_first(
     search = _Search(runs, matcher, rule, rho, tightness, report)
     rng = np.random.default_rng(seed)
     while len(free := search.free()) > size:
-        search.take_from(next(_pieces(runs, free, len(free) / size, rng)), _TRUSTED)
+        search.take_from(next(_pieces(runs, free, len(free) / size, rng)), _TRUSTED, _ROUND)
         if len(search.free()) > (1 - _WORTHWHILE) * len(free):
             break
     free = search.free()
-    for piece in _pieces(runs, free, np.ceil(len(free) / size), rng):
-        search.take_from(piece, least=2)
+    n = int(np.ceil(len(free) / size))
+    for k, piece in enumerate(_pieces(runs, free, n, rng)):
+        search.take_from(piece, 2, 1 / (n - k))
     report("discovery", 1.0)
     return search.motifs
 
@@ -81,17 +84,26 @@ class _Search:
         self.cut = first_cuts(runs)
         self.motifs: list[Substrings] = []
         self._letters, self._middles = np.arange(len(self.cut)), runs.middles
+        self._done = 0.0
 
     def free(self) -> np.ndarray:
         """Letters at which a motion may still begin, ascending."""
         room = self._middles[self.cut] - self._middles
         return np.flatnonzero((self.cut > self._letters) & (room >= self.rule.min_frames))
 
-    def take_from(self, piece: np.ndarray, least: int) -> None:
-        """Take motifs, the largest of the piece first, while they have ``least`` motions in it."""
-        free = self.free()
+    def take_from(self, piece: np.ndarray, least: int, share: float) -> None:
+        """Take motifs, the largest of the piece first, while they have ``least`` motions in it.
+
+        share: of the progress that is left, what this adds.
+        """
+        free, before, step = self.free(), self._done, share * (1 - self._done)
         piece = np.intersect1d(piece, free, assume_unique=True)
-        matches = self.matcher.all(self.rule, cut=self.cut, among=piece)
+        self._done += step
+
+        def matching(stage: str, fraction: float) -> None:
+            self.report("discovery", before + _MATCHED * step * fraction)
+
+        matches = self.matcher.all(self.rule, matching, cut=self.cut, among=piece)
         index = index_of(self.runs, matches, self.rule, self.tightness)
         heap = heap_of(bounds_of(index, self.cut, self.rho))
         volumes, counts = np.zeros(len(matches.pointers)), np.full(len(matches.pointers), -1, np.int64)
@@ -105,7 +117,8 @@ class _Search:
                 motif = self._largest_of(list(starts)[:_CONTENDERS])
             self.motifs.append(motif)
             partition(motif, self.cut)
-            self.report("discovery", float((self.cut == self._letters).mean()))
+            taken = 1 - len(self.free()) / len(free)
+            self.report("discovery", before + step * (_MATCHED + (1 - _MATCHED) * taken))
 
     def _largest_of(self, starts: list[int]) -> Substrings:
         """The largest motif in the whole string of all whose seeds start at one of these letters."""

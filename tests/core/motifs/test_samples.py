@@ -18,6 +18,7 @@ from core.motifs.parameters import MotifParameters
 from core.motifs.quantize import k_means
 from core.motifs.samples import sampled_first
 from core.motifs.volumes import index_of, motif_of, partition
+from core.progress import Cancelled
 from core.sequences.repeats import remove_runs
 from tests.core.motifs.strings import naive_matches, naive_motif, random_adjacency, random_runs
 
@@ -81,6 +82,21 @@ def test_the_same_seed_gives_the_same_motifs_and_another_one_others():
     runs, matcher, rule = repetitive()
     one, two, other = ([m.tolist() for m in sampled_first(runs, matcher, rule, 1.0, 800, seed)] for seed in (3, 3, 4))
     assert one == two != other
+
+
+def test_progress_never_falls_moves_in_small_steps_and_can_stop_the_search(monkeypatch):
+    monkeypatch.setattr("core.motifs.matching._BLOCK", 500)
+    runs, matcher, rule = repetitive()
+    said: list[float] = []
+    sampled_first(runs, matcher, rule, 1.0, 800, report=lambda stage, fraction: said.append(fraction))
+    assert len(said) > 10 and said == sorted(said) and said[-1] == 1
+    assert max(np.diff([0, *said])) < 0.2
+
+    def stop(stage, fraction):
+        raise Cancelled
+
+    with pytest.raises(Cancelled):
+        sampled_first(runs, matcher, rule, 1.0, 800, report=stop)
 
 
 def test_memory_is_that_of_the_sample_however_often_a_motion_recurs(monkeypatch):
