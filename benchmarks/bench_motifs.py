@@ -213,7 +213,11 @@ def _long_run() -> None:
     dataset, source = all_recordings()
     small = dataset.select(dataset.names[:1])
     find_motifs(small, MotifParameters(kappa=50))
-    print(f"{dataset.n_frames} frames ({source}). Peak memory includes the recordings and the compiler.\n")
+    print(
+        f"{dataset.n_frames} frames ({source}), {dataset.seconds / 60:.0f} minutes of many different motions that "
+        "hardly recur. For motion that repeats itself all the time see Cost against length. Peak memory includes the "
+        "recordings and the compiler.\n"
+    )
     stages = ("poses", "quantisation", "matching", "discovery", "alignment", "graph")
     print("| analysis | kappa | " + " | ".join(stages) + " | total s | motifs | coverage | error ratio | peak MB |")
     print("|---" * (len(stages) + 7) + "|")

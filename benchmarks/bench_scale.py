@@ -245,8 +245,8 @@ def main(hundred: bool = False, only: list[str] | None = None) -> str:
             "|---|---|---|---|",
             *clips,
             "",
-            "Motifs found in samples beside the exact ones, demo of fifteen minutes: sum of the volumes (motions - 1) x "
-            "(mean width) as a share of the exact one's, coverage, motifs; medians of 4 seeds of the sampling "
+            "Motifs found in samples beside the exact ones, demo of fifteen minutes: sum of the volumes (motions - 1) "
+            "x (mean width) as a share of the exact one's, coverage, motifs; medians of 4 seeds of the sampling "
             "(least-most).",
             "",
             "| searched in | volume | coverage | motifs |",
