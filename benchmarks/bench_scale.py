@@ -187,6 +187,9 @@ def chart(found: dict[str, list[dict[str, float]]]) -> str:
         y = bottom - (np.log10(cpu) - y0) / (y1 - y0) * (bottom - 20)
         return f"{x:.1f},{y:.1f}"
 
+    names_at, lowest = {}, 0.0  # names beside the last points, one below the other
+    for method, row in sorted(found.items(), key=lambda item: -item[1][-1]["cpu"]):
+        lowest = names_at[method] = max(float(at(row[-1]["hours"], row[-1]["cpu"]).split(",")[1]) + 4, lowest + 14)
     colours = ("#3366aa", "#cc5522", "#338855", "#884499", "#777711")
     parts = []
     for cpu in (10.0**e for e in range(-1, 6) if y0 <= e <= y1):
@@ -198,10 +201,10 @@ def chart(found: dict[str, list[dict[str, float]]]) -> str:
     for colour, (method, row) in zip(colours, found.items(), strict=False):
         line = " ".join(at(p["hours"], p["cpu"]) for p in row)
         dots = "".join('<circle r="4" cx="{}" cy="{}"/>'.format(*place.split(",")) for place in line.split())
-        x, y = line.split()[-1].split(",")
+        x = float(line.split()[-1].split(",")[0]) + 10
         parts.append(
             f'<g fill="{colour}"><polyline points="{line}" fill="none" stroke="{colour}" stroke-width="2"/>{dots}'
-            f'<text x="{float(x) + 10:.1f}" y="{float(y) + 4:.1f}">{method}</text></g>'
+            f'<text x="{x:.1f}" y="{names_at[method]:.1f}">{method}</text></g>'
         )
     longest = max(p["hours"] for p in points)
     shortest, base = min(p["hours"] for p in points), min(p["cpu"] for p in points)
@@ -231,8 +234,8 @@ def main(hundred: bool = False, only: list[str] | None = None) -> str:
             "",
             "The demo made an hour and ten hours long: motion that repeats itself all the time. 30 frames a second are "
             "looked at, 15 for the grammar. Recordings lie in a workspace; reading them is part of the time. "
-            "Megabytes: the most the process had, mapped files included. The machine was busy, so processor seconds "
-            "say more than seconds on the clock. Exponent: of the processor time. `python -m benchmarks scale`; with "
+            "Megabytes: the most the process had, mapped files included. The machine was busy (load 10 to 14 on two "
+            "cores), so processor seconds say more than seconds on the clock. Exponent: of the processor time. `python -m benchmarks scale`; with "
             "`python -m benchmarks.bench_scale --hundred` also a hundred hours.",
             "",
             *table(found),
