@@ -235,7 +235,8 @@ def main(hundred: bool = False, only: list[str] | None = None) -> str:
             "The demo made an hour and ten hours long: motion that repeats itself all the time. 30 frames a second are "
             "looked at, 15 for the grammar. Recordings lie in a workspace; reading them is part of the time. "
             "Megabytes: the most the process had, mapped files included. The machine was busy (load 10 to 14 on two "
-            "cores), so processor seconds say more than seconds on the clock. Exponent: of the processor time. `python -m benchmarks scale`; with "
+            "cores), so processor seconds say more than seconds on the clock. Exponent: of the processor time. "
+            "`python -m benchmarks scale`; with "
             "`python -m benchmarks.bench_scale --hundred` also a hundred hours.",
             "",
             *table(found),
