@@ -10,6 +10,7 @@ import "./shell/views.mjs";
 import "./jobs/job_bar.mjs";
 import "./boards/boards.mjs";
 import "./report/blocks.mjs";
+import "./library/body.mjs";
 import "./library/clips.mjs";
 import "./library/upload.mjs";
 import "./clip/gait.mjs";

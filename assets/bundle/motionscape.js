@@ -930,15 +930,15 @@
 
   // shared/numbers.mjs
   var clamp = (value, low, high) => Math.min(Math.max(value, low), high);
-  function nearest(list2, value) {
+  function nearest(list3, value) {
     let low = 0;
-    let high = list2.length - 1;
+    let high = list3.length - 1;
     while (high - low > 1) {
       const middle = low + high >> 1;
-      if (list2[middle] <= value) low = middle;
+      if (list3[middle] <= value) low = middle;
       else high = middle;
     }
-    return high < 0 ? -1 : Math.abs(list2[low] - value) <= Math.abs(list2[high] - value) ? low : high;
+    return high < 0 ? -1 : Math.abs(list3[low] - value) <= Math.abs(list3[high] - value) ? low : high;
   }
 
   // stage/camera.mjs
@@ -1393,12 +1393,12 @@
     /** Chips that name the figures and hide or show them; pointing at one makes it stand out. */
     listFigures() {
       const { figures } = this.stage;
-      const list2 = this.find(".ms-figures");
+      const list3 = this.find(".ms-figures");
       const names2 = JSON.stringify(figures.map((figure2) => [figure2.label, figure2.visible, figure2.item.colour, figure2.header.start]));
       if (names2 === this.listed) return;
       this.listed = names2;
-      list2.replaceChildren(...figures.length > 1 ? figures.map((figure2, k) => this.chip(figure2, k)) : []);
-      if (figures.length === 1 && !figures[0].item.colour) list2.append(legend("left"), legend("right"));
+      list3.replaceChildren(...figures.length > 1 ? figures.map((figure2, k) => this.chip(figure2, k)) : []);
+      if (figures.length === 1 && !figures[0].item.colour) list3.append(legend("left"), legend("right"));
     }
     /** @param {Figure} figure @param {number} k */
     chip(figure2, k) {
@@ -1639,10 +1639,10 @@
       this.timer = window.setTimeout(() => toast.classList.remove("ms-shown"), NOTICE);
     }
     /** Open or close the list of keys; true when it was open. @param {boolean} [open] */
-    toggleHelp(open5) {
+    toggleHelp(open6) {
       const help = within(this.root, ".ms-help");
       const was = !help.hidden;
-      help.hidden = open5 === void 0 ? was : !open5;
+      help.hidden = open6 === void 0 ? was : !open6;
       return was;
     }
   };
@@ -3684,17 +3684,17 @@
     const root = document.documentElement;
     let last3 = "light";
     const ready2 = () => "set_props" in clientside && Boolean(find(SHELL));
-    const tell4 = () => {
+    const tell5 = () => {
       const scheme = root.dataset.mantineColorScheme;
       if (scheme !== "dark" && scheme !== "light" || scheme === last3 || !ready2()) return;
       last3 = scheme;
       setStore(THEME, scheme);
     };
-    new MutationObserver(tell4).observe(root, { attributes: true, attributeFilter: ["data-mantine-color-scheme"] });
+    new MutationObserver(tell5).observe(root, { attributes: true, attributeFilter: ["data-mantine-color-scheme"] });
     const again = setInterval(() => {
       if (!ready2()) return;
       clearInterval(again);
-      tell4();
+      tell5();
     }, 100);
   }
   function setStageWidth(pixels2) {
@@ -3881,12 +3881,12 @@
   register("settings", {
     // Those keys of the view that are settings of the page; its store is called PAGE-settings.
     /** @param {View | null} view @param {View | null} current @param {string} id @param {Record<string, string[]>} keys */
-    pick(view4, current2, id, keys) {
+    pick(view4, current3, id, keys) {
       setSettingsKeys(keys);
       const mine2 = keys[id.slice(0, -"-settings".length)] || [];
       const own2 = Object.entries(view4 || {}).filter(([key]) => mine2.includes(key)).sort();
       const next2 = Object.fromEntries(own2);
-      return current2 && JSON.stringify(next2) === JSON.stringify(current2) ? clientside.no_update : next2;
+      return current3 && JSON.stringify(next2) === JSON.stringify(current3) ? clientside.no_update : next2;
     },
     // Chips for a setting that is a list: here and not on the server, whose answer to one click would undo the next.
     /** @param {Record<string, string> | null} view @param {ListSetting} of */
@@ -3970,8 +3970,8 @@
     childrenOf(progress)[0].style.width = (percent3 || 0) + "%";
     if (known4) progress.setAttribute("aria-valuenow", String(percent3));
     else progress.removeAttribute("aria-valuenow");
-    const words3 = within(row7, ".job-words");
-    if (words3.textContent !== stage2) words3.textContent = stage2;
+    const words4 = within(row7, ".job-words");
+    if (words4.textContent !== stage2) words4.textContent = stage2;
     const number2 = row7.querySelector(".job-percent");
     if (number2) number2.textContent = percent3 ? ` ${percent3} %` : "";
     within(row7, ".job-cancel").disabled = stopping;
@@ -4110,7 +4110,7 @@
   function fieldOf({ name, label, value = "", kind = "line", choices: choices2 = [], hint = "" }) {
     let control;
     if (kind === "choice") {
-      control = element("select", "", ...choices2.map(([key, words3]) => withAttributes(element("option", "", words3), { value: key })));
+      control = element("select", "", ...choices2.map(([key, words4]) => withAttributes(element("option", "", words4), { value: key })));
     } else control = kind === "text" ? withAttributes(element("textarea"), { rows: 7 }) : element("input");
     control.name = name;
     control.value = value;
@@ -4154,9 +4154,9 @@
     menu.firstElementChild.focus();
   }
   var line2 = null;
-  function say(words3, undo) {
+  function say(words4, undo) {
     line2?.remove();
-    const shown8 = element("div", "boards-toast", element("span", "", words3), undo ? button2("Undo", () => {
+    const shown8 = element("div", "boards-toast", element("span", "", words4), undo ? button2("Undo", () => {
       shown8.remove();
       undo();
     }) : null);
@@ -4232,8 +4232,8 @@
       this.load();
     }
     /** @param {number} open @param {number} all */
-    count(open5, all) {
-      this.badge.dataset.count = open5 ? String(open5) : "";
+    count(open6, all) {
+      this.badge.dataset.count = open6 ? String(open6) : "";
       this.badge.classList.toggle("board-quiet", !all);
     }
     async load() {
@@ -4250,14 +4250,14 @@
     }
     /** @param {BlockAnswer} answer */
     fill(answer2) {
-      const { state: state3, content, words: words3, job } = answer2;
+      const { state: state3, content, words: words4, job } = answer2;
       this.item.dataset.state = state3;
       this.note.replaceChildren();
       const computes = state3 === "missing" && !job && !this.still && kindOf(this.block.kind)?.computes;
-      if (content === null) this.clear(element("div", "muted board-empty", words3, computes ? button2("Compute", () => this.compute()) : null));
+      if (content === null) this.clear(element("div", "muted board-empty", words4, computes ? button2("Compute", () => this.compute()) : null));
       else if (JSON.stringify(content) !== this.last) this.draw(content);
-      if (state3 === "changed") this.note.append(words3, this.still ? "" : button2("Recompute", () => this.actions.renew(this)));
-      else if (state3 === "gone") this.note.append(words3);
+      if (state3 === "changed") this.note.append(words4, this.still ? "" : button2("Recompute", () => this.actions.renew(this)));
+      else if (state3 === "gone") this.note.append(words4);
       if (job?.state === "failed") this.note.append(job.error);
       else if (job) {
         this.note.append(`Computing: ${percent(job.fraction)}`);
@@ -4358,8 +4358,8 @@
     }
     /** @param {CommentData} comment */
     said({ author, created, text, resolved }) {
-      const words3 = text.split(/(@[\w][\w.-]*)/).map((part2) => part2.startsWith("@") ? element("mark", "boards-mention", part2) : part2);
-      return element("div", "boards-said", element("div", "muted", `${author || "Someone"}, ${ago(created)}${resolved ? ", resolved" : ""}`), element("p", "", ...words3));
+      const words4 = text.split(/(@[\w][\w.-]*)/).map((part2) => part2.startsWith("@") ? element("mark", "boards-mention", part2) : part2);
+      return element("div", "boards-said", element("div", "muted", `${author || "Someone"}, ${ago(created)}${resolved ? ", resolved" : ""}`), element("p", "", ...words4));
     }
     /** @param {string} hint @param {string} action @param {(text: string) => Promise<void>} send @param {string} [draft] */
     form(hint, action, send4, draft = "") {
@@ -4399,8 +4399,8 @@
     }
   };
   var wordsOf = (comments) => {
-    const open5 = comments.filter((comment) => !comment.resolved && !comment.parent).length;
-    return open5 ? plural(open5, "open comment") : "Comments";
+    const open6 = comments.filter((comment) => !comment.resolved && !comment.parent).length;
+    return open6 ? plural(open6, "open comment") : "Comments";
   };
 
   // boards/edit.mjs
@@ -4618,7 +4618,7 @@
         const link2 = element("a", "boards-button primary", `Save ${(state3.size / 1e6).toFixed(1)} MB`);
         link2.href = `/api/${address2}/${state3.key}`;
         link2.download = "";
-        place5.replaceChildren(element("p", "", state3.motion), ...state3.left_out.map((words3) => element("p", "muted", `Left out: ${words3}`)), element("div", "boards-actions", link2));
+        place5.replaceChildren(element("p", "", state3.motion), ...state3.left_out.map((words4) => element("p", "muted", `Left out: ${words4}`)), element("div", "boards-actions", link2));
         link2.focus();
         return;
       }
@@ -4651,8 +4651,8 @@
         /** @type {Listing} */
         known.listing
       );
-      const words3 = search2.value.toLowerCase().split(/\s+/).filter(Boolean);
-      const found = (texts) => words3.every((word) => texts.join(" ").toLowerCase().includes(word));
+      const words4 = search2.value.toLowerCase().split(/\s+/).filter(Boolean);
+      const found = (texts) => words4.every((word) => texts.join(" ").toLowerCase().includes(word));
       const [some, more2] = [all.filter((board) => found([board.title, board.note, board.author, board.dataset])), saved.filter((one) => found([one.title, one.note, one.author, ...one.tags]))];
       boards.replaceChildren(...some.map((board) => boardCard(board, again)), ...some.length ? [] : [empty(all.length ? "No board is called so." : "There is no board yet: begin with a template.")]);
       views.replaceChildren(...more2.map((one) => viewCard(one, again)), ...more2.length ? [] : [empty(saved.length ? "No view is called so." : "Save a view with “Save view” at the top, on any page.")]);
@@ -4668,10 +4668,10 @@
       views
     );
   }
-  var empty = (words3) => element("p", "muted", words3);
+  var empty = (words4) => element("p", "muted", words4);
   function boardCard(board, again) {
-    const open5 = button2("", () => changeView({ board: board.id, screen: "" }), "boards-open");
-    open5.append(drawShape(board.shape), element("strong", "ellipsis", board.title));
+    const open6 = button2("", () => changeView({ board: board.id, screen: "" }), "boards-open");
+    open6.append(drawShape(board.shape), element("strong", "ellipsis", board.title));
     const about = [board.dataset, board.author, ago(board.updated)].filter(Boolean).join(" · ");
     const more2 = iconButton("dots", `More for ${board.title}`, () => openMenu(more2, [
       ["Rename", () => renameBoard(board, again)],
@@ -4680,7 +4680,7 @@
       ["Delete", () => deleteBoard(board, again)]
     ]));
     more2.classList.add("for-editors");
-    return element("article", "boards-card", open5, element("div", "boards-card-foot", element("span", "muted ellipsis", about), more2));
+    return element("article", "boards-card", open6, element("div", "boards-card-foot", element("span", "muted ellipsis", about), more2));
   }
   var change = (id, body2) => ask3(`boards/${id}`, body2).catch((error) => say(error.message));
   var renameBoard = (board, again) => openForm("Rename the board", [
@@ -4695,9 +4695,9 @@
   function viewCard(saved, again) {
     const picture = withAttributes(element("img", "boards-picture"), { src: saved.picture, alt: "", loading: "lazy" });
     picture.addEventListener("error", () => picture.replaceWith(element("div", "boards-picture boards-no-picture", new URL(saved.address, location.href).pathname.slice(1))));
-    const open5 = button2("", () => followLink(saved.address), "boards-open");
-    open5.append(picture, element("strong", "ellipsis", saved.title));
-    if (saved.note) open5.title = saved.note;
+    const open6 = button2("", () => followLink(saved.address), "boards-open");
+    open6.append(picture, element("strong", "ellipsis", saved.title));
+    if (saved.note) open6.title = saved.note;
     const about = [saved.author, ago(saved.updated), ...saved.tags.map((tag) => `#${tag}`)].filter(Boolean).join(" · ");
     const act2 = (body2) => ask3(`views/${saved.id}`, body2).then(again, (error) => say(error.message));
     const more2 = iconButton("dots", `More for ${saved.title}`, () => openMenu(more2, [
@@ -4709,7 +4709,7 @@
       }]
     ]));
     more2.classList.add("for-editors");
-    return element("article", "boards-card", open5, element("div", "boards-card-foot", element("span", "muted ellipsis", about), more2));
+    return element("article", "boards-card", open6, element("div", "boards-card-foot", element("span", "muted ellipsis", about), more2));
   }
   var viewFields = (saved) => [
     { name: "title", label: "Title", value: saved.title ?? "" },
@@ -4820,8 +4820,8 @@
     }
     /** @param {unknown} error */
     fail(error) {
-      const words3 = error instanceof Error ? error.message : String(error);
-      this.place.replaceChildren(element("div", "empty-state", element("h2", "", "This board cannot be shown"), element("p", "muted", words3), button2("All boards", () => changeView({ board: "", screen: "" }))));
+      const words4 = error instanceof Error ? error.message : String(error);
+      this.place.replaceChildren(element("div", "empty-state", element("h2", "", "This board cannot be shown"), element("p", "muted", words4), button2("All boards", () => changeView({ board: "", screen: "" }))));
     }
     poll() {
       this.timer = window.setTimeout(async () => {
@@ -4845,9 +4845,9 @@
       }
     }
     /** @param {string} words */
-    warn(words3) {
-      this.warning.hidden = !words3;
-      this.warning.textContent = words3;
+    warn(words4) {
+      this.warning.hidden = !words4;
+      this.warning.textContent = words4;
     }
     /** @param {Board} board */
     show(board) {
@@ -4864,8 +4864,8 @@
         block2
       ]));
       for (const [id, card4] of this.cards) {
-        const [open5, all] = countOf(board.comments, id);
-        card4.count(open5, all);
+        const [open6, all] = countOf(board.comments, id);
+        card4.count(open6, all);
       }
       this.showStale(board);
       this.comments.show(board);
@@ -5061,10 +5061,10 @@
         /** @type {Board} */
         this.board
       );
-      const row7 = (name, words3, address2) => {
+      const row7 = (name, words4, address2) => {
         const field = withAttributes(element("input"), { readonly: "", "aria-label": name });
         field.value = location.origin + address2;
-        return element("label", "boards-field", element("span", "", name), field, element("small", "muted", words3));
+        return element("label", "boards-field", element("span", "", name), field, element("small", "muted", words4));
       };
       const parts = [row7("To look at", "Whoever has it sees this board and nothing else.", links.read)];
       if (links.edit) {
@@ -5104,15 +5104,15 @@
   async function openPalette() {
     let places = allWithin(document, ".nav-link").map((link2) => ({ name: link2.textContent ?? "", about: "page", address: link2.getAttribute("href") ?? "/" }));
     const field = withAttributes(element("input"), { type: "search", placeholder: "A page, a board or a saved view", "aria-label": "Go to", autocomplete: "off" });
-    const list2 = element("div", "boards-found");
-    const dialog2 = openWindow("Go to", element("div", "boards-form", field, list2));
+    const list3 = element("div", "boards-found");
+    const dialog2 = openWindow("Go to", element("div", "boards-form", field, list3));
     const go = (address2) => {
       dialog2.close();
       followLink(address2);
     };
     const show6 = () => {
       const found = matching(places, field.value).slice(0, MOST);
-      list2.replaceChildren(...found.map(({ name, about, address: address2 }) => {
+      list3.replaceChildren(...found.map(({ name, about, address: address2 }) => {
         const entry = element("button", "boards-button", element("span", "ellipsis", name), element("span", "muted ellipsis", about));
         entry.type = "button";
         entry.addEventListener("click", () => go(address2));
@@ -5121,7 +5121,7 @@
     };
     field.addEventListener("input", show6);
     dialog2.addEventListener("keydown", (event) => {
-      const entries = allWithin(list2, "button");
+      const entries = allWithin(list3, "button");
       const at3 = entries.indexOf(
         /** @type {any} */
         document.activeElement
@@ -5143,9 +5143,9 @@
     show6();
   }
   function matching(places, text) {
-    const words3 = text.toLowerCase().split(/\s+/).filter(Boolean);
-    const found = places.filter(({ name, about }) => words3.every((word) => `${name} ${about}`.toLowerCase().includes(word)));
-    const begins = ({ name }) => Number(words3.length > 0 && name.toLowerCase().startsWith(words3[0]));
+    const words4 = text.toLowerCase().split(/\s+/).filter(Boolean);
+    const found = places.filter(({ name, about }) => words4.every((word) => `${name} ${about}`.toLowerCase().includes(word)));
+    const begins = ({ name }) => Number(words4.length > 0 && name.toLowerCase().startsWith(words4[0]));
     return found.sort((a, b) => begins(b) - begins(a));
   }
 
@@ -5742,23 +5742,23 @@
       for (const [name, value] of Object.entries({ x: -0.5, y: -0.5, width: nx, height: ny })) picture?.setAttribute(name, String(value));
     };
     paint2();
-    let current2 = -1;
+    let current3 = -1;
     const point = (x, y) => {
-      current2 = clamp(x, 0, nx - 1) * ny + clamp(y, 0, ny - 1);
-      mark3.setAttribute("x", String(Math.floor(current2 / ny) - 0.5));
-      mark3.setAttribute("y", String(current2 % ny - 0.5));
+      current3 = clamp(x, 0, nx - 1) * ny + clamp(y, 0, ny - 1);
+      mark3.setAttribute("x", String(Math.floor(current3 / ny) - 0.5));
+      mark3.setAttribute("y", String(current3 % ny - 0.5));
     };
-    const tell4 = (at3) => showTip(
+    const tell5 = (at3) => showTip(
       at3,
-      drawPosture(content, postures, current2),
-      `${content.seconds[current2].toFixed(1)} s of motion here${content.passes[current2].length ? ", click to play" : ""}`
+      drawPosture(content, postures, current3),
+      `${content.seconds[current3].toFixed(1)} s of motion here${content.passes[current3].length ? ", click to play" : ""}`
     );
     const play7 = () => {
-      const passes = current2 < 0 ? [] : content.passes[current2];
+      const passes = current3 < 0 ? [] : content.passes[current3];
       if (!passes.length) return;
       const [clip, start3, end] = passes[0];
       context.select({ clip, start: start3, end }, {
-        title: `Motion through node ${Math.floor(current2 / ny)}, ${current2 % ny}`,
+        title: `Motion through node ${Math.floor(current3 / ny)}, ${current3 % ny}`,
         items: passes.map(([name, from, to]) => ({ clip: name, start: from, end: to, label: name }))
       });
     };
@@ -5768,7 +5768,7 @@
       const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(matrix);
       if (x < -0.5 || y < -0.5 || x > nx - 0.5 || y > ny - 0.5) return hideTip();
       point(Math.round(x), Math.round(y));
-      tell4(event);
+      tell5(event);
     });
     svg.addEventListener("pointerleave", hideTip);
     svg.addEventListener("blur", hideTip);
@@ -5780,9 +5780,9 @@
       if (!step3) return;
       event.preventDefault();
       event.stopImmediatePropagation();
-      point(Math.floor(Math.max(current2, 0) / ny) + step3[0], Math.max(current2, 0) % ny + step3[1]);
+      point(Math.floor(Math.max(current3, 0) / ny) + step3[0], Math.max(current3, 0) % ny + step3[1]);
       const box4 = mark3.getBoundingClientRect();
-      tell4({ clientX: box4.right, clientY: box4.bottom });
+      tell5({ clientX: box4.right, clientY: box4.bottom });
     }, { capture: true });
     if (!content.heights.length) place5.append(element("p", "muted", "This map has no nodes."));
     return {
@@ -5823,10 +5823,10 @@
     };
   }
   function drawNumbers(place5, { figures }) {
-    place5.append(element("div", "block-numbers", ...figures.map(([name, value, unit2, words3]) => {
+    place5.append(element("div", "block-numbers", ...figures.map(([name, value, unit2, words4]) => {
       const tile = element("div", "block-number", element("span", "block-number-value number", value, unit2 && element("small", "", ` ${unit2}`)), element("span", "muted", name));
       tile.tabIndex = 0;
-      return tipOn(tile, () => [words3]);
+      return tipOn(tile, () => [words4]);
     })));
     return {};
   }
@@ -6022,8 +6022,8 @@
         if (!cell2) return;
         svg.append(svgElement("path", { d: `M${across(k)} ${up(cell2[1])}V${up(cell2[2])}`, stroke: colour, class: "block-spread" }));
         const dot3 = svgElement("circle", { cx: across(k), cy: up(cell2[0]), r: 4.5, fill: colour, tabindex: 0 });
-        const words3 = cell2.map((value) => value.toFixed(digits));
-        tipOn(dot3, () => [`${name}: ${words3[0]}${unit2 && ` ${unit2}`}`, `${x.name} ${x.values[k]}${series[s] && `, ${series[s]}`}`, words3[1] === words3[2] ? "" : `${words3[1]} to ${words3[2]} over the seeds`]);
+        const words4 = cell2.map((value) => value.toFixed(digits));
+        tipOn(dot3, () => [`${name}: ${words4[0]}${unit2 && ` ${unit2}`}`, `${x.name} ${x.values[k]}${series[s] && `, ${series[s]}`}`, words4[1] === words4[2] ? "" : `${words4[1]} to ${words4[2]} over the seeds`]);
         svg.append(dot3);
       });
     });
@@ -6058,6 +6058,233 @@
     view: drawView
   });
 
+  // library/ids.mjs
+  var DROP_ZONE = "drop-zone";
+  var UPLOAD_BAR = "upload-bar";
+  var UPLOAD_PROGRESS = "upload-progress";
+  var UPLOAD_SUMMARY = "upload-summary";
+  var UPLOAD_LIST = "upload-list";
+  var UPLOAD = (
+    /** @type {StoreId<Upload>} */
+    "upload"
+  );
+  var UPLOAD_INTO = (
+    /** @type {StoreId<UploadInto>} */
+    "upload-into"
+  );
+  var BODY_DRAFT = (
+    /** @type {StoreId<BodyDraft>} */
+    "body-draft"
+  );
+  var BODY_FILE = (
+    /** @type {StoreId<BodyFile>} */
+    "body-file"
+  );
+  var BODY_FRAME_LABEL = "body-frame-label";
+  var BODY_EDITOR = "body-editor";
+
+  // library/body.mjs
+  var VIEWS = (
+    /** @type {const} */
+    ["front", "side"]
+  );
+  var KINDS = [["", "Find out"], ["human", "A person"], ["partial", "Part of a person"], ["other", "No person: an animal, a prop"]];
+  var edited = { rigs: null, posture: null, draft: [], part: "pelvis" };
+  function current2() {
+    const number2 = edited.posture?.rig ?? 0;
+    const rig = edited.rigs?.rigs[number2];
+    return rig ? [rig, edited.draft[number2]] : null;
+  }
+  var jointOf = (rig, said2, part2) => part2 in said2.joints ? said2.joints[part2] : rig.joints[part2] ?? null;
+  var untouched = (rigs) => rigs.rigs.map((rig) => ({ changed: false, joints: { ...rig.said }, body: rig.said_body }));
+  function assign(part2, joint) {
+    const here3 = current2();
+    if (!here3 || !edited.rigs) return;
+    const [rig, said2] = here3;
+    for (const other of edited.rigs.parts) {
+      if (joint !== null && other !== part2 && jointOf(rig, said2, other) === joint) said2.joints[other] = null;
+    }
+    said2.joints[part2] = joint;
+    said2.changed = true;
+    tell2();
+  }
+  function tell2() {
+    setStore(BODY_DRAFT, { dataset: edited.rigs?.dataset ?? "", rigs: edited.draft });
+    draw2();
+  }
+  var words2 = (part2) => (part2[0].toUpperCase() + part2.slice(1)).replace("_", " ");
+  var sideOf = (part2) => part2.includes("_") ? part2.split("_")[0] : "centre";
+  function drawing2(rig, said2, places, view4) {
+    const svg = svgElement("svg", { viewBox: "0 0 100 150", class: "body-drawing", role: "img", "aria-label": `Skeleton, ${view4}` });
+    rig.parents.forEach((parent, j) => {
+      if (parent < 0) return;
+      const [[x1, y1], [x2, y2]] = [places[parent], places[j]];
+      svg.append(svgElement("line", { x1, y1, x2, y2, class: "body-bone" }));
+    });
+    const partOf = {};
+    for (const part2 of edited.rigs?.parts ?? []) {
+      const joint = jointOf(rig, said2, part2);
+      if (joint !== null) partOf[joint] = part2;
+    }
+    const rank = (j) => {
+      const part2 = partOf[rig.names[j]];
+      return part2 === void 0 ? 0 : part2 === edited.part ? 3 : view4 === "side" && sideOf(part2) === "left" ? 2 : 1;
+    };
+    const order = rig.names.map((_, j) => j).sort((a, b) => rank(a) - rank(b));
+    for (const j of order) {
+      if (rig.ends[j]) continue;
+      const name = rig.names[j];
+      const part2 = partOf[name];
+      const chosen3 = part2 !== void 0 && part2 === edited.part;
+      const looks = `body-joint ${part2 ? `known side-${sideOf(part2)}` : ""} ${chosen3 ? "chosen" : ""}`;
+      const spot = svgElement("circle", { cx: places[j][0], cy: places[j][1], r: chosen3 ? 2.8 : part2 ? 2 : 1.3, class: looks, "data-joint": name });
+      spot.append(svgElement("title", {}, part2 ? `${name}: ${words2(part2).toLowerCase()}` : name));
+      svg.append(spot);
+    }
+    const caption2 = element("figcaption", "muted", view4 === "front" ? "From the front" : "From its left");
+    const figure2 = element("figure", "body-view");
+    figure2.append(svg, caption2);
+    return figure2;
+  }
+  function select(options, value, label) {
+    const made = element("select", "body-select");
+    made.setAttribute("aria-label", label);
+    for (const [key, text] of options) {
+      const option2 = element("option", "", text);
+      option2.value = key;
+      made.append(option2);
+    }
+    made.value = value;
+    return made;
+  }
+  function list(rig, said2) {
+    const rows2 = element("div", "body-parts");
+    const kind = element("div", "body-part body-kind");
+    const is = (KINDS.find(([key]) => key === rig.body) ?? KINDS[3])[1].toLowerCase();
+    const found = KINDS.map(([key, text]) => [key, key || rig.said_body ? text : `${text} (${is})`]);
+    const kinds2 = select(found, said2.body ?? "", "Kind of body");
+    kinds2.dataset.kind = "yes";
+    kind.append(element("span", "body-name", "Kind of body"), kinds2);
+    rows2.append(kind);
+    const joints = rig.names.filter((_, j) => !rig.ends[j]).map((name) => [name, name]);
+    for (const part2 of edited.rigs?.parts ?? []) {
+      const row7 = element("div", `body-part side-${sideOf(part2)}` + (part2 === edited.part ? " chosen" : ""));
+      row7.dataset.part = part2;
+      const button5 = element("button", "body-name", words2(part2));
+      button5.type = "button";
+      button5.setAttribute("aria-pressed", String(part2 === edited.part));
+      row7.append(button5, select([["", "none"], ...joints], jointOf(rig, said2, part2) ?? "", words2(part2)));
+      rows2.append(row7);
+    }
+    return rows2;
+  }
+  function draw2() {
+    const box4 = find(BODY_EDITOR);
+    const here3 = current2();
+    if (!box4 || !here3 || !edited.posture) return;
+    const [rig, said2] = here3;
+    const posture = edited.posture;
+    if (posture.front.length !== rig.names.length) return;
+    const label = find(BODY_FRAME_LABEL);
+    if (label) label.textContent = posture.frame < 0 ? "Rest pose" : `Frame ${posture.frame} of ${rig.clip}`;
+    const scrolled = box4.querySelector(".body-parts")?.scrollTop ?? 0;
+    const focused = closest({ target: document.activeElement }, ".body-part[data-part]");
+    const drawings2 = element("div", "body-drawings");
+    drawings2.append(...VIEWS.map((view4) => drawing2(rig, said2, posture[view4], view4)));
+    const rows2 = list(rig, said2);
+    box4.replaceChildren(drawings2, rows2);
+    rows2.scrollTop = scrolled;
+    if (focused) rows2.querySelector(`[data-part="${edited.part}"] select`)?.focus();
+  }
+  document.addEventListener("click", (event) => {
+    const joint = closest(event, ".body-joint");
+    if (joint) return assign(edited.part, joint.dataset.joint ?? null);
+    const action = closest(event, "[data-body]")?.dataset.body;
+    if (action === "import") open2();
+    if (action === "export") exportAll();
+    if (action === "reset" && edited.rigs) {
+      edited.draft = untouched(edited.rigs);
+      tell2();
+    }
+  });
+  for (const kind of ["focusin", "click"]) {
+    document.addEventListener(kind, (event) => {
+      const part2 = closest(event, ".body-part[data-part]")?.dataset.part;
+      if (!part2 || part2 === edited.part) return;
+      edited.part = part2;
+      light();
+    });
+  }
+  document.addEventListener("change", (event) => {
+    const control = targetOf(event);
+    const row7 = closest(event, ".body-part");
+    const here3 = current2();
+    if (!row7 || !here3) return;
+    if (row7.dataset.part) {
+      edited.part = row7.dataset.part;
+      return assign(edited.part, control.value || null);
+    }
+    Object.assign(here3[1], { body: control.value || null, changed: true });
+    tell2();
+  });
+  function light() {
+    const box4 = find(BODY_EDITOR);
+    const here3 = current2();
+    if (!box4 || !here3) return;
+    const joint = jointOf(...here3, edited.part);
+    for (const row7 of box4.querySelectorAll(".body-part[data-part]")) {
+      const chosen3 = row7.getAttribute("data-part") === edited.part;
+      row7.classList.toggle("chosen", chosen3);
+      row7.querySelector("button")?.setAttribute("aria-pressed", String(chosen3));
+    }
+    for (const spot of box4.querySelectorAll("circle")) {
+      const chosen3 = spot.getAttribute("data-joint") === joint;
+      spot.classList.toggle("chosen", chosen3);
+      spot.setAttribute("r", chosen3 ? "2.8" : spot.classList.contains("known") ? "2" : "1.3");
+    }
+  }
+  function open2() {
+    const chooser = document.createElement("input");
+    chooser.type = "file";
+    chooser.accept = ".json,application/json";
+    chooser.onchange = async () => {
+      const file = chooser.files?.[0];
+      if (file) setStore(BODY_FILE, { text: await file.text(), at: Date.now() });
+    };
+    chooser.click();
+  }
+  function exportAll() {
+    if (!edited.rigs) return;
+    const { format, parts, rigs, dataset: dataset2 } = edited.rigs;
+    const said2 = rigs.map((rig, k) => ({
+      rig: rig.names,
+      body: edited.draft[k].body,
+      joints: Object.fromEntries(parts.map((part2) => [part2, jointOf(rig, edited.draft[k], part2)]))
+    }));
+    save(JSON.stringify({ format, rigs: said2 }, null, 1) + "\n", `${dataset2} bodies.json`, "application/json");
+  }
+  register("body", {
+    /** @param {BodyRigs | null} rigs @param {BodyPosture | null} posture */
+    show(rigs, posture) {
+      if (rigs && rigs !== edited.rigs && JSON.stringify(rigs) !== JSON.stringify(edited.rigs)) {
+        edited.rigs = rigs;
+        edited.draft = untouched(rigs);
+        setStore(BODY_DRAFT, null);
+      }
+      edited.posture = posture;
+      draw2();
+      return clientside.no_update;
+    },
+    /** @param {import("./ids.mjs").BodyFilled | null} filled */
+    fill(filled2) {
+      filled2?.rigs.forEach((said2, k) => {
+        if (said2 && edited.draft[k]) edited.draft[k] = { changed: true, joints: said2.joints, body: said2.body };
+      });
+      if (filled2) tell2();
+      return clientside.no_update;
+    }
+  });
+
   // library/clips.mjs
   var WORDS = { ok: "read without remarks", warning: "warnings", error: "not read" };
   var ICONS2 = { ok: "check", warning: "warning", error: "error" };
@@ -6067,7 +6294,7 @@
     { className: "verdict verdict-mark verdict-" + props.value, role: "img", "aria-label": WORDS[props.value], title: props.data && props.data.messages || WORDS[props.value] },
     reactElement("span", { className: "icon icon-" + ICONS2[props.value], style: { width: 14, height: 14 }, "aria-hidden": "true" })
   ) : null;
-  function open2(clip) {
+  function open3(clip) {
     setStore(SELECTION, { clip });
     openPage("/clip");
   }
@@ -6076,7 +6303,7 @@
     if (!link2 || event.button || event.metaKey || event.ctrlKey || event.shiftKey || event.altKey) return;
     event.preventDefault();
     event.stopPropagation();
-    open2(link2.dataset.clip);
+    open3(link2.dataset.clip);
   }, true);
   document.addEventListener("keydown", (event) => {
     const cell2 = event.key === "Enter" && closest(event, ".ag-cell[col-id='clip']");
@@ -6084,7 +6311,7 @@
     if (!link2) return;
     event.preventDefault();
     event.stopPropagation();
-    open2(link2.dataset.clip);
+    open3(link2.dataset.clip);
   }, true);
   var USUAL = { tab: "clips", files: "all" };
   var set = {};
@@ -6150,9 +6377,9 @@
   var kindOf2 = (path2) => /\.([a-z0-9]{1,8})$/.exec(path2)?.[1]?.toUpperCase() ?? "other";
   function leftOut(mine2) {
     const counts2 = Object.entries(mine2.ignored).sort((a, b) => b[1] - a[1] || a[0].localeCompare(b[0]));
-    const words3 = counts2.map(([kind, count]) => `${count} ${kind}`).join(", ");
+    const words4 = counts2.map(([kind, count]) => `${count} ${kind}`).join(", ");
     const motion = counts2.some(([kind]) => MOTION.includes(kind));
-    return words3 && `${words3} left out${motion ? "; convert motion to BVH, with Blender for example" : ""}`;
+    return words4 && `${words4} left out${motion ? "; convert motion to BVH, with Blender for example" : ""}`;
   }
   function takeFiles(mine2, files, { fileBytes, totalBytes, files: most, suffixes: suffixes2 }) {
     const isReadable = (path2) => suffixes2.some((suffix) => path2.toLowerCase().endsWith(suffix));
@@ -6182,21 +6409,6 @@
     }
     return taken;
   }
-
-  // library/ids.mjs
-  var DROP_ZONE = "drop-zone";
-  var UPLOAD_BAR = "upload-bar";
-  var UPLOAD_PROGRESS = "upload-progress";
-  var UPLOAD_SUMMARY = "upload-summary";
-  var UPLOAD_LIST = "upload-list";
-  var UPLOAD = (
-    /** @type {StoreId<Upload>} */
-    "upload"
-  );
-  var UPLOAD_INTO = (
-    /** @type {StoreId<UploadInto>} */
-    "upload-into"
-  );
 
   // library/upload.mjs
   var HEADERS = { "X-Motionscape": "upload" };
@@ -6237,8 +6449,8 @@
     if (!files.length) return;
     if (!batch || batch.stopped) batch = freshBatch();
     const mine2 = batch;
-    for (const item of takeFiles(mine2, files, limits())) draw2(mine2, item);
-    tell2(mine2);
+    for (const item of takeFiles(mine2, files, limits())) draw3(mine2, item);
+    tell3(mine2);
     if (!mine2.token) {
       try {
         const answer2 = await fetch("/api/uploads", { method: "POST", headers: HEADERS });
@@ -6247,14 +6459,14 @@
       } catch {
         for (const item of mine2.queue.splice(0)) {
           refuse(item, "the server cannot be reached");
-          draw2(mine2, item);
+          draw3(mine2, item);
         }
-        tell2(mine2);
+        tell3(mine2);
         return;
       }
     }
     while (mine2.active < AT_ONCE && mine2.queue.length) next(mine2);
-    tell2(mine2);
+    tell3(mine2);
   }
   function next(mine2) {
     const item = mine2.queue.shift();
@@ -6268,7 +6480,7 @@
     request5.setRequestHeader("Content-Type", "application/octet-stream");
     request5.upload.onprogress = (event) => {
       item.sent = event.loaded;
-      draw2(mine2, item);
+      draw3(mine2, item);
       summary(mine2);
     };
     request5.onloadend = () => {
@@ -6285,17 +6497,17 @@
         }
         refuse(item, message2);
       }
-      draw2(mine2, item);
+      draw3(mine2, item);
       while (mine2.active < AT_ONCE && mine2.queue.length && !mine2.stopped) next(mine2);
-      tell2(mine2);
+      tell3(mine2);
     };
     request5.send(item.file);
   }
-  function draw2(mine2, item) {
-    const list2 = find(UPLOAD_LIST);
-    if (!list2 || mine2 !== batch) return;
+  function draw3(mine2, item) {
+    const list3 = find(UPLOAD_LIST);
+    if (!list3 || mine2 !== batch) return;
     if (!item.row) {
-      if (list2.childElementCount >= SHOWN && item.state !== "error") {
+      if (list3.childElementCount >= SHOWN && item.state !== "error") {
         return;
       }
       item.row = document.createElement("li");
@@ -6303,7 +6515,7 @@
       item.row.children[1].textContent = item.path;
       childrenOf(item.row)[1].title = item.path;
       item.row.children[2].textContent = sizeInWords(item.file.size);
-      list2.append(item.row);
+      list3.append(item.row);
     }
     item.row.className = "upload-" + item.state;
     const percent3 = item.file.size ? Math.round(100 * item.sent / item.file.size) : 100;
@@ -6326,7 +6538,7 @@
     if (bar) bar.style.width = (mine2.bytes ? Math.min(100, 100 * sent2 / mine2.bytes) : 0) + "%";
     need(UPLOAD_PROGRESS).classList.toggle("hidden", !busy);
   }
-  function tell2(mine2) {
+  function tell3(mine2) {
     summary(mine2);
     const done = mine2.active + mine2.queue.length === 0;
     setStore(UPLOAD, { token: mine2.token, received: mine2.sent, done, name: mine2.name, total: mine2.items.length, ...kinds(mine2) });
@@ -6339,8 +6551,8 @@
       });
     }
     batch = null;
-    const list2 = find(UPLOAD_LIST);
-    if (list2) list2.replaceChildren();
+    const list3 = find(UPLOAD_LIST);
+    if (list3) list3.replaceChildren();
     const node = find(UPLOAD_SUMMARY);
     if (node) node.textContent = "";
   }
@@ -6441,24 +6653,24 @@
     }
     return made;
   }
-  function folding(className, head3, open5, fill) {
+  function folding(className, head3, open6, fill) {
     const part2 = element("details", className);
     part2.append(head3);
     part2.addEventListener("toggle", () => {
       if (part2.open && part2.children.length === 1) part2.append(fill());
     });
-    part2.open = open5;
+    part2.open = open6;
     return part2;
   }
-  function bout(data2, one, open5) {
+  function bout(data2, one, open6) {
     const head3 = element("summary", "gait-head");
-    const select2 = sends(element("button", "gait-select", "Select"), "selection", { clip: data2.clip, start: one.start, end: one.end });
-    select2.setAttribute("aria-label", `Select the frames of ${one.title}`);
-    head3.append(element("b", "", one.title), element("span", "muted number", one.facts), select2);
-    return folding("gait-bout", head3, open5, () => table2(data2.head, one.rows));
+    const select3 = sends(element("button", "gait-select", "Select"), "selection", { clip: data2.clip, start: one.start, end: one.end });
+    select3.setAttribute("aria-label", `Select the frames of ${one.title}`);
+    head3.append(element("b", "", one.title), element("span", "muted number", one.facts), select3);
+    return folding("gait-bout", head3, open6, () => table2(data2.head, one.rows));
   }
   function events(data2) {
-    const list2 = element("div", "gait-events");
+    const list3 = element("div", "gait-events");
     for (const [frame, seconds, side, name] of data2.events.slice(0, MOST_EVENTS)) {
       const row7 = sends(element("button", "gait-event"), CLIP_SEEK, { clip: data2.clip, frame });
       row7.append(
@@ -6467,11 +6679,11 @@
         element("span", `side-${side}`, side[0].toUpperCase() + side.slice(1)),
         element("span", "", name)
       );
-      list2.append(row7);
+      list3.append(row7);
     }
     const more2 = data2.events.length - MOST_EVENTS;
-    if (more2 > 0) list2.append(element("div", "muted", `and ${more2} more: a table of the clip has them all`));
-    return list2;
+    if (more2 > 0) list3.append(element("div", "muted", `and ${more2} more: a table of the clip has them all`));
+    return list3;
   }
   register("gait", {
     /** @param {Gait | null} data */
@@ -6540,7 +6752,7 @@
     upright(part("pointer"), time && at.hover !== null ? at.hover / plot.meta.fps : null, plot);
     band(part("band"), time ? chosenRange() : null, plot);
     dot2(part("dot"), plot && plot.meta.kind === "path" ? at.frame : null, plot);
-    if (time) tell3(plot);
+    if (time) tell4(plot);
   }
   function upright(line3, seconds, plot) {
     const x = seconds === null || !plot ? null : plot.x(seconds);
@@ -6566,7 +6778,7 @@
   var toldAt = 0;
   var later = 0;
   var DIGITS = { "°": 1, " m/s": 2 };
-  function tell3(plot) {
+  function tell4(plot) {
     const now6 = performance.now();
     if (now6 - toldAt < 48) {
       clearTimeout(later);
@@ -6790,13 +7002,13 @@
     const dragged2 = at.dragged;
     at.dragged = null;
     if (grip) return;
-    if (dragged2) return select(dragged2);
+    if (dragged2) return select2(dragged2);
     if (moved2) return;
     const spot = locate(event);
     if (!spot) return;
     if (plot.meta.kind === "path") return clickPath(spot);
     const picked = blockAt(spot);
-    if (picked) select(picked);
+    if (picked) select2(picked);
     else seekFrame(frameAt(spot.plot, spot.x));
   });
   document.addEventListener("pointercancel", () => {
@@ -6809,7 +7021,7 @@
     at.hover = null;
     placeMarks();
   });
-  function select(range2) {
+  function select2(range2) {
     const [start3, end] = range2;
     if (at.shown && end - start3 >= 2) setStore(SELECTION, { clip: at.shown.clip, start: start3, end });
     else placeMarks();
@@ -6898,7 +7110,7 @@
     const frame = frameNow();
     if (frame === null || !at.shown) return;
     const [start3, end] = chosenRange() || [0, at.shown.frames];
-    select(which === "start" ? [frame, end > frame ? end : at.shown.frames] : [start3 < frame ? start3 : 0, frame + 1]);
+    select2(which === "start" ? [frame, end > frame ? end : at.shown.frames] : [start3 < frame ? start3 : 0, frame + 1]);
   }
   var step = (by) => {
     player.pause();
@@ -7062,10 +7274,10 @@
     return made;
   }
   function choice(label, options, act2) {
-    const select2 = html("select", { class: "blend-choice", "aria-label": label });
-    for (const [value, text] of options) select2.append(html("option", { value }, text));
-    select2.addEventListener("change", () => act2(select2.value));
-    return select2;
+    const select3 = html("select", { class: "blend-choice", "aria-label": label });
+    for (const [value, text] of options) select3.append(html("option", { value }, text));
+    select3.addEventListener("change", () => act2(select3.value));
+    return select3;
   }
   function drawControls(box4, state3, shares2, actions4) {
     const { bodies, most } = state3.data;
@@ -7339,7 +7551,7 @@
   var LABEL = 40;
   var LEAST_LABEL = 9;
   var shown4 = null;
-  var drawing2 = (name, attributes, title) => svgElement(name, attributes, ...title ? [svgElement("title", {}, title)] : []);
+  var drawing3 = (name, attributes, title) => svgElement(name, attributes, ...title ? [svgElement("title", {}, title)] : []);
   function choose2(a, b) {
     if (a !== null && a !== void 0) return setStore(SELECTION, { motif: a });
     if (b === null || b === void 0) return;
@@ -7365,11 +7577,11 @@
   function drawBar(svg, bar, width) {
     const left = bar.side === "a";
     const x = left ? LABEL : width - LABEL - BAR;
-    const group = drawing2("g", { class: `flow-bar change-${bar.change || "none"}`, "data-side": bar.side, "data-motif": bar.motif ?? "" }, bar.title);
-    group.appendChild(drawing2("rect", { x, y: bar.y, width: BAR, height: Math.max(bar.h, 1), rx: 2 }));
+    const group = drawing3("g", { class: `flow-bar change-${bar.change || "none"}`, "data-side": bar.side, "data-motif": bar.motif ?? "" }, bar.title);
+    group.appendChild(drawing3("rect", { x, y: bar.y, width: BAR, height: Math.max(bar.h, 1), rx: 2 }));
     if (bar.h >= LEAST_LABEL) {
       const at3 = { x: left ? x - 6 : x + BAR + 6, y: bar.y + bar.h / 2, "text-anchor": left ? "end" : "start" };
-      group.appendChild(drawing2("text", { ...at3, "dominant-baseline": "central" })).textContent = bar.label;
+      group.appendChild(drawing3("text", { ...at3, "dominant-baseline": "central" })).textContent = bar.label;
     }
     if (bar.motif !== null) pressable(group, bar.title, () => choose2(here(bar), bar.motif));
     svg.appendChild(group);
@@ -7379,15 +7591,15 @@
     const bend = (x0 + x1) / 2, { ya, yb, h } = ribbon;
     const path2 = `M${x0},${ya} C${bend},${ya} ${bend},${yb} ${x1},${yb} L${x1},${yb + h} C${bend},${yb + h} ${bend},${ya + h} ${x0},${ya + h} Z`;
     const change2 = ribbon.kind === "kept" ? "kept" : ribbon.kind === "linked" ? changes(ribbon) : "none";
-    const one = drawing2("path", { d: path2, class: `flow-ribbon change-${change2}`, "data-a": ribbon.a ?? "", "data-b": ribbon.b ?? "" }, ribbon.title);
+    const one = drawing3("path", { d: path2, class: `flow-ribbon change-${change2}`, "data-a": ribbon.a ?? "", "data-b": ribbon.b ?? "" }, ribbon.title);
     one.addEventListener("click", () => choose2(ribbon.a, ribbon.b));
     svg.appendChild(one);
   }
-  function draw3() {
+  function draw4() {
     const box4 = find(COMPARE_FLOW);
     if (!box4 || !shown4 || !shown4.data || !box4.clientWidth) return;
     const width = box4.clientWidth, { height, bars, ribbons } = shown4.data;
-    const svg = drawing2("svg", { width, height, viewBox: `0 0 ${width} ${height}`, role: "group", "aria-label": "Motion that motifs of both results share" });
+    const svg = drawing3("svg", { width, height, viewBox: `0 0 ${width} ${height}`, role: "group", "aria-label": "Motion that motifs of both results share" });
     const change2 = new Map(bars.map((bar) => [bar.side + bar.motif, bar.change]));
     const changes = (ribbon) => change2.get("a" + ribbon.a) === "kept" ? change2.get("b" + ribbon.b) : change2.get("a" + ribbon.a);
     const rank = { rest: 0, linked: 1, kept: 2 };
@@ -7410,7 +7622,7 @@
     watched.add(box4);
     let width = 0;
     new ResizeObserver(() => {
-      if (box4.clientWidth && box4.clientWidth !== width) draw3();
+      if (box4.clientWidth && box4.clientWidth !== width) draw4();
       width = box4.clientWidth;
     }).observe(box4);
   }
@@ -7421,7 +7633,7 @@
       const box4 = find(COMPARE_FLOW);
       if (!data2 || !box4) return clientside.no_update;
       watch(box4);
-      draw3();
+      draw4();
       return clientside.no_update;
     },
     /** @param {any} request */
@@ -7680,18 +7892,18 @@
     // Rows that do not match leave the table, their boxes fade in the graph.
     /** @param {string | null} text @param {Record<string, any>[] | null} rows */
     async search(text, rows2) {
-      const words3 = (text || "").toLowerCase().split(/\s+/).filter(Boolean);
+      const words4 = (text || "").toLowerCase().split(/\s+/).filter(Boolean);
       const api = await gridApi(MOTIF_TABLE);
       if (api) api.setGridOption("quickFilterText", text || "");
       const cy = await graphReady(3);
       if (!cy) return clientside.no_update;
       const fits2 = (row7) => {
         const all = ["id", "name", "tags", "note", "label"].map((field) => row7[field] ?? "").join(" ").toLowerCase();
-        return words3.every((word) => all.includes(word));
+        return words4.every((word) => all.includes(word));
       };
       const matching2 = new Set((rows2 || []).filter(fits2).map((row7) => "m" + row7.id));
       cy.batch(() => cy.nodes("[motif >= 0]").forEach((node) => {
-        node.toggleClass("unmatched", words3.length > 0 && !matching2.has(node.id()));
+        node.toggleClass("unmatched", words4.length > 0 && !matching2.has(node.id()));
       }));
       return clientside.no_update;
     }
@@ -7713,7 +7925,7 @@
     watched3.add(cy);
     cy.on("data", "node[motif >= 0]", (event) => rate(event.target));
   }
-  function words2(motif) {
+  function words3(motif) {
     const shares2 = of(motif);
     if (!shares2) return "Choose a box to see how it fared.";
     const kinds2 = [["noise", "with noise"], ["seed", "from other seeds"], ["parameters", "with settings a step away"]];
@@ -7728,7 +7940,7 @@
       const legend5 = find(STABILITY_LEGEND);
       if (legend5) legend5.classList.toggle("hidden", !shown5);
       const place5 = find(STABILITY_WORDS);
-      if (place5 && shown5) place5.textContent = words2((selection || {}).motif);
+      if (place5 && shown5) place5.textContent = words3((selection || {}).motif);
       const cy = await graphReady();
       if (!cy) return clientside.no_update;
       watch3(cy);
@@ -7879,15 +8091,15 @@
   }
   setInterval(cursor, 80);
   var drawn2 = null;
-  function drawing3(selection) {
+  function drawing4(selection) {
     if (!drawn2) return null;
     const motif = selection && selection.motif !== void 0 ? { motif: String(selection.motif) } : null;
     const scheme = document.documentElement.dataset.mantineColorScheme || "light";
     return `${drawn2.data.drawing}&${new URLSearchParams({ order: drawn2.order, scale: drawn2.scale, ...motif, scheme })}`;
   }
   var chosen2 = null;
-  drawings.timeline = () => drawing3(chosen2);
-  function draw4(data2, order, scale3, selection) {
+  drawings.timeline = () => drawing4(chosen2);
+  function draw5(data2, order, scale3, selection) {
     const box4 = find(TIMELINE_ROWS);
     if (!box4 || !data2) return clientside.no_update;
     const wanted2 = { data: data2, order, scale: scale3, motif: order === "chosen" ? (selection || {}).motif : null };
@@ -7904,10 +8116,10 @@
     return clientside.no_update;
   }
   register("timeline", {
-    draw: draw4,
+    draw: draw5,
     /** @param {Selection | null} selection @param {string} order */
     mark(selection, order) {
-      if (drawn2 && order === "chosen") draw4(drawn2.data, order, drawn2.scale, selection);
+      if (drawn2 && order === "chosen") draw5(drawn2.data, order, drawn2.scale, selection);
       const box4 = find(TIMELINE_ROWS);
       if (box4) mark2(box4, selection);
       return clientside.no_update;
@@ -7930,8 +8142,8 @@
       return element("div", i ? "walk-meter" : "walk-meter walk-meter-own", element("span", "", name), bar, number2);
     });
     const [blends, recordings] = quality.speeds;
-    const words3 = blended ? `${quality.jump ? "A blend jumps" : "No jump"}: fastest joint ${blends} m/s in the blends, ${recordings} m/s in the recordings.` : "Recorded as it is: nothing had to be blended.";
-    box4.replaceChildren(title, ...meters, element("div", quality.jump ? "walk-speed walk-jump" : "walk-speed", words3));
+    const words4 = blended ? `${quality.jump ? "A blend jumps" : "No jump"}: fastest joint ${blends} m/s in the blends, ${recordings} m/s in the recordings.` : "Recorded as it is: nothing had to be blended.";
+    box4.replaceChildren(title, ...meters, element("div", quality.jump ? "walk-speed walk-jump" : "walk-speed", words4));
   }
 
   // motifs/walk_graph.mjs
@@ -8047,55 +8259,55 @@
     item.append(box4);
     return item;
   }
-  function watch5(list2) {
-    if (list2.dataset.watched) return;
-    list2.dataset.watched = "yes";
+  function watch5(list3) {
+    if (list3.dataset.watched) return;
+    list3.dataset.watched = "yes";
     let held = null;
     const place5 = (event) => closest(event, ".walk-chip");
-    list2.addEventListener("dragstart", (event) => {
+    list3.addEventListener("dragstart", (event) => {
       held = Number(place5(event)?.dataset.at);
       if (!event.dataTransfer) return;
       event.dataTransfer.effectAllowed = "move";
       event.dataTransfer.setData("text/plain", String(held));
     });
-    list2.addEventListener("dragover", (event) => {
+    list3.addEventListener("dragover", (event) => {
       if (held === null || !place5(event)) return;
       event.preventDefault();
-      for (const box4 of allWithin(list2, ".walk-chip")) box4.classList.toggle("over", box4 === place5(event));
+      for (const box4 of allWithin(list3, ".walk-chip")) box4.classList.toggle("over", box4 === place5(event));
     });
-    list2.addEventListener("drop", (event) => {
+    list3.addEventListener("drop", (event) => {
       const to = place5(event);
       if (held === null || !to) return;
       event.preventDefault();
       if (Number(to.dataset.at) !== held) path.actions.write(moved(path.ids, held, Number(to.dataset.at)));
     });
-    list2.addEventListener("dragend", () => {
+    list3.addEventListener("dragend", () => {
       held = null;
-      for (const box4 of allWithin(list2, ".over")) box4.classList.remove("over");
+      for (const box4 of allWithin(list3, ".over")) box4.classList.remove("over");
     });
   }
-  function drawPath(list2, data2, actions4) {
-    watch5(list2);
+  function drawPath(list3, data2, actions4) {
+    watch5(list3);
     path.ids = data2.path || [];
     path.actions = actions4;
     const stamp = JSON.stringify([data2.path, data2.kinds, data2.gap, data2.dead, data2.motifs]);
-    if (list2.dataset.stamp === stamp) return;
-    list2.dataset.stamp = stamp;
-    list2.replaceChildren(...path.ids.map((motif, at3) => chip(motif, at3, data2, actions4)));
-    const focused = path.focus === void 0 ? null : allWithin(list2, ".walk-go")[path.focus];
+    if (list3.dataset.stamp === stamp) return;
+    list3.dataset.stamp = stamp;
+    list3.replaceChildren(...path.ids.map((motif, at3) => chip(motif, at3, data2, actions4)));
+    const focused = path.focus === void 0 ? null : allWithin(list3, ".walk-go")[path.focus];
     path.focus = void 0;
     if (focused) focused.focus();
   }
-  function lightVisit(list2, visit) {
-    if (!list2) return;
-    allWithin(list2, ".walk-chip").forEach((box4, at3) => {
+  function lightVisit(list3, visit) {
+    if (!list3) return;
+    allWithin(list3, ".walk-chip").forEach((box4, at3) => {
       const here3 = at3 === visit;
       box4.classList.toggle("lit", here3);
       if (here3) box4.setAttribute("aria-current", "true");
       else box4.removeAttribute("aria-current");
       if (here3) {
-        const [outer, inner] = [list2.getBoundingClientRect(), box4.getBoundingClientRect()];
-        if (inner.top < outer.top || inner.bottom > outer.bottom) list2.scrollTop += inner.top - outer.top - 4;
+        const [outer, inner] = [list3.getBoundingClientRect(), box4.getBoundingClientRect()];
+        if (inner.top < outer.top || inner.bottom > outer.bottom) list3.scrollTop += inner.top - outer.top - 4;
       }
     });
   }
@@ -8105,12 +8317,12 @@
   function waysText(data2) {
     if (!data2.parts) return "";
     const total3 = data2.motifs.length;
-    const words3 = [];
-    if (data2.parts.length > 1) words3.push(`From ${data2.parts[0]} of ${total3} motifs one can come back to each other; ${data2.parts.length - 1} more such part${data2.parts.length > 2 ? "s" : ""}.`);
+    const words4 = [];
+    if (data2.parts.length > 1) words4.push(`From ${data2.parts[0]} of ${total3} motifs one can come back to each other; ${data2.parts.length - 1} more such part${data2.parts.length > 2 ? "s" : ""}.`);
     const dead = data2.dead.length > MOST_NAMED ? `${data2.dead.length} motifs` : data2.dead.join(", ");
-    if (data2.dead.length) words3.push(`Dead ends, where nothing leads on: ${dead} (marked in the graph).`);
-    if (data2.inputs.extra) words3.push(data2.further.length ? `${data2.further.length} further transitions (dashed).` : "No further transition points are good enough.");
-    return words3.join(" ");
+    if (data2.dead.length) words4.push(`Dead ends, where nothing leads on: ${dead} (marked in the graph).`);
+    if (data2.inputs.extra) words4.push(data2.further.length ? `${data2.further.length} further transitions (dashed).` : "No further transition points are good enough.");
+    return words4.join(" ");
   }
   var filled = (path2, [a, b], detour) => path2.flatMap((motif, i) => i && path2[i - 1] === a && motif === b ? detour.slice(1) : [motif]);
   var withoutGap = (path2, [a, b]) => path2.filter((motif, i) => !(i && path2[i - 1] === a && motif === b));
@@ -8210,13 +8422,13 @@
   }
   function lists() {
     for (const [id, first] of [[WALK_ADD, "a motif …"], [WALK_FROM, "motif"], [WALK_TO, "motif"]]) {
-      const list2 = need(id);
+      const list3 = need(id);
       const stamp = `${now2.key} ${JSON.stringify(now2.motifs)}`;
-      if (list2.dataset.stamp === stamp) continue;
-      list2.dataset.stamp = stamp;
-      const chosen3 = list2.value;
-      list2.replaceChildren(new Option(first, ""), ...now2.motifs.map(({ id: motif, name }) => new Option(name ? `${motif} ${name}` : String(motif), String(motif))));
-      list2.value = chosen3;
+      if (list3.dataset.stamp === stamp) continue;
+      list3.dataset.stamp = stamp;
+      const chosen3 = list3.value;
+      list3.replaceChildren(new Option(first, ""), ...now2.motifs.map(({ id: motif, name }) => new Option(name ? `${motif} ${name}` : String(motif), String(motif))));
+      list3.value = chosen3;
     }
   }
   function seekTo(visit) {
@@ -8423,7 +8635,7 @@
     copy2.querySelector(".map-layer-cursor")?.remove();
     return copy2;
   }
-  async function drawing4() {
+  async function drawing5() {
     const { overlay } = state, plot = within(overlay.box, ".js-plotly-plot");
     const { width, height } = plot.getBoundingClientRect();
     const address2 = await window.Plotly.toImage(plot, { format: "svg", width, height });
@@ -8437,7 +8649,7 @@
   document.addEventListener("click", async (event) => {
     const button5 = closest(event, "[data-map-save]");
     if (!button5 || !state.map) return;
-    const made = await drawing4(), name = `${state.known.dataset} map`;
+    const made = await drawing5(), name = `${state.known.dataset} map`;
     if (button5.dataset.mapSave === "svg") save(made, `${name}.svg`, "image/svg+xml");
     else save(await pngOf(made), `${name}.png`);
   });
@@ -8500,8 +8712,8 @@
   var awaited = () => data.inputs.person !== (person2.name || person2.id);
   var rows = () => awaited() ? [] : (mode() === "vote" ? data.duels : data.pairs) || [];
   var visible = () => Boolean(find(STUDY_SETUP)?.offsetParent) && data && !data.error;
-  var button3 = (words3, name, className = "search-button") => {
-    const made = element("button", className, ...[words3].flat());
+  var button3 = (words4, name, className = "search-button") => {
+    const made = element("button", className, ...[words4].flat());
     made.type = "button";
     made.dataset.study = name;
     return made;
@@ -8540,10 +8752,10 @@
     const text = view2.query || "";
     return text && !text.includes(",") && text.split(":").length === 2 ? text : "";
   }
-  function nothing(words3) {
-    return element("p", "muted study-nothing", words3);
+  function nothing(words4) {
+    return element("p", "muted study-nothing", words4);
   }
-  function draw5() {
+  function draw6() {
     const which = mode();
     if (which === "results") return;
     const box4 = need(which === "vote" ? STUDY_VOTE : STUDY_RATE);
@@ -8570,16 +8782,16 @@
     play4(row7);
     return void 0;
   }
-  function move3(words3, by, symbol) {
-    const made = button3([icon(symbol, 13), words3], "move");
+  function move3(words4, by, symbol) {
+    const made = button3([icon(symbol, 13), words4], "move");
     made.dataset.by = String(by);
     return made;
   }
   function scale2(row7) {
-    const buttons = SCALE.map((words3, k) => {
-      const one = button3([element("b", "", String(k + 1)), element("span", "", words3)], "answer", "study-value");
+    const buttons = SCALE.map((words4, k) => {
+      const one = button3([element("b", "", String(k + 1)), element("span", "", words4)], "answer", "study-value");
       one.dataset.value = String(k + 1);
-      one.setAttribute("aria-label", `${k + 1}${words3 ? `: ${words3}` : ""}`);
+      one.setAttribute("aria-label", `${k + 1}${words4 ? `: ${words4}` : ""}`);
       one.setAttribute("aria-pressed", String(row7.value === k + 1));
       return one;
     });
@@ -8587,10 +8799,10 @@
     return element("div", "", element("div", "study-scale", ...buttons), keys);
   }
   function choices(row7) {
-    const buttons = Object.entries(CHOICES).map(([value, [words3, colour, key]]) => {
+    const buttons = Object.entries(CHOICES).map(([value, [words4, colour, key]]) => {
       const dot3 = element("span", "study-dot");
       dot3.style.background = colour;
-      const one = button3([...colour ? [dot3] : [], element("b", "", words3), element("kbd", "", key)], "answer", "study-choice");
+      const one = button3([...colour ? [dot3] : [], element("b", "", words4), element("kbd", "", key)], "answer", "study-choice");
       one.dataset.value = value;
       one.setAttribute("aria-pressed", String(row7.value === value));
       return one;
@@ -8626,7 +8838,7 @@
   function step2(by) {
     const which = mode();
     at2[which] = Math.min(Math.max(at2[which] + by, 0), Math.max(rows().length - 1, 0));
-    draw5();
+    draw6();
   }
   var given = /* @__PURE__ */ new Map();
   var nameOf2 = (row7) => JSON.stringify([person2.name || person2.id, row7.query, row7.hit, row7.left, row7.right]);
@@ -8681,7 +8893,7 @@
         [["rate", "pairs"], ["vote", "duels"]]
       ) at2[which] = place2(at2[which], before2 && before2[all] || [], data[all]);
       setup();
-      draw5();
+      draw6();
       return clientside.no_update;
     }
   });
@@ -8713,7 +8925,7 @@
     if (targetOf(event).id !== STUDY_NAME) return;
     takePerson({ ...person2, name: targetOf(event).value.trim() });
     setStore(STUDY_PERSON, person2);
-    draw5();
+    draw6();
   });
   document.addEventListener("keydown", (event) => {
     if (!visible() || mode() === "results" || !rows().length || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -8734,7 +8946,7 @@
   var SWEEP_TABLE = "sweep-table";
 
   // sweeps/sweeps.mjs
-  function open3(address2) {
+  function open4(address2) {
     const { pathname, searchParams } = new URL(address2, location.origin);
     setStore(SELECTION, {});
     openPage(pathname, { [VIEW_CHANGE]: changeOfSettings("motifs", Object.fromEntries(searchParams)) });
@@ -8747,7 +8959,7 @@
     if (!link2 || !plain2(event)) return;
     event.preventDefault();
     event.stopPropagation();
-    open3(
+    open4(
       /** @type {any} */
       link2.href
     );
@@ -8758,7 +8970,7 @@
     if (!link2) return;
     event.preventDefault();
     event.stopPropagation();
-    open3(
+    open4(
       /** @type {any} */
       link2.href
     );
@@ -8767,7 +8979,7 @@
     /** @param {{ points?: { customdata?: any }[] } | null} click */
     open(click) {
       const address2 = click && click.points && click.points[0] && click.points[0].customdata;
-      if (typeof address2 === "string" && address2) open3(address2);
+      if (typeof address2 === "string" && address2) open4(address2);
       return clientside.no_update;
     }
   });
@@ -8915,11 +9127,11 @@
   // grammar/history.mjs
   var MOST2 = 100;
   function visited(past2, sentence) {
-    const { key, list: list2, at: at3 } = past2;
-    if (list2[at3] === sentence) return past2;
-    if (list2[at3 - 1] === sentence) return { key, list: list2, at: at3 - 1 };
-    if (list2[at3 + 1] === sentence) return { key, list: list2, at: at3 + 1 };
-    const kept = [...list2.slice(Math.max(0, at3 + 2 - MOST2), at3 + 1), sentence];
+    const { key, list: list3, at: at3 } = past2;
+    if (list3[at3] === sentence) return past2;
+    if (list3[at3 - 1] === sentence) return { key, list: list3, at: at3 - 1 };
+    if (list3[at3 + 1] === sentence) return { key, list: list3, at: at3 + 1 };
+    const kept = [...list3.slice(Math.max(0, at3 + 2 - MOST2), at3 + 1), sentence];
     return { key, list: kept, at: kept.length - 1 };
   }
 
@@ -9053,8 +9265,8 @@
     player.play();
   }
   function string(data2) {
-    const list2 = need(COMPOSE_STRING);
-    if (!isFresh(list2, [data2.name, data2.actions, state2.data.names, now3.inputs, now3.chosen])) return;
+    const list3 = need(COMPOSE_STRING);
+    if (!isFresh(list3, [data2.name, data2.actions, state2.data.names, now3.inputs, now3.chosen])) return;
     const chips = data2.actions.map((id, at3) => {
       const line3 = element("li", "compose-step");
       const button5 = actionChip(id);
@@ -9066,7 +9278,7 @@
       line3.append(button5);
       return line3;
     });
-    redraw(list2, chips);
+    redraw(list3, chips);
   }
   function chosenWords() {
     const { chosen: chosen3 } = now3;
@@ -9300,16 +9512,16 @@
     setStore(SELECTION, selection);
   }
   var drawRoutines = (shown8, data2, view4) => {
-    const list2 = find(ROUTINE_LIST);
-    if (!list2 || !data2?.routines) return;
-    if (isFresh(list2, [data2.key, data2.names])) {
+    const list3 = find(ROUTINE_LIST);
+    if (!list3 || !data2?.routines) return;
+    if (isFresh(list3, [data2.key, data2.names])) {
       const brief = new Map(data2.rows.map((clip) => [clip.clip, clip.brief]));
-      redraw(list2, data2.routines.map((routine2, number2) => row5(routine2, number2, brief.get(routine2.clip))));
+      redraw(list3, data2.routines.map((routine2, number2) => row5(routine2, number2, brief.get(routine2.clip))));
     }
     if (!shown8 || shown8.key !== data2.key) return;
     const routine = data2.routines[shown8.number];
     now4 = { routine, number: shown8.number };
-    for (const button5 of allWithin(list2, ".routine-row")) {
+    for (const button5 of allWithin(list3, ".routine-row")) {
       const here3 = Number(button5.dataset.routine) === shown8.number;
       button5.classList.toggle("chosen", here3);
       button5.setAttribute("aria-pressed", String(here3));
@@ -9337,7 +9549,7 @@
 
   // grammar/rules.mjs
   var FIRST = 8;
-  var open4 = /* @__PURE__ */ new Set();
+  var open5 = /* @__PURE__ */ new Set();
   var named = (id) => (state2.data.rules || []).find((phrase) => phrase.id === id);
   var phraseChip = (id) => {
     const phrase = named(id);
@@ -9372,15 +9584,15 @@
       mark3.title = "New routines may go round it more than once";
       head3.append(mark3);
     }
-    const list2 = element("ol", "ways");
-    const shown8 = open4.has(phrase.id) ? phrase.ways : phrase.ways.slice(0, FIRST);
-    list2.append(...shown8.map((one) => way2(one, phrase.seen)));
-    box4.append(head3, list2);
+    const list3 = element("ol", "ways");
+    const shown8 = open5.has(phrase.id) ? phrase.ways : phrase.ways.slice(0, FIRST);
+    list3.append(...shown8.map((one) => way2(one, phrase.seen)));
+    box4.append(head3, list3);
     if (phrase.ways.length > shown8.length) {
       const more2 = element("button", "text-button", `Show ${phrase.ways.length - shown8.length} more`);
       more2.type = "button";
       more2.addEventListener("click", () => {
-        open4.add(phrase.id);
+        open5.add(phrase.id);
         box4.replaceWith(card3(phrase, start3));
         allWithin(need(PHRASE + phrase.id), ".way")[FIRST]?.querySelector("button")?.focus();
       });
@@ -9391,7 +9603,7 @@
   var drawRules = (data2) => {
     const box4 = find(GRAMMAR_RULES);
     if (!box4 || !isFresh(box4, [data2.key, data2.names])) return;
-    open4.clear();
+    open5.clear();
     box4.replaceChildren(...data2.rules.map((phrase, number2) => card3(phrase, number2 === 0)));
   };
   document.addEventListener("click", (event) => {
@@ -9838,7 +10050,7 @@
   var HEAD2 = 0.105;
   var PENS = { left: 0.06, right: 0.06, centre: 0.075 };
   var [YAW2, PITCH2] = [35 * Math.PI / 180, 8 * Math.PI / 180];
-  var VIEWS = {
+  var VIEWS2 = {
     front: ([x, y, z]) => [x, -y, z],
     side: ([x, y, z]) => [z, -y, -x],
     top: ([x, y, z]) => [x, z, y],
@@ -9847,7 +10059,7 @@
       return [a, c * Math.sin(PITCH2) - y * Math.cos(PITCH2), c];
     }
   };
-  var jointOf = (posture, j) => j < 0 ? [0, 0, 0] : [posture[3 * j], posture[3 * j + 1], posture[3 * j + 2]];
+  var jointOf2 = (posture, j) => j < 0 ? [0, 0, 0] : [posture[3 * j], posture[3 * j + 1], posture[3 * j + 2]];
   var minus = (a, b) => a.map((part2, k) => part2 - b[k]);
   var plus = (a, b, scale3 = 1) => a.map((part2, k) => part2 + scale3 * b[k]);
   var cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
@@ -9858,20 +10070,20 @@
   function forward(map, posture) {
     const [left, right] = ["left_shoulder", "right_shoulder"].map((role) => map.roles.indexOf(role));
     if (left < 0 || right < 0) return [0, 0, 1];
-    const [a, b] = [jointOf(posture, left), jointOf(posture, right)];
+    const [a, b] = [jointOf2(posture, left), jointOf2(posture, right)];
     return unit(cross(minus(a, b), plus(a, b))) || [0, 0, 1];
   }
-  var sideOf = (map, j) => /_(clavicle|shoulder|hip)$/.test(map.roles[j]) ? "centre" : map.sides[j];
+  var sideOf2 = (map, j) => /_(clavicle|shoulder|hip)$/.test(map.roles[j]) ? "centre" : map.sides[j];
   function drawFigure(map, posture, view4) {
-    const see = VIEWS[view4];
+    const see = VIEWS2[view4];
     const text = (point) => {
       const [a, b] = see(point);
       return `${a.toFixed(3)} ${b.toFixed(3)}`;
     };
     const layers = ["left", "right", "centre"].map((side) => {
-      const bones = map.parents.map((parent, j) => [parent, j]).filter(([, j]) => sideOf(map, j) === side);
-      const d = bones.map(([parent, j]) => `M${text(jointOf(posture, parent))}L${text(jointOf(posture, j))}`).join("");
-      const depth2 = bones.reduce((sum2, [, j]) => sum2 + see(jointOf(posture, j))[2], 0) / Math.max(bones.length, 1);
+      const bones = map.parents.map((parent, j) => [parent, j]).filter(([, j]) => sideOf2(map, j) === side);
+      const d = bones.map(([parent, j]) => `M${text(jointOf2(posture, parent))}L${text(jointOf2(posture, j))}`).join("");
+      const depth2 = bones.reduce((sum2, [, j]) => sum2 + see(jointOf2(posture, j))[2], 0) / Math.max(bones.length, 1);
       const group = svgElement("g", { class: `map-limb-${side}` }, svgElement("path", { d, "stroke-width": PENS[side], fill: "none" }));
       if (side === "centre") group.append(...head(map, posture, see));
       return { group, depth: depth2 };
@@ -9882,8 +10094,8 @@
   function head(map, posture, see) {
     const at3 = map.roles.indexOf("head");
     if (at3 < 0) return [];
-    const up = unit(minus(jointOf(posture, at3), jointOf(posture, map.parents[at3]))) || [0, 1, 0];
-    const centre = plus(jointOf(posture, at3), up, HEAD2);
+    const up = unit(minus(jointOf2(posture, at3), jointOf2(posture, map.parents[at3]))) || [0, 1, 0];
+    const centre = plus(jointOf2(posture, at3), up, HEAD2);
     const [middle, tip] = [see(centre), see(plus(centre, forward(map, posture), 1.5 * HEAD2))];
     const ball2 = svgElement("circle", { cx: middle[0], cy: middle[1], r: HEAD2, class: "map-head" });
     if (tip[2] < middle[2] - 1e-6) return [ball2];
@@ -9893,7 +10105,7 @@
     const fit2 = view4 === "icon";
     let box4 = [-1, -1.05, 2, 2.1];
     if (fit2) {
-      const seen3 = [[0, 0, 0], ...map.parents.map((_, j) => jointOf(posture, j))].map(VIEWS.icon);
+      const seen3 = [[0, 0, 0], ...map.parents.map((_, j) => jointOf2(posture, j))].map(VIEWS2.icon);
       const [xs, ys] = [seen3.map((p) => p[0]), seen3.map((p) => p[1])];
       const side = Math.max(Math.max(...xs) - Math.min(...xs), Math.max(...ys) - Math.min(...ys), 1.2) + 0.34;
       box4 = [(Math.max(...xs) + Math.min(...xs) - side) / 2, (Math.max(...ys) + Math.min(...ys) - side) / 2 - 0.08, side, side];
@@ -9915,7 +10127,7 @@
   }
   function dragJoint(map, posture, joint, goal) {
     const chain = chainOf(map, joint);
-    const at3 = chain.map((j) => [...jointOf(posture, j)]);
+    const at3 = chain.map((j) => [...jointOf2(posture, j)]);
     const bones = chain.slice(0, -1).map((j) => map.lengths[j]);
     const fixed = [...at3[at3.length - 1]];
     const toward = (from, to, length, otherwise) => {
@@ -9964,7 +10176,7 @@
   // motion_map/posture_editor.mjs
   var AXES = { front: [[1, 0, 0], [0, -1, 0]], side: [[0, 0, 1], [0, -1, 0]], top: [[1, 0, 0], [0, 0, 1]] };
   var BOX = [-1, -1.05, 2, 2.1];
-  var edited;
+  var edited2;
   var viewOf2 = (svg) => (
     /** @type {HTMLElement} */
     svg.parentNode.dataset.view ?? "front"
@@ -10024,8 +10236,8 @@
         handle2.ownerSVGElement
       );
       const joint = Number(handle2.dataset.joint);
-      held = { svg, joint, view: viewOf2(svg), from: place5(svg, event), start: jointOf(edited.posture, joint) };
-      edited.joint = joint;
+      held = { svg, joint, view: viewOf2(svg), from: place5(svg, event), start: jointOf2(edited2.posture, joint) };
+      edited2.joint = joint;
       svg.setPointerCapture(event.pointerId);
       event.preventDefault();
     });
@@ -10052,7 +10264,7 @@
         /** @type {SVGSVGElement} */
         handle2.ownerSVGElement
       ), joint = Number(handle2.dataset.joint);
-      const [right, down] = AXES[view4], from = jointOf(edited.posture, joint);
+      const [right, down] = AXES[view4], from = jointOf2(edited2.posture, joint);
       move5(joint, from.map((v, k) => v + 0.04 * (step3[0] * right[k] + step3[1] * down[k])));
       within(box4, `[data-view="${view4}"] .map-joint[data-joint="${joint}"]`).focus();
     });
@@ -10060,26 +10272,26 @@
       const action = closest(event, "[data-editor]")?.dataset.editor;
       if (action === "cancel") box4.close();
       if (action === "reset") {
-        edited.posture = edited.start;
-        draw6();
+        edited2.posture = edited2.start;
+        draw7();
       }
       if (action === "use") {
-        const { node, key, change: change2 } = edited, { keys } = state;
+        const { node, key, change: change2 } = edited2, { keys } = state;
         box4.close();
         change2(key < 0 ? [...keys, node] : keys.map((old, k) => k === key ? node : old));
       }
     });
   }
   function move5(joint, goal) {
-    edited.posture = dragJoint(edited.map, edited.posture, joint, goal);
-    draw6();
+    edited2.posture = dragJoint(edited2.map, edited2.posture, joint, goal);
+    draw7();
   }
-  function draw6() {
-    const { map, posture } = edited, box4 = dialog();
+  function draw7() {
+    const { map, posture } = edited2, box4 = dialog();
     for (const figure2 of allWithin(box4, "[data-view]")) {
-      const svg = within(figure2, "svg"), view4 = figure2.dataset.view ?? "", see = VIEWS[view4];
+      const svg = within(figure2, "svg"), view4 = figure2.dataset.view ?? "", see = VIEWS2[view4];
       const handles = map.parents.map((_, j) => {
-        const [x, y] = see(jointOf(posture, j));
+        const [x, y] = see(jointOf2(posture, j));
         const handle2 = svgElement("circle", { cx: x.toFixed(3), cy: y.toFixed(3), r: 0.045, class: "map-joint", tabindex: "0", role: "button", "data-joint": j });
         handle2.setAttribute("aria-label", `${NAMES(map.roles[j], map.joints[j])}, ${view4}`);
         const title = svgElement("title");
@@ -10090,7 +10302,7 @@
       svg.replaceChildren(drawFigure(map, posture, view4), ...handles);
     }
     const { node, distance } = map.nearest(posture);
-    Object.assign(edited, { node, distance });
+    Object.assign(edited2, { node, distance });
     const far = distance > 2.5 * map.usual;
     within(box4, ".map-editor-status").textContent = `Nearest posture on the map: ${distance.toFixed(2)} m away${far ? ", so nothing there is like this" : ""}`;
     within(box4, ".map-editor-nearest").replaceChildren(figurePicture(map, map.posture(node), "icon"));
@@ -10099,12 +10311,12 @@
   function editPosture(node, key, change2) {
     const { map } = state;
     const posture = map.posture(node);
-    edited = { map, posture, start: posture, key, change: change2, joint: -1, node, distance: 0 };
+    edited2 = { map, posture, start: posture, key, change: change2, joint: -1, node, distance: 0 };
     dialog();
-    draw6();
+    draw7();
     dialog().showModal();
   }
-  var editedPosture = () => edited;
+  var editedPosture = () => edited2;
 
   // motion_map/keys.mjs
   var MOST_ROWS2 = 60;
@@ -10134,9 +10346,9 @@
     });
     const row7 = element("div", "map-views");
     row7.append(...views);
-    const words3 = box4.querySelector(".map-caption") || element("div", "map-caption number");
-    words3.textContent = caption(map, node, facts ?? null);
-    box4.replaceChildren(row7, words3);
+    const words4 = box4.querySelector(".map-caption") || element("div", "map-caption number");
+    words4.textContent = caption(map, node, facts ?? null);
+    box4.replaceChildren(row7, words4);
   }
   function caption(map, node, facts) {
     const [x, y] = map.place(node);
@@ -10326,31 +10538,31 @@
       return at3 ? this.map.index(Math.round(at3[0]), Math.round(at3[1])) : -1;
     }
     listen() {
-      let drawing5 = null;
+      let drawing6 = null;
       this.svg.addEventListener("pointermove", (event) => {
         const node = this.node(event);
-        if (drawing5) {
-          const at3 = this.at(event), last3 = drawing5[drawing5.length - 1];
-          if (at3 && Math.hypot(at3[0] - last3[0], at3[1] - last3[1]) > 0.4) drawing5.push(at3);
-          this.drawPath(drawing5);
+        if (drawing6) {
+          const at3 = this.at(event), last3 = drawing6[drawing6.length - 1];
+          if (at3 && Math.hypot(at3[0] - last3[0], at3[1] - last3[1]) > 0.4) drawing6.push(at3);
+          this.drawPath(drawing6);
         }
         if (node >= 0 && node !== this.cursor) this.move(node);
       });
       this.svg.addEventListener("pointerdown", (event) => {
         const at3 = this.at(event);
         if (!at3 || !this.on.draws()) return;
-        drawing5 = [at3];
+        drawing6 = [at3];
         this.svg.setPointerCapture(event.pointerId);
       });
       this.svg.addEventListener("pointerup", () => {
-        if (drawing5 && drawing5.length > 2) this.on.path(drawing5);
-        drawing5 = null;
+        if (drawing6 && drawing6.length > 2) this.on.path(drawing6);
+        drawing6 = null;
       });
       this.svg.addEventListener("click", (event) => {
         const node = this.node(event);
         if (node >= 0 && !this.on.draws()) this.on.choose(node);
       });
-      this.svg.addEventListener("pointerleave", () => !drawing5 && this.on.leave());
+      this.svg.addEventListener("pointerleave", () => !drawing6 && this.on.leave());
       this.svg.addEventListener("keydown", (event) => this.key(event));
     }
     /** @param {KeyboardEvent} event */
@@ -10536,7 +10748,7 @@
     if (all) all.disabled = state.hits.length === 0;
     return state.hits;
   }
-  function list() {
+  function list2() {
     const { dataset: dataset2, version } = state.known;
     drawHits2(state.map, state.hits, state.keys, { dataset: dataset2, version, chosen: state.selection });
   }
@@ -10545,8 +10757,8 @@
     drawKeys();
     search();
     clearTimeout(live);
-    if (lists2) list();
-    else live = setTimeout(list, 120);
+    if (lists2) list2();
+    else live = setTimeout(list2, 120);
   }
   async function ask4(address2) {
     const answer2 = await fetch(address2).catch(() => null);
@@ -10758,9 +10970,9 @@
       return view4?.[key] || USUAL2[key];
     },
     /** Those parts of the view that the server draws by. @param {View | null} view @param {View | null} current */
-    look(view4, current2) {
+    look(view4, current3) {
       const next2 = Object.fromEntries(DRAWN_KEYS.filter((key) => view4?.[key]).map((key) => [key, view4?.[key]]));
-      return current2 && JSON.stringify(next2) === JSON.stringify(current2) ? clientside.no_update : next2;
+      return current3 && JSON.stringify(next2) === JSON.stringify(current3) ? clientside.no_update : next2;
     }
   });
 
@@ -10986,8 +11198,8 @@
     const modes = element("div", "search-modes hidden");
     modes.setAttribute("role", "radiogroup");
     modes.setAttribute("aria-label", "What a click in the figure does");
-    for (const [value, words3] of [["weights", "Weigh"], ["pieces", "Assign"]]) {
-      const one = element("button", "search-mode", words3);
+    for (const [value, words4] of [["weights", "Weigh"], ["pieces", "Assign"]]) {
+      const one = element("button", "search-mode", words4);
       one.type = "button";
       one.dataset.mode = value;
       one.setAttribute("role", "radio");
@@ -11070,7 +11282,7 @@
   };
   var LIMBS = ["head_torso", "left_arm_hand", "right_arm_hand", "left_leg_foot", "right_leg_foot"];
   var limbOf = (leaf) => now5.body.nodes[LIMBS.find((node) => now5.body.nodes[node].includes(leaf)) ?? ""];
-  function assign(leaves) {
+  function assign2(leaves) {
     const pieces = copyPieces();
     const taker = pieces[now5.active];
     if (!taker) return;
@@ -11082,7 +11294,7 @@
     searchFor(pieces);
   }
   function press3(leaf, shift) {
-    if (assigning()) return assign(shift ? limbOf(leaf) : [leaf]);
+    if (assigning()) return assign2(shift ? limbOf(leaf) : [leaf]);
     if (shift) {
       raw = Object.fromEntries(now5.body.leaves.map((one) => [one, one === leaf ? EVEN : 0]));
       return put2(leaf, EVEN);
@@ -11208,7 +11420,7 @@
         /** @type {[number, string]} */
         [strip.means[k] ?? -1, now5.body.words[leaf].toLowerCase()]
       )).filter(([mean]) => mean >= 0).sort((a, b) => b[0] - a[0]);
-      if (best.length) canvas.setAttribute("aria-label", `Most alike: ${best.slice(0, 3).map(([mean, words3]) => `${words3} ${Math.round(100 * mean)} %`).join(", ")}`);
+      if (best.length) canvas.setAttribute("aria-label", `Most alike: ${best.slice(0, 3).map(([mean, words4]) => `${words4} ${Math.round(100 * mean)} %`).join(", ")}`);
     }, (error) => {
       if (canvas.isConnected) canvas.title = error.message;
     });
@@ -11239,10 +11451,10 @@
     targetOf(event).title = `${now5.body.words[now5.body.leaves[leaf]]}, ${when} into the query: ${value < 0 ? "not compared" : `${value} % alike`}`;
     lightPart(now5.body.leaves[leaf]);
   }
-  function link(symbol, words3, href) {
+  function link(symbol, words4, href) {
     const made = element("a", "search-tool", icon(symbol));
-    Object.assign(made, { href, title: words3 });
-    made.setAttribute("aria-label", words3);
+    Object.assign(made, { href, title: words4 });
+    made.setAttribute("aria-label", words4);
     return made;
   }
   function hitRow(hit, chances) {
@@ -11256,10 +11468,10 @@
     const score = element("span", "search-score", bar, element("b", "number", scoreWords(hit.score, chances)));
     if (chances) score.title = "The chance that people would call this the same action";
     const facts = element("span", "search-facts muted", [hit.when, hit.label].filter(Boolean).join(" · "));
-    const words3 = element("span", "search-words", element("span", "search-name ellipsis", hit.clip), facts, score);
-    const open5 = element("button", "search-open", element("span", "search-rank number", String(hit.rank)), picture, words3);
-    open5.type = "button";
-    open5.title = `Compare with the query on the Stage: ${hit.clip}, frames ${hit.start} to ${hit.end}`;
+    const words4 = element("span", "search-words", element("span", "search-name ellipsis", hit.clip), facts, score);
+    const open6 = element("button", "search-open", element("span", "search-rank number", String(hit.rank)), picture, words4);
+    open6.type = "button";
+    open6.title = `Compare with the query on the Stage: ${hit.clip}, frames ${hit.start} to ${hit.end}`;
     const canvas = element("canvas", "search-why");
     canvas.setAttribute("role", "img");
     canvas.setAttribute("aria-label", "Which parts match when");
@@ -11274,7 +11486,7 @@
       `/api/bvh/${encodeURIComponent(now5.clips.dataset)}/${encodeURIComponent(hit.clip)}?start=${hit.start}&end=${hit.end}`
     );
     const why = element("div", "search-why-box", element("div", "search-why-names"), canvas, element("div", "search-why-cursor"));
-    made.append(open5, why, element("div", "search-hit-tools", similar, bvh));
+    made.append(open6, why, element("div", "search-hit-tools", similar, bvh));
     return made;
   }
   var took = (ms) => ms < 10 ? `${ms.toFixed(1)} ms` : ms < 2e3 ? `${Math.round(ms)} ms` : `${(ms / 1e3).toFixed(1)} s`;
@@ -11397,9 +11609,9 @@
     });
   });
   document.addEventListener("click", (event) => {
-    const open5 = closest(event, ".search-open");
-    if (open5) {
-      const { hit: hit2 = "" } = around(open5, ".search-hit").dataset;
+    const open6 = closest(event, ".search-open");
+    if (open6) {
+      const { hit: hit2 = "" } = around(open6, ".search-hit").dataset;
       changeView({ hit: hit2 === now5.view.hit ? "" : hit2 });
     }
     const why = closest(event, ".search-why");
@@ -11421,8 +11633,8 @@
     }), 90);
   });
   document.addEventListener("keydown", (event) => {
-    const open5 = hasClass(event, "search-open");
-    if (!open5 || event.key !== "ArrowDown" && event.key !== "ArrowUp") return;
+    const open6 = hasClass(event, "search-open");
+    if (!open6 || event.key !== "ArrowDown" && event.key !== "ArrowUp") return;
     const hit = around(targetOf(event), ".search-hit");
     const next2 = (
       /** @type {HTMLElement | null} */
@@ -11435,9 +11647,9 @@
 
   // search/options.mjs
   var waiting2 = 0;
-  var option = (value, words3) => Object.assign(element("option", "", words3), { value });
-  function labelled(words3, of2, ...controls) {
-    const label = element("label", "search-label", words3);
+  var option = (value, words4) => Object.assign(element("option", "", words4), { value });
+  function labelled(words4, of2, ...controls) {
+    const label = element("label", "search-label", words4);
     label.htmlFor = of2;
     return element("div", "search-option", label, ...controls);
   }
@@ -11693,14 +11905,14 @@
   var sending = null;
   var turn4 = 0;
   var suffixes = () => (within(document, ".search-choose").dataset.suffixes ?? "").split(",").filter((one) => one !== ".csv");
-  function say2(words3, kind = "muted") {
+  function say2(words4, kind = "muted") {
     const box4 = document.querySelector(".search-sending") || element("span", "search-sending");
     box4.className = `search-sending ${kind}`;
-    box4.textContent = words3;
+    box4.textContent = words4;
     if (!box4.isConnected) status()?.before(box4);
   }
   var quiet = () => allWithin(document, ".search-sending").forEach((one) => one.remove());
-  function put4(token, file, tell4) {
+  function put4(token, file, tell5) {
     return (
       /** @type {Promise<void>} */
       new Promise((resolve, reject) => {
@@ -11709,7 +11921,7 @@
         request5.open("PUT", `/api/uploads/${token}/${encodeURIComponent(file.name)}`);
         request5.setRequestHeader("X-Motionscape", "upload");
         request5.setRequestHeader("Content-Type", "application/octet-stream");
-        request5.upload.onprogress = (event) => tell4(event.loaded / Math.max(event.total, 1));
+        request5.upload.onprogress = (event) => tell5(event.loaded / Math.max(event.total, 1));
         request5.onloadend = () => {
           if (request5.status === 200) return resolve();
           let message2 = request5.status ? "The server refused the file." : "The connection broke; try again.";
@@ -11803,28 +12015,28 @@
   };
   var named2 = null;
   function names() {
-    const list2 = find(SEARCH_CLIP_NAMES);
-    if (!list2 || named2 === now5.clips && list2.firstChild) return;
+    const list3 = find(SEARCH_CLIP_NAMES);
+    if (!list3 || named2 === now5.clips && list3.firstChild) return;
     named2 = now5.clips;
-    list2.replaceChildren(...(now5.clips ? now5.clips.clips : []).slice(0, 5e3).map(([name]) => {
+    list3.replaceChildren(...(now5.clips ? now5.clips.clips : []).slice(0, 5e3).map(([name]) => {
       const option2 = element("option");
       option2.value = name;
       return option2;
     }));
   }
   function drawMotifs2() {
-    const select2 = find(SEARCH_MOTIF);
+    const select3 = find(SEARCH_MOTIF);
     const mark3 = JSON.stringify(now5.motifs);
-    if (!select2 || select2.dataset.mark === mark3) return;
-    select2.dataset.mark = mark3;
+    if (!select3 || select3.dataset.mark === mark3) return;
+    select3.dataset.mark = mark3;
     const first = element("option", "", "From a motif …");
     first.value = "";
-    select2.replaceChildren(first, ...now5.motifs.map(({ name, motions: motions2, query }) => {
+    select3.replaceChildren(first, ...now5.motifs.map(({ name, motions: motions2, query }) => {
       const option2 = element("option", "", `${name} (${motions2} motions)`);
       option2.value = query;
       return option2;
     }));
-    select2.classList.toggle("hidden", !now5.motifs.length);
+    select3.classList.toggle("hidden", !now5.motifs.length);
   }
   function takeClip(index, name) {
     const clip = clipCalled(name);

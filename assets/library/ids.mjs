@@ -40,6 +40,83 @@
  */
 
 /**
+ * The data set whose bodies are to be edited.
+ * @typedef {object} BodyOf
+ * @property {string} dataset
+ * @property {number} [at]
+ */
+
+/**
+ * Clips whose joints have the same names: which part of the body each joint is, and what someone said about it.
+ * @typedef {object} BodyRig
+ * @property {Array<string>} names
+ * @property {Array<number>} parents
+ * @property {Array<boolean>} ends
+ * @property {Record<string, string>} joints
+ * @property {Record<string, string | null>} said
+ * @property {string} body
+ * @property {string | null} said_body
+ * @property {string} words
+ * @property {string} clip
+ * @property {number} frames
+ */
+
+/**
+ * The rigs of a data set, the parts of a body, and the format of corrections in files.
+ * @typedef {object} BodyRigs
+ * @property {string} dataset
+ * @property {Array<string>} parts
+ * @property {string} format
+ * @property {Array<BodyRig>} rigs
+ * @property {number | null} at
+ */
+
+/**
+ * Places of all joints in two drawings; frame -1 is the rest pose.
+ * @typedef {object} BodyPosture
+ * @property {number} rig
+ * @property {number} frame
+ * @property {Array<Array<number>>} front
+ * @property {Array<Array<number>>} side
+ */
+
+/**
+ * What is to be said of a rig.
+ * @typedef {object} BodySaid
+ * @property {boolean} changed
+ * @property {Record<string, string | null>} joints
+ * @property {string | null} body
+ */
+
+/**
+ * What is to be said of all rigs of a data set.
+ * @typedef {object} BodyDraft
+ * @property {string} dataset
+ * @property {Array<BodySaid>} rigs
+ */
+
+/**
+ * A file of corrections that someone chose.
+ * @typedef {object} BodyFile
+ * @property {string} text
+ * @property {number} at
+ */
+
+/**
+ * What a file says of a rig.
+ * @typedef {object} BodyFileSaid
+ * @property {Record<string, string | null>} joints
+ * @property {string | null} body
+ */
+
+/**
+ * What a file of corrections says of each rig; null where it says nothing.
+ * @typedef {object} BodyFilled
+ * @property {Array<BodyFileSaid | null>} rigs
+ * @property {number | null} at
+ */
+
+/**
  * What has arrived of the files of an upload, and of which kinds they are.
  * @typedef {object} Upload
  * @property {string | null} [token]
@@ -130,5 +207,18 @@ export const REREAD_UP = "reread-up";
 export const REREAD_FPS = "reread-fps";
 export const REREAD_PROBLEM = "reread-problem";
 export const REREAD_DO = "reread-do";
+export const BODY_DIALOG = "body-dialog";
+export const BODY_OF = /** @type {StoreId<BodyOf>} */ ("body-of");
+export const BODY_RIGS = /** @type {StoreId<BodyRigs>} */ ("body-rigs");
+export const BODY_POSTURE = /** @type {StoreId<BodyPosture>} */ ("body-posture");
+export const BODY_DRAFT = /** @type {StoreId<BodyDraft>} */ ("body-draft");
+export const BODY_FILE = /** @type {StoreId<BodyFile>} */ ("body-file");
+export const BODY_FILLED = /** @type {StoreId<BodyFilled>} */ ("body-filled");
+export const BODY_RIG = "body-rig";
+export const BODY_FRAME = "body-frame";
+export const BODY_FRAME_LABEL = "body-frame-label";
+export const BODY_EDITOR = "body-editor";
+export const BODY_PROBLEM = "body-problem";
+export const BODY_SAVE = "body-save";
 export const FEATURES_CHOICE = /** @type {StoreId<FeaturesChoice>} */ ("features-choice");
 export const FEATURES_READY = /** @type {StoreId<Download>} */ ("features-ready");

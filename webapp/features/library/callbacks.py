@@ -12,7 +12,7 @@ from dash.development.base_component import Component
 from core import analyses, requests
 from core.workspace import Workspace, WorkspaceError
 from webapp import jobs
-from webapp.features.library import adding, cards, feature_files, layout, names, reading
+from webapp.features.library import adding, body_editor, cards, feature_files, layout, names, reading
 from webapp.features.library.figures import tables
 from webapp.jobs import changes
 from webapp.jobs.names import JOB_POKE
@@ -29,6 +29,7 @@ def register(app: Dash, workspace: Workspace) -> None:
     _choose_clips(app, workspace)
     adding.register(app, workspace)
     reading.register(app, workspace)
+    body_editor.register(app, workspace)
     feature_files.register(app, workspace)
 
 

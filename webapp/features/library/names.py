@@ -43,6 +43,83 @@ class Reread(TypedDict):
     at: NotRequired[float]
 
 
+class BodyOf(TypedDict):
+    """The data set whose bodies are to be edited."""
+
+    dataset: Name
+    at: NotRequired[float]
+
+
+class BodyRig(TypedDict):
+    """Clips whose joints have the same names: which part of the body each joint is, and what someone said about it."""
+
+    names: list[str]
+    parents: list[int]
+    ends: list[bool]
+    joints: dict[str, str]
+    said: dict[str, str | None]
+    body: str
+    said_body: str | None
+    words: str
+    clip: Name
+    frames: int
+
+
+class BodyRigs(TypedDict):
+    """The rigs of a data set, the parts of a body, and the format of corrections in files."""
+
+    dataset: Name
+    parts: list[str]
+    format: str
+    rigs: list[BodyRig]
+    at: float | None
+
+
+class BodyPosture(TypedDict):
+    """Places of all joints in two drawings; frame -1 is the rest pose."""
+
+    rig: int
+    frame: int
+    front: list[list[float]]
+    side: list[list[float]]
+
+
+class BodySaid(TypedDict):
+    """What is to be said of a rig."""
+
+    changed: bool
+    joints: dict[str, str | None]
+    body: str | None
+
+
+class BodyDraft(TypedDict):
+    """What is to be said of all rigs of a data set."""
+
+    dataset: Name
+    rigs: list[BodySaid]
+
+
+class BodyFile(TypedDict):
+    """A file of corrections that someone chose."""
+
+    text: str
+    at: float
+
+
+class BodyFileSaid(TypedDict):
+    """What a file says of a rig."""
+
+    joints: dict[str, str | None]
+    body: str | None
+
+
+class BodyFilled(TypedDict):
+    """What a file of corrections says of each rig; null where it says nothing."""
+
+    rigs: list[BodyFileSaid | None]
+    at: float | None
+
+
 class Upload(TypedDict, total=False):
     """What has arrived of the files of an upload, and of which kinds they are."""
 
@@ -141,6 +218,20 @@ REREAD_UP = Id("reread-up")
 REREAD_FPS = Id("reread-fps")
 REREAD_PROBLEM = Id("reread-problem")
 REREAD_DO = Id("reread-do")
+
+BODY_DIALOG = Id("body-dialog")
+BODY_OF = Store("body-of", BodyOf)
+BODY_RIGS = Store("body-rigs", BodyRigs)
+BODY_POSTURE = Store("body-posture", BodyPosture)
+BODY_DRAFT = Store("body-draft", BodyDraft)
+BODY_FILE = Store("body-file", BodyFile)
+BODY_FILLED = Store("body-filled", BodyFilled)
+BODY_RIG = Id("body-rig")
+BODY_FRAME = Id("body-frame")
+BODY_FRAME_LABEL = Id("body-frame-label")
+BODY_EDITOR = Id("body-editor")
+BODY_PROBLEM = Id("body-problem")
+BODY_SAVE = Id("body-save")
 
 FEATURES_CHOICE = Store("features-choice", FeaturesChoice)
 FEATURES_READY = Store("features-ready", Download)

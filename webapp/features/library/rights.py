@@ -8,6 +8,9 @@ RIGHTS = Rights(
         "adding.name_upload",
         "adding.open_dialog",
         "adding.show_choices",
+        "body_editor.open_editor",
+        "body_editor.show_posture",
+        "body_editor.take_file",
         "callbacks.show_cards",
         "callbacks.show_chosen",
         "callbacks.show_detail",
@@ -22,6 +25,7 @@ RIGHTS = Rights(
     ),
     changes=(
         "adding.add_upload",
+        "body_editor.save_bodies",
         "callbacks.act",
         "callbacks.act_on_clips",
         "callbacks.rename",
