@@ -107,28 +107,35 @@ def _grown(dataset: Dataset, method: str):
     return index.add(dataset.select(name for name in dataset.names if name not in ("a", "dog0")))
 
 
-def test_the_turned_copy_of_a_walk_is_found_at_1_and_changes_no_other_score(tmp_path):
+def test_the_turned_copy_of_a_walk_is_found_at_1_and_changes_nothing_of_the_others(tmp_path):
     others = [walking("other", seed=3, speed=0.4), samples.idling("idle", fps=30.0)]
     handless = without(walking("handless"), "LeftHand", "RightHand")
     plain = open_dataset(written(tmp_path / "plain", walking(), *others, handless))
     turned = replace(in_other_axes(walking(), FROM_Y["z"]), name="a turned copy")
     both = open_dataset(written(tmp_path / "both", walking(), *others, handless, turned))
-    before = {h.segment.clip: h.score for h in build_search_index(plain).search(whole_query(plain.clip("walk")))}
-    after = {h.segment.clip: h.score for h in build_search_index(both).search(whole_query(both.clip("walk")))}
-    assert after.pop("a turned copy") == pytest.approx(1, abs=1e-3)
-    assert after == pytest.approx(before, abs=1e-3)
     assert both.clip("walk").skeleton == both.clip("a turned copy").skeleton
+    before, after = build_search_index(plain), build_search_index(both)
+    hits = after.search(whole_query(both.clip("walk")))
+    scores = {hit.segment.clip: hit.score for hit in hits}
+    assert scores["a turned copy"] == pytest.approx(1, abs=1e-3)
+    order = [hit.segment.clip for hit in hits if hit.segment.clip != "a turned copy"]
+    assert order == [hit.segment.clip for hit in before.search(whole_query(plain.clip("walk")))]
+    _same_postures(before, after, plain.names, within=1)
 
 
-def test_a_raw_copy_with_other_axes_changes_no_other_score():
+def test_a_raw_copy_with_other_axes_changes_nothing_of_the_others():
     """Not even where nothing turned it: what is learnt from the one rig is not used for the other."""
     clips = (walking(), walking("other", seed=3, speed=0.4))
     plain = Dataset("plain", clips)
     odd = Dataset("odd", (*clips, replace(in_other_axes(walking(), FROM_Y["z"]), name="odd")))
-    scores = []
-    for dataset in (plain, odd):
-        hits = build_search_index(dataset).search(whole_query(clips[0]))
-        scores.append({h.segment.clip: h.score for h in hits if h.segment.clip != "odd"})
-    assert scores[0] == pytest.approx(scores[1], abs=1e-6)
+    _same_postures(build_search_index(plain), build_search_index(odd), plain.names)
     poses = [pose_features(dataset, pose="angles").values for dataset in (plain, odd)]
     assert np.isfinite(poses[1]).all() and len(poses[1]) > len(poses[0])
+
+
+def _same_postures(before, after, names, within: int = 0) -> None:
+    """What the engines compare, and so every distance, is the same for these clips, up to rounding (one of 127)."""
+    one, two = before.engine.store, after.engine.store
+    for name in names:
+        codes = one.of(one.index(name)).astype(int) - two.of(two.index(name))
+        assert np.abs(codes).max() <= within, name
