@@ -13,10 +13,10 @@ from core.poses.features import principal_directions
 from core.retrieval.descriptors import BLOCKS, N_COLUMNS, smoothed
 from core.retrieval.frames import UNITS
 from core.retrieval.patterns import FIRST_K, PatternLibrary, build_library
-from core.retrieval.segmentation import normalise_segments, ppca_cuts
+from core.retrieval.segmentation import cuts_at, median_surprise, normalise_segments
 
-THRESHOLDS: Mapping[int, float] = {4: 0.05, 3: 0.1, 2: 1.0, 1: 15.0}
-"""The paper's R for levels 4 (leaves) to 1 (whole body), section 3.3."""
+THRESHOLDS: Mapping[int, float] = {4: 0.5, 3: 0.3, 2: 0.2, 1: 0.1}
+"""R for levels 4 (leaves) to 1 (whole body), in the part's own median surprise (see core.retrieval.segmentation)."""
 
 TRAVELLING = ("lower_body", "whole_body")
 """Nodes that may see the root's velocity and turning as well: the legs carry it."""
@@ -35,7 +35,8 @@ class PatternSettings:
     centring: share of the average posture of the ``around`` seconds before and after a frame that is taken off it.
     max_error: of adaptive k-means, see core.retrieval.patterns; most: patterns of a node; first_k: its first k.
     travel: whether the nodes of TRAVELLING also see how the root travels. smooth: whether frames are averaged with
-    their neighbours first, so that jitter makes no segments.
+    their neighbours first, so that jitter makes no segments. fps: of the frames. r: factor on R, see THRESHOLDS. shape:
+    how much the course of a segment counts against its mean posture when patterns are compared, 1 as printed.
     """
 
     centring: float
@@ -46,6 +47,9 @@ class PatternSettings:
     smooth: bool = False
     most: int = 1400
     first_k: int = FIRST_K
+    fps: float = 30.0
+    r: float = 1.0
+    shape: float = 1.0
 
 
 class NodeReport(NamedTuple):
@@ -71,7 +75,9 @@ class SymbolList:
 class NodeIndex:
     """One node of all clips.
 
-    mean ``(c,)``, basis ``(c, d)``: principal axes of the node's columns. length: the reference frame number.
+    mean ``(c,)``, basis ``(c, d)``: principal axes of the node's columns. length: the reference frame number. fps: of
+    the frames; threshold: rise of the surprise that ends a segment, learned from the first clips as the patterns were.
+    shape: see PatternSettings.
     symbols ``(n_segments,)`` int32: patterns of the segments; begins, ends ``(n_segments,)`` int32: their frames, of
     all clips one after another; starts ``(n_clips + 1,)``: offsets of the clips among the segments.
     """
@@ -80,6 +86,9 @@ class NodeIndex:
     mean: np.ndarray
     basis: np.ndarray
     length: int
+    fps: float
+    threshold: float
+    shape: float
     library: PatternLibrary
     symbols: np.ndarray
     begins: np.ndarray
@@ -99,8 +108,8 @@ class NodeIndex:
     def listed(self, columns: np.ndarray) -> SymbolList:
         """The pattern index list of a motion whose centred node columns are ``(n, c)``."""
         track = self._track(columns)
-        cuts = ppca_cuts(track, THRESHOLDS[LEVEL[self.node]])
-        rows = normalise_segments(track, cuts[:-1], cuts[1:], self.length).reshape(len(cuts) - 1, -1)
+        cuts = cuts_at(track, self.fps, self.threshold)
+        rows = comparable(track, cuts[:-1], cuts[1:], self.length, self.shape)
         return SymbolList(self.library.nearest(rows), cuts)
 
     def extended(self, tracks: Iterator[np.ndarray], first_frame: int) -> NodeIndex:
@@ -135,14 +144,25 @@ class NodeIndex:
         names = ("mean", "basis", "symbols", "begins", "ends", "starts")
         arrays = {name: getattr(self, name) for name in names}
         arrays |= {"patterns": self.library.patterns, "scale": self.library.scale}
-        return {"node": self.node, "length": self.length}, arrays
+        numbers = {"length": self.length, "fps": self.fps, "threshold": self.threshold, "shape": self.shape}
+        return {"node": self.node, **numbers}, arrays
 
     @classmethod
     def unpack(cls, document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> NodeIndex:
         """Back from :meth:`pack` (n, ...)."""
         given = dict(arrays)
         library = PatternLibrary(given.pop("patterns"), given.pop("scale"))
-        return cls(str(document["node"]), length=int(document["length"]), library=library, **given)
+        return cls(
+            str(document["node"]),
+            given.pop("mean"),
+            given.pop("basis"),
+            length=document["length"],
+            fps=document["fps"],
+            threshold=document["threshold"],
+            shape=document["shape"],
+            library=library,
+            **given,
+        )
 
     def _track(self, columns: np.ndarray) -> np.ndarray:
         return np.ascontiguousarray((columns - self.mean) @ self.basis, np.float32)
@@ -159,23 +179,39 @@ def build_node(node: str, tracks: Sequence[np.ndarray], settings: PatternSetting
     step = max(1, sum(map(len, there)) // _FOR_AXES)
     mean, basis, _ = principal_directions(np.concatenate([track[::step] for track in there]), 0.999)
     mean, basis = mean.astype(np.float32), basis[:, :_AXES].astype(np.float32)
-    offset, values, begins, ends, counts = 0, [], [], [], []
-    for track in tracks:
-        if track.shape[1]:
-            values.append(np.ascontiguousarray((track - mean) @ basis, np.float32))
-            cuts = ppca_cuts(values[-1], THRESHOLDS[LEVEL[node]])
-            begins.append(cuts[:-1] + offset)
-            ends.append(cuts[1:] + offset)
-        else:
-            values.append(np.zeros((len(track), basis.shape[1]), np.float32))
-        counts.append(len(cuts) - 1 if track.shape[1] else 0)
+    values = [np.ascontiguousarray((track - mean) @ basis, np.float32) if track.shape[1] else None for track in tracks]
+    unit = median_surprise((value for value in values if value is not None), settings.fps)
+    threshold = settings.r * THRESHOLDS[LEVEL[node]] * unit
+    offset, begins, ends, counts = 0, [], [], []
+    for track, value in zip(tracks, values, strict=True):
+        cuts = np.zeros(1, np.int64) if value is None else cuts_at(value, settings.fps, threshold)
+        begins.append(cuts[:-1] + offset)
+        ends.append(cuts[1:] + offset)
+        counts.append(len(cuts) - 1)
         offset += len(track)
     begin, end = np.concatenate(begins), np.concatenate(ends)
     length = max(2, round(float((end - begin).mean())))
-    rows = normalise_segments(np.concatenate(values), begin, end, length).reshape(len(begin), -1)
+    whole = [
+        np.zeros((len(track), basis.shape[1]), np.float32) if value is None else value
+        for track, value in zip(tracks, values, strict=True)
+    ]
+    rows = comparable(np.concatenate(whole), begin, end, length, settings.shape)
     library, labels = _learned(rows, settings)
     starts = np.concatenate([[0], np.cumsum(counts)]).astype(np.int64)
-    return NodeIndex(node, mean, basis, length, library, labels, begin.astype(np.int32), end.astype(np.int32), starts)
+    frames = begin.astype(np.int32), end.astype(np.int32)
+    learned = settings.fps, threshold, settings.shape
+    return NodeIndex(node, mean, basis, length, *learned, library, labels, *frames, starts)
+
+
+def comparable(values: np.ndarray, starts: np.ndarray, ends: np.ndarray, length: int, shape: float) -> np.ndarray:
+    """Segments ``[starts, ends)`` of ``values`` (n, d) as they are compared: ``(n_segments, length * d)`` float32.
+
+    Each is brought to ``length`` frames; what differs from its mean posture counts ``shape``.
+    """
+    rows = normalise_segments(values, starts, ends, length)
+    mean = rows.mean(1, keepdims=True)
+    compared: np.ndarray = (mean + np.float32(shape) * (rows - mean)) if shape != 1 else rows
+    return compared.reshape(len(rows), -1)
 
 
 def _learned(rows: np.ndarray, settings: PatternSettings) -> tuple[PatternLibrary, np.ndarray]:

@@ -41,19 +41,18 @@ from core.retrieval.trajectories import path_distances
 class Matching:
     """How lists are compared. tolerance: dissimilarity, as a share of pairs of segments that are nearer, at which a
 
-    pair gains nothing; gap: price of a pattern without a partner; alpha: share of a node's own score against what its
-    children hand on.
+    pair gains nothing; gap: price of a pattern without a partner. alpha: share of a node's own score against what its
+    children hand on. min_con_num, max_tolerance: of Algorithm 2, which ``printed`` takes (core.retrieval.printed).
     """
 
-    tolerance: float = 0.5
-    gap: float = 0.5
-    alpha: float = 0.25
+    tolerance: float = 0.4
+    gap: float = 0.2
+    alpha: float = 0.5
+    min_con_num: int = printed.MIN_CON_NUM
+    max_tolerance: float = printed.MAX_TOLERANCE
 
 
 _VERIFIED = 4  # stretches whose frames are looked at, for each that is asked for
-
-PAPER_ALPHA = 0.5
-"""The paper's alpha (section 4.1), which ``printed`` takes."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -68,11 +67,12 @@ class Parts:
     """The paper's engine with its repairs (docs/methods/search_parts.md)."""
 
     least = 0.0
-    CENTRING, TRAVEL, SMOOTH = 0.7, True, True
-    MATCHING = Matching()
+    CENTRING, TRAVEL, SMOOTH, SHAPE = 0.7, True, True, 0.5
 
-    def __init__(self, store: FrameStore, nodes: Mapping[str, NodeIndex], settings: PatternSettings):
-        self.store, self.nodes, self.settings = store, dict(nodes), settings
+    def __init__(
+        self, store: FrameStore, nodes: Mapping[str, NodeIndex], settings: PatternSettings, matching: Matching
+    ):
+        self.store, self.nodes, self.settings, self.matching = store, dict(nodes), settings, matching
 
     @property
     def clips(self) -> tuple[IndexedClip, ...]:
@@ -84,7 +84,18 @@ class Parts:
         """An engine of all clips of the data set. Raises AnalysisError where no body is recognised in any of them."""
         store = FrameStore.build(dataset.clips, parameters.analysis_fps, report)
         settings = PatternSettings(
-            cls.CENTRING, parameters.pattern_error, parameters.seed, travel=cls.TRAVEL, smooth=cls.SMOOTH
+            cls.CENTRING,
+            parameters.pattern_error,
+            parameters.seed,
+            travel=cls.TRAVEL,
+            smooth=cls.SMOOTH,
+            first_k=parameters.k0,
+            fps=store.fps,
+            r=parameters.r,
+            shape=cls.SHAPE,
+        )
+        matching = Matching(
+            alpha=parameters.alpha, min_con_num=parameters.min_con_num, max_tolerance=parameters.max_tolerance
         )
         clips = range(len(store.clips))
         built: dict[str, NodeIndex] = {}
@@ -98,7 +109,7 @@ class Parts:
             raise AnalysisError(
                 "no clip has a skeleton in which a body is recognised, so there are no parts to search by"
             )
-        return cls(store, built, settings)
+        return cls(store, built, settings, matching)
 
     def rank_clips(
         self, query: Query, weights: Mapping[str, float], *, among: np.ndarray, top: int | None, root_path: float
@@ -141,7 +152,7 @@ class Parts:
             first, last = (int(k[0]) for k in node.windows(*span))
             if last > first or np.isfinite(by_frames.similarity[LEAVES.index(leaf)]).any():
                 similarity[LEAVES.index(leaf)] = part_places.paired_similarity(
-                    node.symbols[first:last], gain, self.MATCHING.gap, lists.lists[leaf].cuts, times
+                    node.symbols[first:last], gain, self.matching.gap, lists.lists[leaf].cuts, times
                 )
         return Explanation(by_frames.times, similarity, by_frames.warp)
 
@@ -154,7 +165,7 @@ class Parts:
             node: index.extended(iter(_tracks(store, node, added, self.settings)), int(store.starts[known]))
             for node, index in self.nodes.items()
         }
-        return type(self)(store, nodes, self.settings)
+        return type(self)(store, nodes, self.settings, self.matching)
 
     def diagnostics(self) -> tuple[NodeReport, ...]:
         """The paper's Tables 1 and 2 for this index, a row for each node, leaves last."""
@@ -193,7 +204,8 @@ class Parts:
             head, kept = index.pack()
             nodes.append(head)
             arrays |= {f"{name}.{key}": value for key, value in kept.items()}
-        return {"frames": document, "nodes": nodes, "settings": asdict(self.settings)}, arrays
+        settings = {"settings": asdict(self.settings), "matching": asdict(self.matching)}
+        return {"frames": document, "nodes": nodes, **settings}, arrays
 
     @classmethod
     def unpack(cls, document: Mapping[str, Any], arrays: Mapping[str, np.ndarray]) -> Parts:
@@ -203,7 +215,8 @@ class Parts:
             prefix = f"{head['node']}."
             kept = {key.removeprefix(prefix): value for key, value in arrays.items() if key.startswith(prefix)}
             nodes[head["node"]] = NodeIndex.unpack(head, kept)
-        return cls(FrameStore.unpack(document["frames"], arrays), nodes, PatternSettings(**document["settings"]))
+        settings, matching = PatternSettings(**document["settings"]), Matching(**document["matching"])
+        return cls(FrameStore.unpack(document["frames"], arrays), nodes, settings, matching)
 
     def _clip_scores(self, query: Query, weights: Mapping[str, float], among: np.ndarray) -> np.ndarray:
         lists = self.query_lists(query, weights)
@@ -211,12 +224,12 @@ class Parts:
         return part_places.judged(self.nodes, self._gains(lists), self._wanted(lists, weights), windows)
 
     def _wanted(self, lists: QueryLists, weights: Mapping[str, float]) -> part_places.Wanted:
-        return part_places.Wanted(lists.lists, lists.frames, weights, self.MATCHING.alpha, self.MATCHING.gap)
+        return part_places.Wanted(lists.lists, lists.frames, weights, self.matching.alpha, self.matching.gap)
 
     def _gains(self, lists: QueryLists, nodes: Iterable[str] | None = None) -> dict[str, np.ndarray]:
         chosen = [node for node in lists.lists if nodes is None or node in nodes]
         return {
-            node: gains(self.nodes[node].library.by_percentile[lists.lists[node].symbols], self.MATCHING.tolerance)
+            node: gains(self.nodes[node].library.by_percentile[lists.lists[node].symbols], self.matching.tolerance)
             for node in chosen
         }
 
@@ -252,7 +265,7 @@ class Parts:
 class Printed(Parts):
     """The paper's engine as printed, for comparison. Its hits are whole clips."""
 
-    CENTRING, TRAVEL, SMOOTH = 0.0, False, False
+    CENTRING, TRAVEL, SMOOTH, SHAPE = 0.0, False, False, 1.0
 
     def rank_intervals(
         self, query: Query, weights: Mapping[str, float], *, among: np.ndarray, top: int, root_path: float
@@ -271,9 +284,17 @@ class Printed(Parts):
             index = self.nodes[node]
             # W of Algorithm 1: 1 where all leaves weigh the same
             weight = len(LEAVES) * float(np.mean([weights[leaf] for leaf in leaves_of(node)]))
-            every = printed.scan(index.symbols, index.starts, listed.symbols, index.library.by_maximum, weight=weight)
+            every = printed.scan(
+                index.symbols,
+                index.starts,
+                listed.symbols,
+                index.library.by_maximum,
+                weight=weight,
+                max_tolerance=self.matching.max_tolerance,
+                min_con_num=self.matching.min_con_num,
+            )
             scores[node] = every[among]
-        return propagate(scores, dict.fromkeys(LEAVES, 0.1), PAPER_ALPHA)
+        return propagate(scores, dict.fromkeys(LEAVES, 0.1), self.matching.alpha)
 
 
 def _tracks(store: FrameStore, node: str, clips: Iterable[int], settings: PatternSettings) -> list[np.ndarray]:

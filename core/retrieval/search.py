@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Collection, Mapping
-from dataclasses import asdict, dataclass, field, replace
+from dataclasses import asdict, dataclass, field, fields, replace
 from importlib import import_module
 from typing import Any, Protocol
 
@@ -58,6 +58,34 @@ class SearchParameters:
         "less makes more patterns.",
         0.1, 5.0, 0.1, advanced=True,
     )  # fmt: skip
+    r: float = parameter(
+        1.0,
+        "With parts and printed: factor on the paper's R. How much a part must do something new before a segment ends, "
+        "in its own usual measure; more makes longer segments.",
+        0.05, 50.0, 0.25, advanced=True, label="R",
+    )  # fmt: skip
+    k0: int = parameter(
+        10,
+        "With parts and printed: the paper's K0. Patterns of a part that adaptive k-means begins with.",
+        1, 1000, 1, advanced=True, label="K0",
+    )  # fmt: skip
+    alpha: float = parameter(
+        0.5,
+        "With parts and printed: the paper's alpha. Share of what is seen of several parts together, against what is "
+        "seen of each by itself.",
+        0.0, 1.0, 0.05, advanced=True, label="Alpha",
+    )  # fmt: skip
+    min_con_num: int = parameter(
+        5,
+        "With printed: the paper's MinConNum. Patterns in a row that must be alike before they count.",
+        1, 100, 1, advanced=True, label="MinConNum",
+    )  # fmt: skip
+    max_tolerance: float = parameter(
+        0.02,
+        "With printed: the paper's MaxTolerance. How far apart patterns may be that count as alike, as a share of the "
+        "greatest distance.",
+        0.0, 1.0, 0.01, advanced=True, label="MaxTolerance",
+    )  # fmt: skip
     seed: int = parameter(
         0, "Number that starts the random choices; equal numbers give equal indexes.", 0, None, 1, label="Random seed"
     )
@@ -65,10 +93,10 @@ class SearchParameters:
     def __post_init__(self) -> None:
         if self.method not in ENGINES:
             raise ParameterError(f"method must be one of {', '.join(ENGINES)}, not {str(self.method)[:40]!r}")
-        if not 5 <= self.analysis_fps <= 240:
-            raise ParameterError(f"analysis_fps must be 5 to 240, not {self.analysis_fps}")
-        if not 0.1 <= self.pattern_error <= 5:
-            raise ParameterError(f"pattern_error must be 0.1 to 5, not {self.pattern_error}")
+        for own in fields(self):
+            low, high, value = own.metadata["min"], own.metadata["max"], getattr(self, own.name)
+            if low is not None and high is not None and not low <= value <= high:
+                raise ParameterError(f"{own.name} must be {low:g} to {high:g}, not {value}")
 
 
 class Engine(Protocol):

@@ -4,10 +4,15 @@ The test is that of Barbic et al. (Segmenting Motion Capture Data into Distinct 
 section 3.2): a Gaussian (probabilistic PCA) is fitted to the first ``window`` frames of a segment, and the frames that
 follow are measured against it. As the fitted frames grow in number the measure falls, and rises when something new
 comes. A peak after a valley that lies more than ``threshold`` (PCR's R) below it ends the segment there.
+
+How large the measure is depends on the part and on the length of the windows, and the paper prints neither windows nor
+a unit of R. Here motions are cut at one rate, whatever rate they are looked at (:data:`RATE`), and R is a multiple of
+the part's own median measure (:func:`median_surprise`).
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from functools import lru_cache
 
 import numpy as np
@@ -19,12 +24,60 @@ from core.compiled import njit
 ENERGY = 0.95
 """Share of the variance that the principal axes keep (Barbic et al. 2004)."""
 
+RATE = 30.0
+"""Frames a second at which motions are cut, so that the windows last equally long at all rates."""
+
+LEAST = 1.0
+"""Measure of frames that differ by as much as angles are uncertain."""
+
+WINDOW, AHEAD, SHORTEST = 3, 2, 3
+"""Frames, at :data:`RATE`, that a segment's first model is fitted to, that are measured against it, and of the shortest
+segment: about a tenth of a second each."""
+
 FLOOR = 1e-4
 """Least variance of a direction, (radians)^2: half a degree. Below it angles are noise of the recording."""
 
 
+def cuts_at(values: np.ndarray, fps: float, threshold: float) -> np.ndarray:
+    """As :func:`ppca_cuts` for values ``(n, d)`` of any rate, which are cut at :data:`RATE`: ``(n_segments + 1,)``.
+
+    The cuts are in frames of the values. Raises ValueError as that does.
+    """
+    values = np.atleast_2d(values)
+    cuts = ppca_cuts(at_rate(values, fps), threshold)
+    frames = np.rint(cuts[:-1] * (fps / RATE)).astype(np.int64)
+    return np.append(np.unique(frames[frames < len(values)]), len(values))
+
+
+def at_rate(values: np.ndarray, fps: float) -> np.ndarray:
+    """Values ``(n, d)`` of ``fps`` frames a second at :data:`RATE`, from the first frame to the last: ``(m, d)``,
+    by a cubic spline."""
+    if fps == RATE or len(values) < 2:
+        return values
+    at = np.arange(int((len(values) - 1) * RATE / fps + 1e-6) + 1) * (fps / RATE)
+    between: np.ndarray = CubicSpline(np.arange(len(values)), values, axis=0)(at)
+    return between
+
+
+def median_surprise(tracks: Iterable[np.ndarray], fps: float, step: int = 3) -> float:
+    """Median measure of a part over many motions ``(n, d)``, at every ``step``-th frame of :data:`RATE`: the unit of R.
+
+    At least :data:`LEAST`, so that the noise of a part that keeps still is no motion.
+    """
+    tracks = [np.ascontiguousarray(at_rate(track, fps), np.float64) for track in tracks]
+    measured = [_surprises(track, WINDOW, AHEAD, step, ENERGY, FLOOR) for track in tracks]
+    found = np.concatenate([np.zeros(0), *measured])
+    return max(float(np.median(found)), LEAST) if len(found) else LEAST
+
+
 def ppca_cuts(
-    values: np.ndarray, threshold: float, *, window: int = 5, ahead: int = 5, shortest: int = 3, energy: float = ENERGY
+    values: np.ndarray,
+    threshold: float,
+    *,
+    window: int = WINDOW,
+    ahead: int = AHEAD,
+    shortest: int = SHORTEST,
+    energy: float = ENERGY,
 ) -> np.ndarray:
     """Frames at which the segments of one part of one clip begin, and the end: ``(n_segments + 1,)`` int64 from 0 to n.
 
@@ -55,12 +108,8 @@ def _cuts(
         valley, peak, at = np.inf, -1.0, -1
         cut = -1
         while start + size + ahead <= n:
-            while filled < size:  # running sums about the segment's first frame, which keeps them small
-                for a in range(d):
-                    u = x[start + filled, a] - x[start, a]
-                    total[a] += u
-                    for b in range(a + 1):
-                        moments[a, b] += u * (x[start + filled, b] - x[start, b])
+            while filled < size:
+                _count(x, start, start + filled, total, moments)
                 filled += 1
             distance = _surprise(x, start, size, ahead, total, moments, energy, floor)
             if peak < 0:
@@ -82,6 +131,32 @@ def _cuts(
         start = cut
     cuts.append(n)
     return np.array(cuts, dtype=np.int64)
+
+
+@njit(nogil=True)
+def _surprises(x: Float64Array, window: int, ahead: int, step: int, energy: float, floor: float) -> Float64Array:
+    """The measure after each ``step``-th stretch of ``window`` frames, for a model of those alone."""
+    n, d = x.shape
+    starts = np.arange(0, n - window - ahead + 1, step)
+    found = np.empty(len(starts))
+    total, moments = np.zeros(d), np.zeros((d, d))
+    for k, start in enumerate(starts):
+        total[:] = 0.0
+        moments[:] = 0.0
+        for f in range(start, start + window):
+            _count(x, start, f, total, moments)
+        found[k] = _surprise(x, start, window, ahead, total, moments, energy, floor)
+    return found
+
+
+@njit(nogil=True)
+def _count(x: Float64Array, start: int, frame: int, total: Float64Array, moments: Float64Array) -> None:
+    """Adds a frame to the running sums about the segment's first frame, which keeps them small."""
+    for a in range(len(total)):
+        u = x[frame, a] - x[start, a]
+        total[a] += u
+        for b in range(a + 1):
+            moments[a, b] += u * (x[frame, b] - x[start, b])
 
 
 @njit(nogil=True)

@@ -193,6 +193,60 @@ def test_tables_1_and_2_can_be_read_off_the_index(demo, index, printed):
     assert sum(row.patterns for row in coarse) < sum(row.patterns for row in index.engine.diagnostics())
 
 
+def seconds_of(demo, **settings) -> dict[str, float]:
+    """Node -> mean seconds of a segment, of all nodes but the hands, which hardly move in the demo."""
+    engine = build_search_index(demo, replace(PARTS, **settings)).engine
+    rows = engine.diagnostics()
+    return {row.node: row.mean_frames / engine.store.fps for row in rows if row.node not in ("left_hand", "right_hand")}
+
+
+def test_segments_follow_the_motion(demo, index):
+    """R has an effect, segments last equally long at all rates, and those of some parts longer than those of others."""
+    few = Dataset("few", demo.clips[:6])
+    usual = seconds_of(few)
+    longer, shorter = seconds_of(few, r=4.0), seconds_of(few, r=0.25)
+    assert all(shorter[node] <= usual[node] < longer[node] for node in usual)
+    assert np.mean([*shorter.values()]) * 1.05 < np.mean([*usual.values()]) < np.mean([*longer.values()]) / 1.2
+    for fps in (60.0, 120.0):
+        again = seconds_of(few, analysis_fps=fps)
+        assert np.mean([*again.values()]) == pytest.approx(np.mean([*usual.values()]), rel=0.05)
+    frames = [row.mean_frames for row in index.engine.diagnostics() if row.node in LEAVES]
+    assert max(frames) > 1.25 * min(frames)
+
+
+def test_the_settings_of_the_paper_reach_the_engines(demo, printed):
+    few = Dataset("few", demo.clips[:6])
+    query = whole_query(few.clips[0])
+
+    def scores(method: str, **settings):
+        return [hit.score for hit in build_search_index(few, SearchParameters(method=method, **settings)).search(query)]
+
+    usual = scores("printed")
+    for settings in ({"min_con_num": 2}, {"max_tolerance": 0.3}, {"alpha": 0.9}):
+        assert scores("printed", **settings) != usual
+    assert scores("parts", alpha=0.9) != scores("parts")
+    patterns = [
+        sum(
+            row.patterns for row in build_search_index(few, replace(PARTS, k0=k0, pattern_error=5)).engine.diagnostics()
+        )
+        for k0 in (2, 20)
+    ]
+    assert patterns[0] < patterns[1]
+    with pytest.raises(ValueError, match="alpha must be 0 to 1"):
+        SearchParameters(alpha=1.5)
+
+
+def test_added_clips_and_queries_are_cut_as_the_first_clips_were(demo, index):
+    grown = index.add(Dataset("more", (replace(demo.clips[0], name="copy"),)))
+    for node, own in grown.engine.nodes.items():
+        first, copy = (
+            slice(*own.starts[k : k + 2]) for k in (grown.engine.store.index(n) for n in (demo.clips[0].name, "copy"))
+        )
+        assert own.threshold == index.engine.nodes[node].threshold
+        assert np.array_equal(own.symbols[first], own.symbols[copy])
+        assert np.array_equal(np.diff(own.begins[first]), np.diff(own.begins[copy]))
+
+
 def test_printed_takes_the_papers_numbers_and_still_ranks(demo, printed):
     hits = printed.search(whole_query(demo.clips[0]))
     assert len(hits) == len(demo.clips) and hits[0].segment.clip == demo.clips[0].name

@@ -8,7 +8,18 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.interpolate import CubicSpline
 
-from core.retrieval.segmentation import ENERGY, FLOOR, normalise_segments, ppca_cuts
+from core.retrieval.segmentation import (
+    AHEAD,
+    ENERGY,
+    FLOOR,
+    SHORTEST,
+    WINDOW,
+    at_rate,
+    cuts_at,
+    median_surprise,
+    normalise_segments,
+    ppca_cuts,
+)
 
 
 def surprise(fitted: np.ndarray, ahead: np.ndarray, energy: float) -> float:
@@ -24,7 +35,7 @@ def surprise(fitted: np.ndarray, ahead: np.ndarray, energy: float) -> float:
     return float(np.einsum("fi,ij,fj->f", apart, np.linalg.inv(model), apart).mean())
 
 
-def oracle(x: np.ndarray, threshold: float, window=5, ahead=5, shortest=3) -> list[int]:
+def oracle(x: np.ndarray, threshold: float, window=WINDOW, ahead=AHEAD, shortest=SHORTEST) -> list[int]:
     """The cuts by a loop over all sizes of the model."""
     cuts, start = [0], 0
     while True:
@@ -51,6 +62,7 @@ def test_cuts_agree_with_a_plain_loop(seed, n, d, threshold):
     rng = np.random.default_rng(seed)
     x = np.cumsum(rng.normal(size=(n, d)) * rng.uniform(0.01, 0.2), axis=0)
     assert ppca_cuts(x, threshold).tolist() == oracle(x, threshold)
+    assert ppca_cuts(x, threshold, window=5, ahead=4).tolist() == oracle(x, threshold, window=5, ahead=4)
 
 
 def test_a_change_of_behaviour_is_a_cut():
@@ -65,6 +77,53 @@ def test_a_change_of_behaviour_is_a_cut():
 def test_cuts_cover_the_clip_and_no_segment_is_too_short(n, seed):
     cuts = ppca_cuts(np.random.default_rng(seed).normal(size=(n, 3)), 0.05)
     assert cuts[0] == 0 and cuts[-1] == n and (np.diff(cuts) >= min(3, n)).all()
+
+
+@settings(max_examples=10)
+@given(st.integers(0, 10_000), st.lists(st.integers(1, 40), min_size=1, max_size=3), st.integers(1, 3))
+def test_the_unit_of_r_is_the_median_of_plain_measures(seed, lengths, step):
+    rng = np.random.default_rng(seed)
+    tracks = [np.cumsum(rng.normal(size=(n, 2)) * 0.1, axis=0) for n in lengths]
+    plain = [
+        surprise(x[k : k + WINDOW], x[k + WINDOW : k + WINDOW + AHEAD], ENERGY)
+        for x in tracks
+        for k in range(0, len(x) - WINDOW - AHEAD + 1, step)
+    ]
+    assert median_surprise(tracks, 30.0, step) == pytest.approx(max(np.median(plain), 1.0) if plain else 1.0)
+
+
+def motion(fps: float, seconds: float = 40.0) -> np.ndarray:
+    """The same smooth motion looked at at any rate."""
+    t = np.arange(round(seconds * fps)) / fps
+    rng = np.random.default_rng(3)
+    waves = [
+        np.sin(2 * np.pi * rng.uniform(0.2, 1.5) * t + rng.uniform(0, 6))
+        * np.sin(2 * np.pi * rng.uniform(0.05, 0.3) * t)
+        for _ in range(3)
+    ]
+    return np.column_stack(waves) * 0.5
+
+
+@pytest.mark.parametrize("fps", [15.0, 24.0, 60.0, 120.0])
+def test_segments_last_equally_long_at_all_rates(fps):
+    unit = median_surprise([motion(30.0)], 30.0)
+    expected = np.diff(cuts_at(motion(30.0), 30.0, 0.5 * unit)).mean() / 30
+    found = np.diff(cuts_at(motion(fps), fps, 0.5 * median_surprise([motion(fps)], fps))).mean() / fps
+    assert found == pytest.approx(expected, rel=0.05 if fps > 30 else 0.3)
+
+
+@given(st.integers(1, 60), st.sampled_from([5.0, 24.0, 30.0, 60.0, 240.0]))
+def test_cuts_at_any_rate_cover_the_clip(n, fps):
+    cuts = cuts_at(np.random.default_rng(n).normal(size=(n, 2)), fps, 0.1)
+    assert cuts[0] == 0 and cuts[-1] == n and (np.diff(cuts) > 0).all()
+
+
+@given(st.integers(2, 30), st.floats(5, 240))
+def test_another_rate_runs_along_the_same_line(n, fps):
+    line = np.arange(n)[:, None] / fps * [[1.0, -2.0]]
+    found = at_rate(line, fps)
+    np.testing.assert_allclose(found, np.arange(len(found))[:, None] / 30 * [[1.0, -2.0]], atol=1e-9)
+    assert len(found) / 30 > line[-1, 0]
 
 
 def test_stillness_is_one_segment():
