@@ -12,7 +12,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import IO, Any, NamedTuple
 
-from core.bundles.manifest import FORMAT, MANIFEST
+from core.bundles.manifest import FORMAT, MANIFEST, is_drawn
 from core.bundles.said import say
 from core.mocap.dataset import Dataset, clip_digest
 from core.mocap.errors import RecordingError
@@ -50,7 +50,8 @@ def take_bundle(workspace: Workspace, path: str | Path, name: str | None = None,
         said = {part: _list(root / f"{part}.json") for part in ("notes", "views", "boards")}
         results = {_key(file): file for file in sorted((root / "results").glob("*"))}
         for file in results.values():
-            workspace.results.check(file)
+            if is_drawn(workspace.results.check(file).document):
+                raise WorkspaceError(f"{path.name} holds something that a bundle does not: a drawing, in {file.name}.")
         wanted = check_name(name or str(manifest["dataset"]["name"]))
         own, new = _enter(workspace, dataset, fingerprint, wanted, report)
         added = 0

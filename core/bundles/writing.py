@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from core import analyses
-from core.bundles.manifest import FORMAT, MANIFEST, plain
+from core.bundles.manifest import FORMAT, MANIFEST, is_drawn, plain
 from core.bundles.said import said_of
 from core.errors import MotionscapeError
 from core.export import FeatureParameters, feature_table, write_features
@@ -87,4 +87,4 @@ def _result_files(workspace: Workspace, dataset: Dataset) -> list[Path]:
         if key not in keys and workspace.results.names(key, dataset.fingerprint)
     }
     found = (workspace.results.file(key) for key in sorted(keys))
-    return [path for path in found if path is not None]
+    return [path for path in found if path is not None and not is_drawn(workspace.results.check(path).document)]

@@ -100,12 +100,13 @@ class ResultStore:
             file.write(source.read_bytes())
 
     @staticmethod
-    def check(source: Path) -> None:
-        """Raises ResultDamaged where a file from elsewhere cannot be read as a result; pickles are never read."""
+    def check(source: Path) -> Result:
+        """What a file from elsewhere holds; raises ResultDamaged where that is no result. Pickles are never read."""
         try:
             found = _read_npz(source) if source.suffix == ".npz" else Result(_read_json(source), {})
             if not isinstance(found.document, dict) or any(a.dtype.hasobject for a in found.arrays.values()):
                 raise ValueError("no result")
+            return found
         except Exception as error:  # numpy and zipfile raise all kinds of errors on damaged files
             raise ResultDamaged(f"{source.name} is damaged, or no result.") from error
 

@@ -145,6 +145,11 @@ def _renamed(name):
     return change
 
 
+def _drawing(files, manifest):
+    document = {"format": "motionscape/block/1", "kind": "text", "content": {"html": "<img src=x onerror=alert(1)>"}}
+    files["results/" + "ab" * 16 + ".json"] = json.dumps(document).encode()
+
+
 def _poisoned_board(files, manifest):
     boards = json.loads(files["boards.json"])
     boards[0]["blocks"][0]["kind"] = "<script>"
@@ -167,6 +172,7 @@ def _poisoned_board(files, manifest):
         (lambda files, manifest: files.update({"boards.json": b"{}"}), "is no list"),
         (lambda files, manifest: files.update({"notes.json": b"[" * 100_000}), "cannot be read"),
         (lambda files, manifest: files.pop("dataset/motion.npy"), "cannot be read"),
+        (_drawing, "something that a bundle does not: a drawing"),
         (_poisoned_board, "characters that it cannot have"),
     ],
 )
