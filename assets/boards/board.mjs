@@ -9,7 +9,7 @@ import { Card } from "./card.mjs";
 import { Comments, countOf, wordsOf } from "./comments.mjs";
 import { button, iconButton, openMenu, openWindow, say } from "./dialogs.mjs";
 import { addBlock, editBlock } from "./edit.mjs";
-import { Grid } from "./grid.mjs";
+import { Grid, gridstack } from "./grid.mjs";
 import { deleteBoard, refresh, renameBoard, showHistory } from "./list.mjs";
 import { openReport } from "./reports.mjs";
 import { isDark, kindOf, known, shown } from "./state.mjs";
@@ -54,10 +54,10 @@ export class OpenBoard {
   }
 
   async open() {
-    if (!known.listing) await refresh();
     let board;
     try {
-      board = /** @type {Board} */ (await ask(`boards/${this.id}`));
+      const all = [ask(`boards/${this.id}`), known.listing ? null : refresh(), gridstack()]; // at once
+      board = /** @type {Board} */ ((await Promise.all(all))[0]);
     } catch (error) {
       return this.fail(error);
     }

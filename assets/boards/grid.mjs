@@ -10,7 +10,7 @@ const NARROW = 620; // pixels of width below which all blocks stand in one colum
 let library = null;
 
 /** Gridstack: its script and its style sheet. */
-function gridstack() {
+export function gridstack() {
   library ??= new Promise((resolve, reject) => {
     document.head.append(withAttributes(element("link"), { rel: "stylesheet", href: "/assets/vendor/gridstack.css" }));
     const script = element("script");

@@ -4791,11 +4791,11 @@
       return this.look !== "" || !this.board?.may_edit;
     }
     async open() {
-      if (!known.listing) await refresh();
       let board;
       try {
+        const all = [ask3(`boards/${this.id}`), known.listing ? null : refresh(), gridstack()];
         board = /** @type {Board} */
-        await ask3(`boards/${this.id}`);
+        (await Promise.all(all))[0];
       } catch (error) {
         return this.fail(error);
       }
