@@ -81,8 +81,7 @@ def main() -> str:
 
 Six minutes of demo; medians of {RUNS} runs. The report has {made.size / 1e6:.1f} MB.
 {kept}
-The board has
-{len(KINDS)} blocks; the browser knows nothing of the app, the server has drawn the blocks once.
+The board has {len(KINDS)} blocks; the browser knows nothing of the app, the server has drawn the blocks once.
 
 | | seconds | processor time |
 |---|---|---|

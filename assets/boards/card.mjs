@@ -97,6 +97,7 @@ export class Card {
     else if (JSON.stringify(content) !== this.last) this.draw(content);
     if (state === "changed") this.note.append(words, this.still ? "" : button("Recompute", () => this.actions.renew(this)));
     else if (state === "gone") this.note.append(words);
+    else if (computes && content !== null) this.note.append(words, button("Compute", () => this.compute()));
     if (job?.state === "failed") this.note.append(job.error);
     else if (job) {
       this.note.append(`Computing: ${percent(job.fraction)}`);

@@ -33,15 +33,17 @@ async function pictureOfPage() {
   const page = find(PAGE);
   const main = page ? largest(page) : null;
   const stage = /** @type {HTMLCanvasElement | null} */ (/** @type {unknown} */ (find(STAGE_CANVAS)));
-  const width = stage ? WIDTH - BESIDE : WIDTH;
+  const beside = main ? BESIDE : WIDTH; // a page of tables has no drawing: the Stage alone
+  const width = stage ? WIDTH - beside : WIDTH;
   if (main) {
     const box = main.getBoundingClientRect();
     const scale = Math.min(width / box.width, HEIGHT / box.height);
     for (const part of allWithin(main, "canvas, svg")) await draw(context, part, box, scale, (width - box.width * scale) / 2, (HEIGHT - box.height * scale) / 2);
   }
   if (stage?.width) {
-    const share = Math.min(1, (BESIDE * stage.height) / (HEIGHT * stage.width));
-    context.drawImage(stage, (stage.width * (1 - share)) / 2, 0, stage.width * share, stage.height, WIDTH - BESIDE, 0, BESIDE, HEIGHT);
+    const scale = Math.max(beside / stage.width, HEIGHT / stage.height); // its middle, cut to the shape of the place
+    const [wide, high] = [beside / scale, HEIGHT / scale];
+    context.drawImage(stage, (stage.width - wide) / 2, (stage.height - high) / 2, wide, high, WIDTH - beside, 0, beside, HEIGHT);
   }
   return canvas.toDataURL("image/jpeg", 0.72);
 }

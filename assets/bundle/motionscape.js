@@ -4258,6 +4258,7 @@
       else if (JSON.stringify(content) !== this.last) this.draw(content);
       if (state3 === "changed") this.note.append(words4, this.still ? "" : button2("Recompute", () => this.actions.renew(this)));
       else if (state3 === "gone") this.note.append(words4);
+      else if (computes && content !== null) this.note.append(words4, button2("Compute", () => this.compute()));
       if (job?.state === "failed") this.note.append(job.error);
       else if (job) {
         this.note.append(`Computing: ${percent(job.fraction)}`);
@@ -5176,15 +5177,17 @@
       /** @type {unknown} */
       find(STAGE_CANVAS)
     );
-    const width = stage2 ? WIDTH - BESIDE : WIDTH;
+    const beside = main ? BESIDE : WIDTH;
+    const width = stage2 ? WIDTH - beside : WIDTH;
     if (main) {
       const box4 = main.getBoundingClientRect();
       const scale3 = Math.min(width / box4.width, HEIGHT / box4.height);
       for (const part2 of allWithin(main, "canvas, svg")) await draw(context, part2, box4, scale3, (width - box4.width * scale3) / 2, (HEIGHT - box4.height * scale3) / 2);
     }
     if (stage2?.width) {
-      const share2 = Math.min(1, BESIDE * stage2.height / (HEIGHT * stage2.width));
-      context.drawImage(stage2, stage2.width * (1 - share2) / 2, 0, stage2.width * share2, stage2.height, WIDTH - BESIDE, 0, BESIDE, HEIGHT);
+      const scale3 = Math.max(beside / stage2.width, HEIGHT / stage2.height);
+      const [wide, high] = [beside / scale3, HEIGHT / scale3];
+      context.drawImage(stage2, (stage2.width - wide) / 2, (stage2.height - high) / 2, wide, high, WIDTH - beside, 0, beside, HEIGHT);
     }
     return canvas.toDataURL("image/jpeg", 0.72);
   }

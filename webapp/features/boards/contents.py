@@ -44,7 +44,10 @@ def answer(workspace: Workspace, dataset: str, part: Part, pinned: Mapping[str, 
         kept = _kept(workspace, part, pinned)
         if kept is not None:
             return Answer("changed", kept, "The data has changed since this was made." + _as_kept(kept), pinned)
-    return _present(workspace, present, part)
+    found = _present(workspace, present, part)
+    if found.state != "missing" or (kept := _kept(workspace, part, found.pin)) is None:
+        return found
+    return Answer("missing", kept, found.words + _as_kept(kept), found.pin)  # made with another version of the method
 
 
 def _present(workspace: Workspace, dataset: Dataset, part: Part) -> Answer:

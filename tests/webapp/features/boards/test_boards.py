@@ -11,6 +11,7 @@ from core import analyses
 from core.workspace import Person, Workspace, acting_as
 from tests.webapp.generated import walkers
 from webapp.app import create_app
+from webapp.features.boards import contents
 from webapp.features.boards.templates import TEMPLATES
 from webapp.shell.feature import blocks
 
@@ -125,6 +126,18 @@ def test_what_is_not_computed_or_gone_is_said(ask, board, workspace):
     workspace.trash("walks")
     gone = ask(address).json
     assert gone["state"] == "gone" and "no longer here" in gone["words"] and gone["content"] == there["content"]
+
+
+def test_what_another_version_computed_is_shown_until_it_is_computed_again(ask, board, workspace):
+    address = f"boards/{board['id']}/blocks/{block_of(board, 'graph')['id']}"
+    request = analyses.Request("walks", "motifs")
+    analyses.run(workspace, request)
+    before = ask(address).json
+    workspace.results.remove(analyses.key(workspace, request))
+    contents._made.clear()
+    analyses._results.clear()
+    after = ask(address).json
+    assert after["state"] == "missing" and "as it was" in after["words"] and after["content"] == before["content"]
 
 
 def test_names_of_motifs_reach_the_board(ask, board, workspace):
