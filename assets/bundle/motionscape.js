@@ -6092,7 +6092,7 @@
     ["front", "side"]
   );
   var KINDS = [["", "Find out"], ["human", "A person"], ["partial", "Part of a person"], ["other", "No person: an animal, a prop"]];
-  var edited = { rigs: null, posture: null, draft: [], part: "pelvis" };
+  var edited = { rigs: null, posture: null, draft: [], before: [], part: "pelvis" };
   function current2() {
     const number2 = edited.posture?.rig ?? 0;
     const rig = edited.rigs?.rigs[number2];
@@ -6104,6 +6104,8 @@
     const here3 = current2();
     if (!here3 || !edited.rigs) return;
     const [rig, said2] = here3;
+    if (jointOf(rig, said2, part2) === joint) return;
+    remember2();
     for (const other of edited.rigs.parts) {
       if (joint !== null && other !== part2 && jointOf(rig, said2, other) === joint) said2.joints[other] = null;
     }
@@ -6111,6 +6113,9 @@
     said2.changed = true;
     tell2();
   }
+  var remember2 = () => {
+    edited.before.push(structuredClone(edited.draft));
+  };
   function tell2() {
     setStore(BODY_DRAFT, { dataset: edited.rigs?.dataset ?? "", rigs: edited.draft });
     draw2();
@@ -6205,7 +6210,12 @@
     const action = closest(event, "[data-body]")?.dataset.body;
     if (action === "import") open2();
     if (action === "export") exportAll();
+    if (action === "back") {
+      edited.draft = edited.before.pop() ?? edited.draft;
+      tell2();
+    }
     if (action === "reset" && edited.rigs) {
+      remember2();
       edited.draft = untouched(edited.rigs);
       tell2();
     }
@@ -6227,6 +6237,7 @@
       edited.part = row7.dataset.part;
       return assign(edited.part, control.value || null);
     }
+    remember2();
     Object.assign(here3[1], { body: control.value || null, changed: true });
     tell2();
   });
@@ -6272,6 +6283,7 @@
       if (rigs && rigs !== edited.rigs && JSON.stringify(rigs) !== JSON.stringify(edited.rigs)) {
         edited.rigs = rigs;
         edited.draft = untouched(rigs);
+        edited.before = [];
         setStore(BODY_DRAFT, null);
       }
       edited.posture = posture;
@@ -6280,6 +6292,7 @@
     },
     /** @param {import("./ids.mjs").BodyFilled | null} filled */
     fill(filled2) {
+      if (filled2) remember2();
       filled2?.rigs.forEach((said2, k) => {
         if (said2 && edited.draft[k]) edited.draft[k] = { changed: true, joints: said2.joints, body: said2.body };
       });
@@ -9235,7 +9248,7 @@
   var here2 = () => on && Boolean(find(COMPOSE_TREE)?.offsetParent);
   var onStage3 = () => String(player.frameOf(0)?.dataset || "").startsWith("~derive~");
   var goTo = (sentence, more2 = {}) => changeView({ sentence, pick: "", up: "", alt: "", ...more2 });
-  function remember2(sentence) {
+  function remember3(sentence) {
     if (past.key !== state2.data.key) {
       past = { key: state2.data.key, list: [], at: -1 };
       try {
@@ -9390,7 +9403,7 @@
     if (!view3.sentence) return actions3.new();
     const [, , most] = /^random:(\d+):(\d+)/.exec(view3.sentence) || [];
     if (most && document.activeElement?.id !== COMPOSE_MOST) clientside.set_props(COMPOSE_MOST, { value: Number(most) });
-    remember2(view3.sentence);
+    remember3(view3.sentence);
     if (data2) now3 = data2;
     if (data2 && data2.key !== state2.data.key && !data2.error) now3 = /** @type {any} */
     {};
@@ -11045,11 +11058,11 @@
   var copyPieces = () => (now5.found && now5.found.pieces || []).map((piece) => ({ ...piece, leaves: [...piece.leaves] }));
   var searchFor = (pieces, more2 = {}) => {
     const query = writeQuery(pieces);
-    if (query !== (now5.view.query || "")) remember3();
+    if (query !== (now5.view.query || "")) remember4();
     changeSearch({ query, ...more2 });
   };
   var before = [];
-  var remember3 = () => {
+  var remember4 = () => {
     const { query, parts: weights } = now5.view;
     if (query && (!before.length || before.at(-1)?.query !== query)) before.push({ query, parts: weights || "" });
     if (before.length > 30) before.shift();
@@ -12092,7 +12105,7 @@
   }
   document.addEventListener("change", (event) => {
     if (targetOf(event).id === SEARCH_MOTIF && targetOf(event).value) {
-      remember3();
+      remember4();
       changeSearch({ query: targetOf(event).value });
       targetOf(event).value = "";
     } else if (hasClass(event, "search-clip")) {
@@ -12230,7 +12243,7 @@
     if (!button5 || button5.disabled) return;
     const { clip, start: start3, end, dataset: dataset2 } = JSON.parse(button5.dataset.similar ?? "{}");
     const query = [escapeName(clip), `${start3}-${end}`, ...dataset2 ? [escapeName(dataset2)] : []].join(":");
-    remember3();
+    remember4();
     changeSearch({ query, look: "" });
     if (!location.pathname.endsWith("/search")) clientside.set_props(URL2, { pathname: "/search", search: "" });
     else within(document, ".page").scrollTo({ top: 0, behavior: "smooth" });

@@ -8,9 +8,10 @@ import * as ids from "./ids.mjs";
 const VIEWS = /** @type {const} */ (["front", "side"]);
 const KINDS = [["", "Find out"], ["human", "A person"], ["partial", "Part of a person"], ["other", "No person: an animal, a prop"]];
 
-/** What is edited: the rigs, the posture that is drawn, what is said of each rig, the part that is chosen.
- * @type {{ rigs: BodyRigs | null, posture: BodyPosture | null, draft: BodySaid[], part: string }} */
-const edited = { rigs: null, posture: null, draft: [], part: "pelvis" };
+/** What is edited: the rigs, the posture that is drawn, what is said of each rig and was said before each step, the part
+ * that is chosen.
+ * @type {{ rigs: BodyRigs | null, posture: BodyPosture | null, draft: BodySaid[], before: BodySaid[][], part: string }} */
+const edited = { rigs: null, posture: null, draft: [], before: [], part: "pelvis" };
 
 /** @returns {[BodyRig, BodySaid] | null} */
 function current() {
@@ -31,6 +32,8 @@ function assign(part, joint) {
   const here = current();
   if (!here || !edited.rigs) return;
   const [rig, said] = here;
+  if (jointOf(rig, said, part) === joint) return;
+  remember();
   for (const other of edited.rigs.parts) {
     if (joint !== null && other !== part && jointOf(rig, said, other) === joint) said.joints[other] = null;
   }
@@ -38,6 +41,8 @@ function assign(part, joint) {
   said.changed = true;
   tell();
 }
+
+const remember = () => { edited.before.push(structuredClone(edited.draft)); };
 
 function tell() {
   setStore(ids.BODY_DRAFT, { dataset: edited.rigs?.dataset ?? "", rigs: edited.draft });
@@ -146,7 +151,12 @@ document.addEventListener("click", (event) => {
   const action = closest(event, "[data-body]")?.dataset.body;
   if (action === "import") open();
   if (action === "export") exportAll();
+  if (action === "back") {
+    edited.draft = edited.before.pop() ?? edited.draft;
+    tell();
+  }
   if (action === "reset" && edited.rigs) {
+    remember();
     edited.draft = untouched(edited.rigs);
     tell();
   }
@@ -168,6 +178,7 @@ document.addEventListener("change", (event) => {
     edited.part = row.dataset.part;
     return assign(edited.part, control.value || null);
   }
+  remember();
   Object.assign(here[1], { body: control.value || null, changed: true });
   tell();
 });
@@ -218,6 +229,7 @@ register("body", {
     if (rigs && rigs !== edited.rigs && JSON.stringify(rigs) !== JSON.stringify(edited.rigs)) {
       edited.rigs = rigs;
       edited.draft = untouched(rigs);
+      edited.before = [];
       setStore(ids.BODY_DRAFT, null);
     }
     edited.posture = posture;
@@ -226,6 +238,7 @@ register("body", {
   },
   /** @param {import("./ids.mjs").BodyFilled | null} filled */
   fill(filled) {
+    if (filled) remember();
     filled?.rigs.forEach((said, k) => {
       if (said && edited.draft[k]) edited.draft[k] = { changed: true, joints: said.joints, body: said.body };
     });

@@ -68,6 +68,7 @@ def dialog() -> Component:
                 [
                     dmc.Button("Import", variant="default", **attributes(data_body="import")),
                     dmc.Button("Export", variant="default", **attributes(data_body="export")),
+                    dmc.Button("Step back", variant="subtle", color="gray", **attributes(data_body="back")),
                     dmc.Button("Start over", variant="subtle", color="gray", **attributes(data_body="reset")),
                     dmc.Button("Save", id=names.BODY_SAVE, className="for-editors"),
                 ],
