@@ -1,5 +1,5 @@
 // A report as a file: its size is said before it is saved.
-import { element } from "../shared/dom.mjs";
+import { closest, element } from "../shared/dom.mjs";
 import { percent } from "../shared/words.mjs";
 import { ask } from "./api.mjs";
 import { button, openWindow } from "./dialogs.mjs";
@@ -21,6 +21,12 @@ export function openReport(dataset, board) {
   const begin = (form) => write(dialog, place, dataset, board?.id ?? "", form);
   place.append(element("div", "boards-actions", button("As PDF", () => begin("pdf")), button("As HTML", () => begin("html"), "primary")));
 }
+
+// the menu of a dataset in the Library
+document.addEventListener("click", (event) => {
+  const { report } = closest(event, "[data-report]")?.dataset ?? {};
+  if (report) openReport(report, null);
+});
 
 /** @param {HTMLDialogElement} dialog @param {HTMLElement} place @param {string} dataset @param {string} board @param {string} form */
 async function write(dialog, place, dataset, board, form) {

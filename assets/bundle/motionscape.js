@@ -4605,6 +4605,10 @@
     const begin2 = (form) => write(dialog2, place5, dataset2, board?.id ?? "", form);
     place5.append(element("div", "boards-actions", button2("As PDF", () => begin2("pdf")), button2("As HTML", () => begin2("html"), "primary")));
   }
+  document.addEventListener("click", (event) => {
+    const { report } = closest(event, "[data-report]")?.dataset ?? {};
+    if (report) openReport(report, null);
+  });
   async function write(dialog2, place5, dataset2, board, form) {
     const address2 = `report/${encodeURIComponent(dataset2)}`;
     let again = "&again=yes";

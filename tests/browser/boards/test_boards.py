@@ -166,3 +166,13 @@ def test_boards_and_views_are_found_by_ctrl_k(show, board, workspace):
     page.get_by_label("Go to").last.fill("recordings start")
     page.keyboard.press("Enter")
     expect(page.locator("#clips-table")).to_be_visible()
+
+
+def test_the_library_offers_a_report_and_says_its_size(show):
+    page = show("/library?dataset=demo")
+    page.get_by_role("button", name="More for demo").click()
+    page.get_by_role("menuitem", name="Report").click()
+    told = page.get_by_role("dialog", name="Report of demo")
+    told.get_by_role("button", name="As HTML").click()
+    expect(told.get_by_role("link", name=re.compile(r"Save \d+\.\d MB"))).to_be_visible()
+    expect(told).to_contain_text("at most")
