@@ -11,7 +11,6 @@ from benchmarks.recordings import SHARED
 from core.mocap.clip import Label
 from core.mocap.dataset import Dataset, open_dataset
 from core.rankings import BASELINE_NAMES, CHANCE, RankingParameters, evaluate, rank_dataset
-from core.retrieval.search import SearchParameters, build_search_index
 
 ENGINES = ("bounded-edit", "parts", "printed", *BASELINE_NAMES, CHANCE)
 WORDS = {
@@ -58,21 +57,8 @@ def accuracy(dataset: Dataset) -> list[str]:
     return rows
 
 
-def patterns(dataset: Dataset) -> list[str]:
-    """The paper's Tables 1 and 2 for these recordings, a node a row, for both engines."""
-    tables = {}
-    for method in ("printed", "parts"):
-        index = build_search_index(dataset, SearchParameters(method=method))
-        tables[method] = {row.node: row for row in index.engine.diagnostics()}
-    return [
-        f"| {node.replace('_', ' ')} | {row.level} | {row.mean_frames:.1f} ± {row.deviation:.1f} | {row.segments} "
-        f"| {row.patterns} | {tables['parts'][node].patterns} |"
-        for node, row in tables["printed"].items()
-    ]
-
-
 def main() -> str:
-    """The Markdown sections, also printed."""
+    """The Markdown section, also printed."""
     dataset, source = recordings()
     text = "\n".join(
         [
@@ -85,15 +71,6 @@ def main() -> str:
             "| | XSTYLE P@20 | nP@20 | mAP | (95 %) | 1-NN | ALL nP@20 | mAP | 1-NN | style AUC | s |",
             "|---|---|---|---|---|---|---|---|---|---|---|",
             *accuracy(dataset),
-            "",
-            "## Search: segments and patterns",
-            "",
-            "The paper's Tables 1 and 2 on the same clips: frames of a segment at 30 a second (mean and standard "
-            "deviation), segments, and patterns of the engines `printed` and `parts`.",
-            "",
-            "| node | level | frames | segments | patterns, `printed` | patterns, `parts` |",
-            "|---|---|---|---|---|---|",
-            *patterns(dataset),
         ]
     )
     print(text)

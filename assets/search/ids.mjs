@@ -270,6 +270,7 @@ export const SEARCH_UPLOAD = /** @type {StoreId<Upload>} */ ("search-upload");
 export const SEARCH_UPLOAD_JOB = /** @type {StoreId<Reading>} */ ("search-upload-job");
 export const SEARCH_UPLOAD_DONE = /** @type {StoreId<any>} */ ("search-upload-done");
 export const SEARCH_UPLOAD_STATUS = "search-upload-status";
+export const SEARCH_STORAGE = "search-storage";
 export const SEARCH_STUDY = "search-study";
 export const STUDY_SETUP = "study-setup";
 export const STUDY_RATE = "study-rate";

@@ -17,7 +17,7 @@ from webapp.shell.uploads import SUFFIXES
 from webapp.ui.method_page import MethodPage, run_button, settings_fold, status_place
 from webapp.ui.views import panel
 
-VIEWS = {"search": "Search", "agree": "Do people agree?", "evaluate": "Evaluation"}
+VIEWS = {"search": "Search", "agree": "Do people agree?", "evaluate": "Evaluation", "indexes": "Indexes"}
 
 METHOD = MethodPage(
     page=PAGE,

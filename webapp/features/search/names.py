@@ -275,6 +275,8 @@ SEARCH_UPLOAD_JOB = Store("search-upload-job", Reading)
 SEARCH_UPLOAD_DONE = Store("search-upload-done", Any)
 SEARCH_UPLOAD_STATUS = Id("search-upload-status")
 
+SEARCH_STORAGE = Id("search-storage")
+
 SEARCH_STUDY = Id("search-study")
 STUDY_SETUP = Id("study-setup")
 STUDY_RATE = Id("study-rate")

@@ -1,4 +1,4 @@
-"""The Search page: the search itself, its evaluation by labels, and the study with people."""
+"""The Search page: the search itself, its evaluation by labels, the study with people, and its indexes."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ from dash import Dash
 from dash.development.base_component import Component
 
 from core.workspace import Workspace
-from webapp.features.search import callbacks, evaluation, layout, study
+from webapp.features.search import callbacks, evaluation, layout, storage, study
 
 
 def page() -> Component:
     """The page before any data is loaded."""
-    return layout.page({"agree": study.layout(), "evaluate": evaluation.layout()})
+    return layout.page({"agree": study.layout(), "evaluate": evaluation.layout(), "indexes": storage.layout()})
 
 
 def register(app: Dash, workspace: Workspace) -> None:
@@ -19,3 +19,4 @@ def register(app: Dash, workspace: Workspace) -> None:
     callbacks.register(app, workspace)
     study.register(app, workspace)
     evaluation.register(app, workspace)
+    storage.register(app, workspace)
