@@ -32,7 +32,7 @@ def whole(store: FrameStore, labels: ClipLabels) -> Pairs:
         query, others = motions[k : k + 1], np.arange(len(content)) != k
         apart = measure.distances(query, motions)[others]
         usual = chance.usual_distance(store, measure, query, int(store.starts[k + 1] - store.starts[k]))
-        features.append(np.stack([apart, apart / max(usual, chance._LEAST_USUAL)], axis=1))
+        features.append(np.stack([apart, apart / usual], axis=1))
         same.append(content[others] == content[k])
     found, alike = np.concatenate(features), np.concatenate(same)
     return found, alike, np.full(len(alike), 1 / max(len(alike), 1))

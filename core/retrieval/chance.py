@@ -14,27 +14,37 @@ from core.retrieval.metric import Metric, Motions
 
 PLACES = 64  # stretches or clips of the collection that the usual distance is taken from
 LEAST = 0.05  # chance below which a stretch is no hit
-EVEN, BY_DISTANCE, BY_RATIO = 4.5, -6.8, -4.6
+EVEN, BY_DISTANCE, BY_RATIO = 5.2, -2.3, -9.2
 """Log odds of the same action: at distance 0, and for each unit of the distance and of its ratio to the usual one."""
 
 _LEAST_USUAL = 0.4  # in a collection of one action everything is near: distances are not called far by their ratio
+_TYPICAL, _FEW = 0.7, 30  # what is usual where nothing is known, and how many stretches say as much as that
 
 
 def usual_distance(store: FrameStore, metric: Metric, query: Motions, n_frames: int) -> float:
-    """Median distance of a motion of ``n_frames`` (one of ``query``) to stretches as long, spread over all clips."""
+    """Median distance of a motion of ``n_frames`` (one of ``query``) to stretches as long, spread over all clips.
+
+    A small collection says little of what is usual: the fewer such stretches it holds, the more a typical value counts.
+    So one more clip in a small collection hardly changes what others score.
+    """
     places = _spread(len(store.codes))
     clips = np.searchsorted(store.starts, places, side="right") - 1
     first, last = store.starts[clips], store.starts[clips + 1]
     starts = np.maximum(first, np.minimum(places, last - n_frames))
     ends = np.minimum(starts + n_frames, last)
-    return float(np.median(metric.distances(query, metric.motions(store, store.codes, starts, ends))))
+    median = np.median(metric.distances(query, metric.motions(store, store.codes, starts, ends)))
+    return _with_typical(float(median), len(store.codes) / n_frames)
 
 
 def usual_of_clips(metric: Metric, query: Motions, clips: Motions) -> float | None:
     """The usual distance of a whole clip (one of ``query``): the median to whole clips; None where they are too few."""
-    if len(clips.samples) < PLACES:
-        return None
-    return float(np.median(metric.distances(query, clips[_spread(len(clips.samples))])))
+    n = len(clips.samples)
+    return None if n < PLACES else _with_typical(float(np.median(metric.distances(query, clips[_spread(n)]))), n)
+
+
+def _with_typical(median: float, n: float) -> float:
+    """A median of what ``n`` stretches are like, drawn towards the typical one where they are few."""
+    return max(_LEAST_USUAL, (n * median + _FEW * _TYPICAL) / (n + _FEW))
 
 
 def _spread(n: int) -> np.ndarray:
@@ -48,6 +58,6 @@ def chances(distances: np.ndarray, usual: float) -> np.ndarray:
     They fall as the distance grows, so the order stays. usual: see usual_distance.
     """
     distances = np.asarray(distances, np.float64)
-    odds = EVEN + BY_DISTANCE * distances + BY_RATIO * distances / max(usual, _LEAST_USUAL)
+    odds = EVEN + BY_DISTANCE * distances + BY_RATIO * distances / usual
     found: np.ndarray = (1 + np.exp(-EVEN)) / (1 + np.exp(-odds))
     return found
