@@ -57,25 +57,25 @@ class PackedMotion:
 def pack_motion(
     dataset: Dataset, segments: Iterable[Segment], most_bytes: int, report: Report = silent
 ) -> PackedMotion:
-    """The segments, most important first, in at most ``most_bytes``: at the first of RATES that fits, and without
-    the last ones where none does. Raises KeyError, ParameterError for no frames of
-    the dataset.
+    """The segments, most important first, in at most ``most_bytes``: all of them at the first of RATES that fits; where
+    none does, the last segments are left out. Raises KeyError, ParameterError for no frames of the dataset.
     """
     wanted = list(dict.fromkeys(segments))
+    size = 2 * most_bytes  # where nothing could be tried: half as much next time
     kept = _within(dataset, wanted, RATES[-1])
-    for attempt, rate in enumerate((*RATES, *(_ATTEMPTS * RATES[-1:]))):
-        report("packing motion", attempt / (len(RATES) + _ATTEMPTS))
-        pieces = [_piece(dataset, stretch, rate) for stretch in _joined(dataset, wanted[:kept])]
-        if sum(piece.frames for piece in pieces) > _MOST_FRAMES:
-            kept -= kept // 2 if rate == RATES[-1] else 0
-            continue
-        numbers = [_quantised(dataset, piece) for piece in pieces]
-        data = zlib.compress(b"".join(_differences(one).tobytes() for one in numbers), 9)
-        if len(data) <= most_bytes:
-            error, between = _errors(dataset, pieces, numbers)
-            return PackedMotion(tuple(pieces), data, error, between, tuple(wanted[kept:]))
-        if rate == RATES[-1]:
-            kept = int(0.9 * kept * most_bytes / len(data))
+    for attempt in range(_ATTEMPTS):
+        for k, rate in enumerate(RATES):
+            report("packing motion", (attempt + k / len(RATES)) / _ATTEMPTS)
+            pieces = [_piece(dataset, stretch, rate) for stretch in _joined(dataset, wanted[:kept])]
+            if sum(piece.frames for piece in pieces) > _MOST_FRAMES:
+                continue
+            numbers = [_quantised(dataset, piece) for piece in pieces]
+            data = zlib.compress(b"".join(_differences(one).tobytes() for one in numbers), 9)
+            if len(data) <= most_bytes:
+                error, between = _errors(dataset, pieces, numbers)
+                return PackedMotion(tuple(pieces), data, error, between, tuple(wanted[kept:]))
+            size = len(data)
+        kept = min(int(0.9 * kept * most_bytes / max(size, 1)), kept - 1) if pieces else 0
     return PackedMotion((), zlib.compress(b""), 0.0, 0.0, tuple(wanted))
 
 
