@@ -10,7 +10,7 @@ from playwright.sync_api import Browser, Page, expect
 
 from core import analyses
 from core.workspace import Workspace
-from tests.browser.app import demo_workspace, workspace
+from tests.browser.app import demo_workspace, wait_until, workspace
 from webapp.features.boards.report import make_report
 
 __all__ = ["demo_workspace", "workspace"]
@@ -43,7 +43,7 @@ def test_it_opens_offline_and_everything_in_it_plays(report: Page):
     box.click()
     expect(report.locator(".report-playing")).to_have_text(re.compile(r"Motif \d+, \d+ motions"))
     expect(report.locator(".report-note")).to_be_empty()
-    report.wait_for_function("motionscape.player.clock.time > 0.1")
+    wait_until(report, lambda: report.evaluate("motionscape.player.clock.time > 0.1"))
     assert playing(report)[0] >= 2
     expect(report.locator(".block-motif.chosen")).to_have_count(1)
     expect(report.locator(".block-of-motifs tr.chosen")).to_have_count(1)  # the same motif in the table
@@ -54,7 +54,7 @@ def test_it_opens_offline_and_everything_in_it_plays(report: Page):
     expect(report.locator(".block-tip .block-posture")).to_be_visible()
     report.locator(".block-of-overview tbody tr").first.click()
     expect(report.locator(".report-playing")).to_have_text("ana_01")
-    report.wait_for_function("motionscape.player.figures.length === 1")
+    wait_until(report, lambda: report.evaluate("motionscape.player.figures.length === 1"))
 
 
 def test_the_graph_can_be_moved_and_zoomed_by_keyboard_and_colours_follow_the_button(report: Page):

@@ -10,7 +10,7 @@ import pytest
 from playwright.sync_api import Browser, Page, expect
 
 from core.workspace import Workspace
-from tests.browser.app import address, demo_workspace, workspace
+from tests.browser.app import address, demo_workspace, wait_until, workspace
 
 __all__ = ["address", "demo_workspace", "workspace"]
 PASSWORD = "correct horse"
@@ -71,6 +71,6 @@ def test_the_whole_round(ann, open_page, chromium: Browser, tmp_path: Path):
     reader = chromium.new_context(offline=True, viewport=WIDE).new_page()
     reader.goto(path.as_uri())
     reader.locator(".block-motif").first.click()
-    reader.wait_for_function("motionscape.player.clock.time > 0.1")
+    wait_until(reader, lambda: reader.evaluate("motionscape.player.clock.time > 0.1"))
     assert reader.evaluate("motionscape.player.figures.length") >= 2
     reader.context.close()

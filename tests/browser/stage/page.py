@@ -12,6 +12,7 @@ from playwright.sync_api import Page
 from core.mocap.dataset import Dataset
 from tests.browser.start import running
 from tests.webapp.generated import walkers
+from webapp.shell.assets import PARTS, VENDOR
 from webapp.stage import player
 from webapp.stage.motion_routes import motion_blueprint
 
@@ -43,7 +44,7 @@ INK = """() => {  // centre and width of what is much darker or more colourful t
 
 @pytest.fixture(scope="session")
 def stage_app() -> str:
-    app = Dash(__name__, assets_folder=str(ASSETS))
+    app = Dash(__name__, assets_folder=str(ASSETS), assets_path_ignore=[VENDOR, PARTS])
     app.layout = html.Div(player.stage(), style={"height": "90vh"})
     player.register(app)
     app.server.register_blueprint(motion_blueprint(lambda name: DATASETS[name]))

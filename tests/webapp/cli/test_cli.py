@@ -25,6 +25,7 @@ KINDS = (
         "user",
         "audit",
         "import",
+        "import-bundle",
         "labels",
         "inspect",
         "reread",

@@ -147,6 +147,8 @@ def _save(app: Dash, workspace: Workspace) -> None:
         prevent_initial_call=True,
     )
     def take_file(file, of):
+        if not file or not of:
+            return no_update, no_update
         try:
             rigs = bodies.edited_rigs(workspace.open(of["dataset"]))
             return {"rigs": bodies.fitting(rigs, file["text"]), "at": file.get("at")}, None
@@ -162,6 +164,8 @@ def _save(app: Dash, workspace: Workspace) -> None:
         prevent_initial_call=True,
     )
     def save_bodies(_clicks, draft, of):
+        if not of:
+            return no_update, no_update
         try:
             rigs = bodies.edited_rigs(workspace.open(of["dataset"]))
             corrections = bodies.drafted(rigs, (draft or {}).get("rigs") or ())

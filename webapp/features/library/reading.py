@@ -178,6 +178,8 @@ def register(app: Dash, workspace: Workspace) -> None:
         prevent_initial_call=True,
     )
     def read_again(_clicks, of, unit, up, fps):
+        if not of:
+            return no_update, no_update
         try:
             changes.start(workspace, request_for(of["dataset"], of.get("clips") or (), unit, up, fps))
         except MotionscapeError as error:

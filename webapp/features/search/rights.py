@@ -17,6 +17,7 @@ RIGHTS = Rights(
         "routes.ranking_json",
         "routes.ratings_csv",
         "routes.votes_csv",
+        "storage.show",
         "study.gather",
         "study.show_results",
     ),
