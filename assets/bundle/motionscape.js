@@ -11550,7 +11550,7 @@
     }
     choose5();
   };
-  var nothing2 = (found) => found.unlike ? `No ${found.level === "clip" ? "clip" : "other moment"} is like this query: the chance that any shows the same action is below 5 %.` : found.inputs.label || found.inputs.named || found.inputs.lasting ? "Nothing passes these filters. Widen them, or look for moments instead of whole clips." : "Nothing else is there to compare with. Add recordings, or choose another query.";
+  var nothing2 = (found) => found.unlike ? `No ${found.level === "clip" ? "clip" : "other moment"} is like this query: the chance that any shows the same action is below 1 %.` : found.inputs.label || found.inputs.named || found.inputs.lasting ? "Nothing passes these filters. Widen them, or look for moments instead of whole clips." : "Nothing else is there to compare with. Add recordings, or choose another query.";
   function more(found) {
     const made = element("button", "search-button search-more", `Show more (${found.total - found.hits.length} left)`);
     made.type = "button";

@@ -167,7 +167,7 @@ export const drawHits = () => {
 
 /** @param {Found} found */
 const nothing = (found) => (found.unlike
-  ? `No ${found.level === "clip" ? "clip" : "other moment"} is like this query: the chance that any shows the same action is below 5 %.`
+  ? `No ${found.level === "clip" ? "clip" : "other moment"} is like this query: the chance that any shows the same action is below 1 %.`
   : found.inputs.label || found.inputs.named || found.inputs.lasting
   ? "Nothing passes these filters. Widen them, or look for moments instead of whole clips."
   : "Nothing else is there to compare with. Add recordings, or choose another query.");

@@ -13,7 +13,7 @@ from core.retrieval.frames import FrameStore
 from core.retrieval.metric import Metric, Motions
 
 PLACES = 64  # stretches or clips of the collection that the usual distance is taken from
-LEAST = 0.05  # chance below which a stretch is no hit
+LEAST = 0.01  # chance below which a stretch is no hit
 EVEN, BY_DISTANCE, BY_RATIO = 5.2, -2.3, -9.2
 """Log odds of the same action: at distance 0, and for each unit of the distance and of its ratio to the usual one."""
 

@@ -222,7 +222,7 @@ class SearchIndex:
 
     @property
     def least(self) -> float:
-        """The chance below which a clip is no hit, such as .05; 0 where the engine's scores are no chances."""
+        """The chance below which a clip is no hit, such as .01; 0 where the engine's scores are no chances."""
         return self.engine.least
 
     def explain(self, query: Query, hit: Hit | Segment, *, weights: Mapping[str, float] | None = None) -> Explanation:
