@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from core.retrieval.frames import FrameStore
+from core.retrieval.frames import FrameStore, evenly_spread
 from core.retrieval.metric import Metric, Motions
 
 PLACES = 64  # stretches or clips of the collection that the usual distance is taken from
@@ -27,7 +27,7 @@ def usual_distance(store: FrameStore, metric: Metric, query: Motions, n_frames: 
     A small collection says little of what is usual: the fewer such stretches it holds, the more a typical value counts.
     So one more clip in a small collection hardly changes what others score.
     """
-    places = _spread(len(store.codes))
+    places = evenly_spread(len(store.codes), PLACES)
     clips = np.searchsorted(store.starts, places, side="right") - 1
     first, last = store.starts[clips], store.starts[clips + 1]
     starts = np.maximum(first, np.minimum(places, last - n_frames))
@@ -39,17 +39,15 @@ def usual_distance(store: FrameStore, metric: Metric, query: Motions, n_frames: 
 def usual_of_clips(metric: Metric, query: Motions, clips: Motions) -> float | None:
     """The usual distance of a whole clip (one of ``query``): the median to whole clips; None where they are too few."""
     n = len(clips.samples)
-    return None if n < PLACES else _with_typical(float(np.median(metric.distances(query, clips[_spread(n)]))), n)
+    if n < PLACES:
+        return None
+    median = np.median(metric.distances(query, clips[evenly_spread(n, PLACES)]))
+    return _with_typical(float(median), n)
 
 
 def _with_typical(median: float, n: float) -> float:
     """A median of what ``n`` stretches are like, drawn towards the typical one where they are few."""
     return max(_LEAST_USUAL, (n * median + _FEW * _TYPICAL) / (n + _FEW))
-
-
-def _spread(n: int) -> np.ndarray:
-    """PLACES of n numbers, evenly spread."""
-    return np.unique(np.linspace(0, n - 1, min(n, PLACES)).astype(np.int64))
 
 
 def chances(distances: np.ndarray, usual: float) -> np.ndarray:

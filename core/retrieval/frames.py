@@ -176,6 +176,11 @@ def jitter(codes: np.ndarray) -> float:
     return float(np.sqrt((second**2).mean() / max((first**2).mean(), 1e-9))) if len(second) else 0.0
 
 
+def evenly_spread(n: int, most: int) -> np.ndarray:
+    """At most ``most`` of ``n`` indices, evenly spread: ``(k,)`` int64."""
+    return np.unique(np.linspace(0, n - 1, min(n, most)).astype(np.int64))
+
+
 def column_weights(weights: Mapping[str, float]) -> np.ndarray:
     """Factor of every column of the parts, ``(N_COLUMNS,)``: 1 where all leaves weigh the same, 0 for weight 0."""
     factors = np.zeros(N_COLUMNS, np.float32)

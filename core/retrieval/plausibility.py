@@ -8,7 +8,7 @@ import numpy as np
 
 from core.retrieval.compose import compose
 from core.retrieval.descriptors import N_COLUMNS
-from core.retrieval.frames import column_weights
+from core.retrieval.frames import column_weights, evenly_spread
 from core.retrieval.queries import Query
 from core.retrieval.search import SearchIndex, weights_for
 
@@ -34,11 +34,11 @@ def plausibility(index: SearchIndex, query: Query) -> Plausibility:
     store = index.engine_for(query).store
     composed = compose(store, query, weights_for(query, None))
     scales = column_weights(composed.weights) / 127
-    at, clips = _spread(len(store.codes), _SAMPLE), np.repeat(np.arange(len(store.clips)), np.diff(store.starts))
+    at, clips = evenly_spread(len(store.codes), _SAMPLE), np.repeat(np.arange(len(store.clips)), np.diff(store.starts))
     real = store.codes[at, :N_COLUMNS] * scales
-    query_values = composed.codes[_spread(len(composed.codes), _ASKED), :N_COLUMNS] * scales
+    query_values = composed.codes[evenly_spread(len(composed.codes), _ASKED), :N_COLUMNS] * scales
     ours = np.median(_nearest(query_values, real, np.zeros((len(query_values), len(real)), bool)))
-    some = _spread(len(at), 256)
+    some = evenly_spread(len(at), 256)
     same = (clips[at[some]][:, None] == clips[at][None]) & (np.abs(at[some][:, None] - at[None]) < _APART * store.fps)
     usual = np.median(_nearest(real[some], real, same))
     ratio = float(ours / max(usual, 0.05))
@@ -49,11 +49,6 @@ def plausibility(index: SearchIndex, query: Query) -> Plausibility:
         "No recording holds postures like this combination "
         f"(the nearest are {ratio:.1f} times as far as usual): hits may be few or odd.",
     )
-
-
-def _spread(n: int, most: int) -> np.ndarray:
-    """At most ``most`` of ``n`` indices, evenly."""
-    return np.unique(np.linspace(0, n - 1, min(n, most)).astype(np.int64))
 
 
 def _nearest(some: np.ndarray, real: np.ndarray, left_out: np.ndarray) -> np.ndarray:

@@ -26,13 +26,6 @@ GRAPH = Block("graph", "graph", 4, 0, 8, 6, {"pinned": {"dataset": "demo", "fing
 
 
 @pytest.fixture
-def workspace(tmp_path):
-    workspace = Workspace(tmp_path)
-    yield workspace
-    workspace.close()
-
-
-@pytest.fixture
 def boards(workspace):
     return workspace.boards
 

@@ -6,17 +6,10 @@ import sqlite3
 
 import pytest
 
-from core.workspace import ConflictError, DocumentGone, Workspace, WorkspaceError
+from core.workspace import ConflictError, DocumentGone, WorkspaceError
 from core.workspace.comments import mentions
 
 BLOCK, OTHER = "board:b1/block:one", "board:b1/block:two"
-
-
-@pytest.fixture
-def workspace(tmp_path):
-    workspace = Workspace(tmp_path)
-    yield workspace
-    workspace.close()
 
 
 @pytest.fixture

@@ -11,13 +11,6 @@ from core.workspace import Person, Workspace, WorkspaceError, acting_as
 
 
 @pytest.fixture
-def workspace(tmp_path):
-    workspace = Workspace(tmp_path)
-    yield workspace
-    workspace.close()
-
-
-@pytest.fixture
 def users(workspace):
     return workspace.users
 

@@ -28,13 +28,6 @@ CREATE TABLE notes (
 
 
 @pytest.fixture
-def workspace(tmp_path):
-    workspace = Workspace(tmp_path)
-    yield workspace
-    workspace.close()
-
-
-@pytest.fixture
 def views(workspace):
     return workspace.views
 

@@ -183,24 +183,25 @@ def doubt(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None
 
 def tag_of(labels: Mapping[str, Sequence[Label]], segment: Segment) -> str:
     """The label that covers most of a stretch and its share: ``kick 51 %``; the label alone where it covers all."""
-    action = label_of(labels, segment)
-    covered = sum(
-        max(0, min(label.end, segment.end) - max(label.start, segment.start))
-        for label in labels.get(segment.clip, ())
-        if label.action == action
-    )
-    share = round(100 * covered / segment.n_frames)
-    return action if share >= 100 or not action else f"{action} {max(share, 1)} %"
+    covered, action = _covered_frames(labels, segment), label_of(labels, segment)
+    share = round(100 * covered[action] / segment.n_frames) if action else 100
+    return action if share >= 100 else f"{action} {max(share, 1)} %"
 
 
 def label_of(labels: Mapping[str, Sequence[Label]], segment: Segment) -> str:
     """The label that covers most of a stretch's frames, "" where none covers any; labels: of each clip."""
+    covered = _covered_frames(labels, segment)
+    return max(covered, key=covered.__getitem__, default="")
+
+
+def _covered_frames(labels: Mapping[str, Sequence[Label]], segment: Segment) -> dict[str, int]:
+    """How many frames of a stretch each label covers."""
     covered: dict[str, int] = {}
     for label in labels.get(segment.clip, ()):
         common = min(label.end, segment.end) - max(label.start, segment.start)
         if common > 0:
             covered[label.action] = covered.get(label.action, 0) + common
-    return max(covered, key=covered.__getitem__, default="")
+    return covered
 
 
 def _search(index: SearchIndex, dataset: Dataset, search: Search, query: Query, least: float) -> SearchResult:
