@@ -12,6 +12,7 @@ import "./boards/boards.mjs";
 import "./report/blocks.mjs";
 import "./library/body.mjs";
 import "./library/clips.mjs";
+import "./library/properties.mjs";
 import "./library/upload.mjs";
 import "./clip/gait.mjs";
 import "./clip/range.mjs";

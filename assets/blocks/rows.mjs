@@ -15,6 +15,9 @@ export function legend(names, colours) {
   }));
 }
 
+/** Whether a clip fades: it is not among some. @param {Set<string> | null} among @param {string} clip */
+export const isFaint = (among, clip) => among !== null && !among.has(clip);
+
 /**
  * Rows with names; gives what lights stretches by their keys, and a row.
  * @param {HTMLElement} place
@@ -43,10 +46,13 @@ export function drawRows(place, tracks) {
     return { clip: track.clip, node: element("div", "block-row", name, svg, element("span", "block-row-end number", clock(track.seconds))) };
   });
   place.append(element("div", "block-rows", ...rows.map(({ node }) => node)));
-  /** @param {Set<string>} keys @param {string | undefined} clip */
-  return (keys, clip) => {
+  /** @param {Set<string>} keys @param {string | undefined} clip @param {Set<string> | null} [among] clips that do not fade */
+  return (keys, clip, among = null) => {
     const some = drawn.some(([{ key }]) => keys.has(key));
     for (const [{ key }, node] of drawn) node.classList.toggle("faint", some && !keys.has(key));
-    for (const row of rows) row.node.classList.toggle("chosen", row.clip === clip);
+    for (const row of rows) {
+      row.node.classList.toggle("chosen", row.clip === clip);
+      row.node.classList.toggle("faint", isFaint(among, row.clip));
+    }
   };
 }

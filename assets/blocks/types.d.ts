@@ -28,8 +28,8 @@ export interface Context {
 export interface Drawn {
   /** Show what is selected. */
   light?(selection: Selection): void;
-  /** Fade what has nothing to do with a label; "" fades nothing. */
-  narrow?(label: string): void;
+  /** Fade what has nothing to do with a label ("" fades nothing), and what is of no clip among these (null: all are). */
+  narrow?(label: string, among: Set<string> | null): void;
   /** The page is light or dark now. */
   recolour?(): void;
   close?(): void;

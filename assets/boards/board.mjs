@@ -4,10 +4,10 @@ import { element, withAttributes } from "../shared/dom.mjs";
 import { DATASET_CHOICE, SELECTION } from "../shared/ids.mjs";
 import { Figure } from "../stage/figure.mjs";
 import { MotionCache } from "../stage/motion.mjs";
-import { ask, Refused } from "./api.mjs";
+import { ask, Refused } from "../shared/server.mjs";
 import { Card } from "./card.mjs";
 import { Comments, countOf, wordsOf } from "./comments.mjs";
-import { button, iconButton, openMenu, openWindow, say } from "./dialogs.mjs";
+import { button, iconButton, openMenu, openWindow, say } from "../shared/dialogs.mjs";
 import { addBlock, editBlock } from "./edit.mjs";
 import { Grid, gridstack } from "./grid.mjs";
 import { deleteBoard, refresh, renameBoard, showHistory } from "./list.mjs";
@@ -47,6 +47,9 @@ export class OpenBoard {
     this.barMark = "";
     /** @type {HTMLElement | undefined} */
     this.area = undefined;
+    /** Of each dataset the clips of the group that the board is narrowed to. @type {Record<string, Set<string>> | null} */
+    this.among = null;
+    this.groupShown = "";
   }
 
   get still() {
@@ -144,7 +147,7 @@ export class OpenBoard {
       menu: (one, anchor) => this.menu(one, anchor),
       comment: (one) => this.comments.open(/** @type {Board} */ (this.board), one.block.id, one.name),
       renew: (one) => this.change({ action: "renew", block: one.block.id }).then(() => one.compute()),
-      label: () => this.board?.filters.label ?? "",
+      narrow: (one) => this.narrowOne(one),
     });
     fresh.head.addEventListener("keydown", (event) => {
       if (event.target === fresh.head) this.grid?.key(fresh.item, event);
@@ -200,12 +203,12 @@ export class OpenBoard {
 
   /** @param {Board} board */
   showBar(board) {
-    const mark = JSON.stringify([board.title, board.filters, board.datasets, board.comments.length, wordsOf(board.comments), this.still, this.look]);
+    const mark = JSON.stringify([board.title, board.filters, board.datasets, board.groups, board.comments.length, wordsOf(board.comments), this.still, this.look]);
     if (mark === this.barMark) return;
     this.barMark = mark;
     const title = element("h2", "ellipsis", board.title);
     const more = iconButton("dots", "More", () => openMenu(more, this.boardMenu()));
-    const parts = [iconButton("left", "All boards", () => changeView({ board: "", screen: "" })), title, ...(this.look === "present" ? [] : [this.datasetPicker(board), this.labelField(board)])];
+    const parts = [iconButton("left", "All boards", () => changeView({ board: "", screen: "" })), title, ...(this.look === "present" ? [] : [this.datasetPicker(board), ...this.groupPicker(board), this.labelField(board)])];
     if (!this.still) parts.push(button("Add block", () => addBlock(/** @type {Board} */ (this.board), this.grid?.bottom() ?? 0, (made) => this.take(made)), "primary"));
     if (this.look !== "present") parts.push(button(wordsOf(board.comments), () => this.comments.open(/** @type {Board} */ (this.board), "", "The whole board")), button("Share board", () => this.share()));
     parts.push(button(this.look === "present" ? "Leave" : "Present", () => this.present()));
@@ -231,15 +234,46 @@ export class OpenBoard {
       const filters = { ...this.board?.filters, label: field.value.trim() };
       if (this.still && this.board) this.board = { ...this.board, filters }; // for oneself alone
       else this.change({ action: "filter", filters });
-      this.narrow(filters.label);
+      this.narrow();
     });
-    this.narrow(field.value);
+    this.narrow();
     return field;
   }
 
-  /** @param {string} label */
-  narrow(label) {
-    for (const card of this.cards.values()) card.drawn.narrow?.(label);
+  /** Narrow the board to clips with a value of a property. @param {Board} board */
+  groupPicker(board) {
+    const now = board.filters.group ?? "";
+    this.showGroup(now);
+    if (!board.groups.length && !now) return [];
+    const offered = board.groups.map(([column, values]) => withAttributes(element("optgroup", "", ...values.map((value) => withAttributes(element("option", "", value), { value: `${column}=${value}` }))), { label: column }));
+    const offers = board.groups.some(([column, values]) => values.some((value) => `${column}=${value}` === now));
+    const picker = withAttributes(element("select", "boards-select", withAttributes(element("option", "", "all clips"), { value: "" }), ...(now && !offers ? [withAttributes(element("option", "", `${now} (gone)`), { value: now })] : []), ...offered), { "aria-label": "Narrow the board to a group of clips" });
+    picker.value = now;
+    picker.addEventListener("change", () => {
+      const filters = { ...this.board?.filters, group: picker.value };
+      if (this.still && this.board) this.board = { ...this.board, filters }; // for oneself alone
+      else this.change({ action: "filter", filters });
+      this.showGroup(picker.value);
+    });
+    return [picker];
+  }
+
+  /** Ask which clips are of a group, and fade the others. @param {string} group */
+  async showGroup(group) {
+    this.groupShown = group;
+    const answer = group ? await ask(`boards/${this.id}/group?of=${encodeURIComponent(group)}`).catch((error) => this.warn(error.message)) : null;
+    if (this.groupShown !== group) return;
+    this.among = answer ? Object.fromEntries(Object.entries(/** @type {Record<string, string[]>} */ (answer.clips)).map(([name, clips]) => [name, new Set(clips)])) : null;
+    this.narrow();
+  }
+
+  narrow() {
+    for (const card of this.cards.values()) this.narrowOne(card);
+  }
+
+  /** @param {Card} card */
+  narrowOne(card) {
+    card.drawn.narrow?.(this.board?.filters.label ?? "", this.among ? this.among[card.block.dataset] ?? new Set() : null);
   }
 
   /** @param {Board} board */

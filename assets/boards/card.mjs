@@ -2,8 +2,8 @@
 import { drawBlock } from "../blocks/registry.mjs";
 import { element } from "../shared/dom.mjs";
 import { percent } from "../shared/words.mjs";
-import { ask } from "./api.mjs";
-import { button, iconButton } from "./dialogs.mjs";
+import { ask } from "../shared/server.mjs";
+import { button, iconButton } from "../shared/dialogs.mjs";
 import { kindOf, shown } from "./state.mjs";
 /** @import { Context, Drawn } from "../blocks/types.d.ts" */
 /** @import { BlockAnswer, BlockData } from "./types.d.ts" */
@@ -15,7 +15,7 @@ const POLL = 1500; // milliseconds between two looks at a job
  * @property {(card: Card, anchor: Element) => void} menu
  * @property {(card: Card) => void} comment
  * @property {(card: Card) => void} renew
- * @property {() => string} label the label that the board is narrowed to
+ * @property {(card: Card) => void} narrow fades what the board is narrowed from
  */
 
 export class Card {
@@ -118,7 +118,7 @@ export class Card {
     this.body.append(place);
     this.drawn = drawBlock(place, this.block.kind, content, this.context);
     this.drawn.light?.(shown.selection);
-    this.drawn.narrow?.(this.actions.label());
+    this.actions.narrow(this);
   }
 
   /** @param {...Node} parts */

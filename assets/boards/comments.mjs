@@ -1,8 +1,8 @@
 // What people say about a board and its blocks: open or resolved, with answers and mentions.
 import { element, withAttributes } from "../shared/dom.mjs";
 import { plural } from "../shared/words.mjs";
-import { ask, person } from "./api.mjs";
-import { ago, button, iconButton } from "./dialogs.mjs";
+import { ask, person } from "../shared/server.mjs";
+import { ago, button, iconButton } from "../shared/dialogs.mjs";
 /** @import { Board, CommentData } from "./types.d.ts" */
 
 /**

@@ -1,9 +1,10 @@
 // Adding and changing blocks: their forms, and what happens where two people change the same one.
 import { element } from "../shared/dom.mjs";
-import { ask, Refused } from "./api.mjs";
-import { button, openForm, openWindow } from "./dialogs.mjs";
+import { ask, Refused } from "../shared/server.mjs";
+import { button, openForm, openWindow } from "../shared/dialogs.mjs";
 import { kindOf, known, shown } from "./state.mjs";
-/** @import { BlockData, Board, Field, Kind, Settings } from "./types.d.ts" */
+/** @import { Field } from "../shared/types.d.ts" */
+/** @import { BlockData, Board, Kind, Settings } from "./types.d.ts" */
 
 /** @typedef {(board: Board) => void} Take takes over what the server gave back */
 

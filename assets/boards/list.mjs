@@ -1,8 +1,8 @@
 // The page without an open board: boards, templates to begin with, and saved views.
 import { changeView, openPage } from "../shared/dash.mjs";
 import { element, svgElement, withAttributes } from "../shared/dom.mjs";
-import { ask } from "./api.mjs";
-import { ago, button, iconButton, openForm, openMenu, openWindow, say } from "./dialogs.mjs";
+import { ask } from "../shared/server.mjs";
+import { ago, button, iconButton, openForm, openMenu, openWindow, say } from "../shared/dialogs.mjs";
 import { openReport } from "./reports.mjs";
 import { known, shown } from "./state.mjs";
 /** @import { BoardEntry, Change, Listing, Shape, ViewEntry } from "./types.d.ts" */
@@ -100,7 +100,7 @@ function viewCard(saved, again) {
   return element("article", "boards-card", open, element("div", "boards-card-foot", element("span", "muted ellipsis", about), more));
 }
 
-/** The fields of a saved view. @param {Partial<ViewEntry>} saved @returns {import("./types.d.ts").Field[]} */
+/** The fields of a saved view. @param {Partial<ViewEntry>} saved @returns {import("../shared/types.d.ts").Field[]} */
 export const viewFields = (saved) => [
   { name: "title", label: "Title", value: saved.title ?? "" },
   { name: "note", label: "Note", kind: "text", value: saved.note ?? "" },

@@ -1,6 +1,6 @@
 // Ctrl+K: pages, boards and saved views by a few letters of their names.
 import { allWithin, element, withAttributes } from "../shared/dom.mjs";
-import { openWindow } from "./dialogs.mjs";
+import { openWindow } from "../shared/dialogs.mjs";
 import { followLink, refresh } from "./list.mjs";
 
 const MOST = 12;

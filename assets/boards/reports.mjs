@@ -1,8 +1,8 @@
 // A report as a file: its size is said before it is saved.
 import { closest, element } from "../shared/dom.mjs";
 import { percent } from "../shared/words.mjs";
-import { ask } from "./api.mjs";
-import { button, openWindow } from "./dialogs.mjs";
+import { ask } from "../shared/server.mjs";
+import { button, openWindow } from "../shared/dialogs.mjs";
 
 const POLL = 500; // milliseconds between two questions how far it is
 

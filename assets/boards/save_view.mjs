@@ -3,8 +3,8 @@ import { notify } from "../shared/dash.mjs";
 import { allWithin, closest, context2d, find } from "../shared/dom.mjs";
 import { PAGE } from "../shared/ids.mjs";
 import { STAGE_CANVAS } from "../stage/ids.mjs";
-import { ask, person } from "./api.mjs";
-import { openForm } from "./dialogs.mjs";
+import { ask, person } from "../shared/server.mjs";
+import { openForm } from "../shared/dialogs.mjs";
 import { SAVE_VIEW } from "./ids.mjs";
 import { tagsOf, viewFields } from "./list.mjs";
 

@@ -42,7 +42,9 @@ export interface Board {
   version: number;
   author: string;
   updated: number;
-  filters: { dataset?: string; label?: string };
+  filters: { dataset?: string; label?: string; group?: string };
+  /** Properties of clips of the dataset of the board, each with its values. */
+  groups: [string, string[]][];
   blocks: BlockData[];
   comments: CommentData[];
   may_edit: boolean;
@@ -111,14 +113,4 @@ export interface Change {
   author: string;
   saved: number;
   what: string;
-}
-
-/** A field of a form. */
-export interface Field {
-  name: string;
-  label: string;
-  value?: string;
-  kind?: "line" | "text" | "choice";
-  choices?: [string, string][];
-  hint?: string;
 }

@@ -4012,7 +4012,7 @@
     }
   });
 
-  // boards/api.mjs
+  // shared/server.mjs
   var NAME = "motionscape-name";
   var Refused = class extends Error {
     /** @param {number} status @param {any} answer */
@@ -4060,7 +4060,7 @@
   var plural = (n, one, more2 = `${one}s`) => `${n} ${n === 1 ? one : more2}`;
   var percent = (share2) => `${Math.round(100 * share2)} %`;
 
-  // boards/dialogs.mjs
+  // shared/dialogs.mjs
   function button2(name, act2, className = "") {
     const node = element("button", `boards-button ${className}`.trim(), name);
     node.type = "button";
@@ -4162,7 +4162,7 @@
     }) : null);
     shown8.setAttribute("role", "status");
     line2 = shown8;
-    (document.fullscreenElement ?? document.body).append(shown8);
+    (document.querySelector("dialog[open]") ?? document.fullscreenElement ?? document.body).append(shown8);
     setTimeout(() => shown8.remove(), undo ? 12e3 : 4e3);
   }
   function ago(moment) {
@@ -4277,7 +4277,7 @@
       this.body.append(place5);
       this.drawn = drawBlock(place5, this.block.kind, content, this.context);
       this.drawn.light?.(shown3.selection);
-      this.drawn.narrow?.(this.actions.label());
+      this.actions.narrow(this);
     }
     /** @param {...Node} parts */
     clear(...parts) {
@@ -4791,6 +4791,8 @@
       this.bar = element("div", "boards-bar");
       this.barMark = "";
       this.area = void 0;
+      this.among = null;
+      this.groupShown = "";
     }
     get still() {
       return this.look !== "" || !this.board?.may_edit;
@@ -4889,7 +4891,7 @@
           one.name
         ),
         renew: (one) => this.change({ action: "renew", block: one.block.id }).then(() => one.compute()),
-        label: () => this.board?.filters.label ?? ""
+        narrow: (one) => this.narrowOne(one)
       });
       fresh.head.addEventListener("keydown", (event) => {
         if (event.target === fresh.head) this.grid?.key(fresh.item, event);
@@ -4938,12 +4940,12 @@
     }
     /** @param {Board} board */
     showBar(board) {
-      const mark3 = JSON.stringify([board.title, board.filters, board.datasets, board.comments.length, wordsOf(board.comments), this.still, this.look]);
+      const mark3 = JSON.stringify([board.title, board.filters, board.datasets, board.groups, board.comments.length, wordsOf(board.comments), this.still, this.look]);
       if (mark3 === this.barMark) return;
       this.barMark = mark3;
       const title = element("h2", "ellipsis", board.title);
       const more2 = iconButton("dots", "More", () => openMenu(more2, this.boardMenu()));
-      const parts = [iconButton("left", "All boards", () => changeView({ board: "", screen: "" })), title, ...this.look === "present" ? [] : [this.datasetPicker(board), this.labelField(board)]];
+      const parts = [iconButton("left", "All boards", () => changeView({ board: "", screen: "" })), title, ...this.look === "present" ? [] : [this.datasetPicker(board), ...this.groupPicker(board), this.labelField(board)]];
       if (!this.still) parts.push(button2("Add block", () => addBlock(
         /** @type {Board} */
         this.board,
@@ -4977,14 +4979,45 @@
         const filters = { ...this.board?.filters, label: field.value.trim() };
         if (this.still && this.board) this.board = { ...this.board, filters };
         else this.change({ action: "filter", filters });
-        this.narrow(filters.label);
+        this.narrow();
       });
-      this.narrow(field.value);
+      this.narrow();
       return field;
     }
-    /** @param {string} label */
-    narrow(label) {
-      for (const card4 of this.cards.values()) card4.drawn.narrow?.(label);
+    /** Narrow the board to clips with a value of a property. @param {Board} board */
+    groupPicker(board) {
+      const now6 = board.filters.group ?? "";
+      this.showGroup(now6);
+      if (!board.groups.length && !now6) return [];
+      const offered2 = board.groups.map(([column, values]) => withAttributes(element("optgroup", "", ...values.map((value) => withAttributes(element("option", "", value), { value: `${column}=${value}` }))), { label: column }));
+      const offers = board.groups.some(([column, values]) => values.some((value) => `${column}=${value}` === now6));
+      const picker = withAttributes(element("select", "boards-select", withAttributes(element("option", "", "all clips"), { value: "" }), ...now6 && !offers ? [withAttributes(element("option", "", `${now6} (gone)`), { value: now6 })] : [], ...offered2), { "aria-label": "Narrow the board to a group of clips" });
+      picker.value = now6;
+      picker.addEventListener("change", () => {
+        const filters = { ...this.board?.filters, group: picker.value };
+        if (this.still && this.board) this.board = { ...this.board, filters };
+        else this.change({ action: "filter", filters });
+        this.showGroup(picker.value);
+      });
+      return [picker];
+    }
+    /** Ask which clips are of a group, and fade the others. @param {string} group */
+    async showGroup(group) {
+      this.groupShown = group;
+      const answer2 = group ? await ask3(`boards/${this.id}/group?of=${encodeURIComponent(group)}`).catch((error) => this.warn(error.message)) : null;
+      if (this.groupShown !== group) return;
+      this.among = answer2 ? Object.fromEntries(Object.entries(
+        /** @type {Record<string, string[]>} */
+        answer2.clips
+      ).map(([name, clips]) => [name, new Set(clips)])) : null;
+      this.narrow();
+    }
+    narrow() {
+      for (const card4 of this.cards.values()) this.narrowOne(card4);
+    }
+    /** @param {Card} card */
+    narrowOne(card4) {
+      card4.drawn.narrow?.(this.board?.filters.label ?? "", this.among ? this.among[card4.block.dataset] ?? /* @__PURE__ */ new Set() : null);
     }
     /** @param {Board} board */
     showStale(board) {
@@ -5483,6 +5516,7 @@
       return key;
     }));
   }
+  var isFaint = (among2, clip) => among2 !== null && !among2.has(clip);
   function drawRows(place5, tracks) {
     const longest2 = Math.max(...tracks.map(({ seconds }) => seconds), 1e-9);
     const drawn7 = [];
@@ -5505,10 +5539,13 @@
       return { clip: track.clip, node: element("div", "block-row", name, svg, element("span", "block-row-end number", clock(track.seconds))) };
     });
     place5.append(element("div", "block-rows", ...rows2.map(({ node }) => node)));
-    return (keys, clip) => {
+    return (keys, clip, among2 = null) => {
       const some = drawn7.some(([{ key }]) => keys.has(key));
       for (const [{ key }, node] of drawn7) node.classList.toggle("faint", some && !keys.has(key));
-      for (const row7 of rows2) row7.node.classList.toggle("chosen", row7.clip === clip);
+      for (const row7 of rows2) {
+        row7.node.classList.toggle("chosen", row7.clip === clip);
+        row7.node.classList.toggle("faint", isFaint(among2, row7.clip));
+      }
     };
   }
 
@@ -5530,13 +5567,24 @@
           tip: `${action.name}, ${clock(start3)} to ${clock(end)} (${action.count} in all)`,
           choose: () => context.select({ action: id }, {
             title: action.name,
-            items: action.segments.map(([clip, from, to]) => ({ clip, start: from, end: to, label: `${clip}, ${number2 + 1}` }))
+            items: action.segments.map(([clip2, from, to]) => ({ clip: clip2, start: from, end: to, label: `${clip2}, ${number2 + 1}` }))
           })
         };
       })]
     }));
     const lit4 = drawRows(place5, tracks);
-    return { light: (selection) => lit4(new Set(selection.action === void 0 ? [] : [`action ${selection.action}`]), selection.clip) };
+    let [keys, clip, among2] = [/* @__PURE__ */ new Set(), void 0, null];
+    return {
+      light(selection) {
+        keys = new Set(selection.action === void 0 ? [] : [`action ${selection.action}`]);
+        ({ clip } = selection);
+        lit4(keys, clip, among2);
+      },
+      narrow(_label, clips) {
+        among2 = clips;
+        lit4(keys, clip, among2);
+      }
+    };
   }
 
   // blocks/table.mjs
@@ -5561,7 +5609,7 @@
     place5.append(tableOf(["Clip", "Duration", "Frames", "Rate", "Labels", "Motion"], rows2, more2 ? `${plural(more2, "more clip")} not listed.` : ""));
     return {
       light: (selection) => clips.forEach(({ name }, k) => rows2[k].classList.toggle("chosen", name === selection.clip)),
-      narrow: (label) => clips.forEach(({ labels: labels2 }, k) => rows2[k].classList.toggle("faint", Boolean(label) && !labels2.split(", ").includes(label)))
+      narrow: (label, among2) => clips.forEach(({ name, labels: labels2 }, k) => rows2[k].classList.toggle("faint", isFaint(among2, name) || Boolean(label) && !labels2.split(", ").includes(label)))
     };
   }
 
@@ -5609,15 +5657,16 @@
       void 0
     ];
     let keys = /* @__PURE__ */ new Set();
-    const show6 = () => lit4(wanted2 ? /* @__PURE__ */ new Set([...keys, `label ${wanted2}`]) : keys, clip);
+    let among2 = null;
+    const show6 = () => lit4(wanted2 ? /* @__PURE__ */ new Set([...keys, `label ${wanted2}`]) : keys, clip, among2);
     return {
       light(selection) {
         keys = new Set([...motifsIn(selection)].map((motif) => `motif ${motif}`));
         ({ clip } = selection);
         show6();
       },
-      narrow(label) {
-        wanted2 = label;
+      narrow(label, clips) {
+        [wanted2, among2] = [label, clips];
         show6();
       }
     };
@@ -5808,7 +5857,7 @@
     items: motif.motions.map(([clip, start3, end], k) => ({ clip, start: start3, end, label: clip, warp: motif.warps[k] ?? null }))
   });
   var choose = (context, motif) => context.select({ motif: motif.id }, playingOf(motif));
-  var fits = (motif, label) => !label || Boolean(motif.label?.startsWith(`${label} (`));
+  var fits = (motif, label, among2) => (!label || Boolean(motif.label?.startsWith(`${label} (`))) && (!among2 || motif.motions.some(([clip]) => among2.has(clip)));
   var factsOf = (motif) => [
     motif.name,
     `${motif.count} motions of ${motif.seconds.toFixed(1)} s${motif.label ? `, mostly ${motif.label}` : ""}`
@@ -5826,7 +5875,7 @@
         const chosen3 = motifsIn(selection);
         motifs2.forEach(({ id }, k) => rows2[k].classList.toggle("chosen", chosen3.has(id)));
       },
-      narrow: (label) => motifs2.forEach((motif, k) => rows2[k].classList.toggle("faint", !fits(motif, label)))
+      narrow: (label, among2) => motifs2.forEach((motif, k) => rows2[k].classList.toggle("faint", !fits(motif, label, among2)))
     };
   }
   function drawNumbers(place5, { figures }) {
@@ -5870,8 +5919,8 @@
     svg.append(...boxes.values());
     place5.append(svg, panZoom(svg, around2(motifs2)));
     return {
-      narrow(label) {
-        for (const motif of motifs2) boxes.get(motif.id)?.classList.toggle("faint", !fits(motif, label));
+      narrow(label, among2) {
+        for (const motif of motifs2) boxes.get(motif.id)?.classList.toggle("faint", !fits(motif, label, among2));
       },
       light(selection) {
         const chosen3 = motifsIn(selection);
@@ -5976,7 +6025,7 @@
     place5.append(element("p", "muted", `Like ${query}`), tableOf(["Clip", "Seconds", "Score", "Frames", "Mostly", "Motion"], rows2, hits.length ? "" : "Nothing is like it."));
     return {
       light: (selection) => hits.forEach((hit, k) => rows2[k].classList.toggle("chosen", hit.clip === selection.clip && hit.start === selection.start && hit.end === selection.end)),
-      narrow: (label) => hits.forEach((hit, k) => rows2[k].classList.toggle("faint", Boolean(label) && !hit.label.startsWith(`${label} (`)))
+      narrow: (label, among2) => hits.forEach((hit, k) => rows2[k].classList.toggle("faint", isFaint(among2, hit.clip) || Boolean(label) && !hit.label.startsWith(`${label} (`)))
     };
   }
 
@@ -6365,6 +6414,160 @@
     }
   });
 
+  // library/properties.mjs
+  var SETTLED2 = 300;
+  var SHOWN = 6;
+  var KINDS2 = ["text", "number", "date"];
+  document.addEventListener("click", (event) => {
+    const { properties } = closest(event, "[data-properties]")?.dataset ?? {};
+    if (properties) new Dialog(properties, []).open();
+  });
+  register("properties", {
+    /** @param {PropertiesOf | null} chosen */
+    open(chosen3) {
+      if (chosen3) new Dialog(chosen3.dataset, chosen3.clips).open();
+      return clientside.no_update;
+    }
+  });
+  var Dialog = class {
+    /** @param {string} dataset @param {string[]} clips those that were chosen */
+    constructor(dataset2, clips) {
+      this.dataset = dataset2;
+      this.clips = clips;
+      this.path = `properties/${encodeURIComponent(dataset2)}`;
+      this.columns = element("div", "properties-columns");
+      this.preview = element("div", "properties-preview");
+      this.preview.setAttribute("aria-live", "polite");
+      this.waiting = 0;
+      this.first = "";
+    }
+    async open() {
+      const file = withAttributes(element("a", "boards-button", "Save as CSV"), { href: `/api/${this.path}/csv`, download: "" });
+      const ways = element("div", "properties-ways for-editors");
+      this.dialog = openWindow(
+        `Properties of clips of ${this.dataset}`,
+        this.columns,
+        ways,
+        this.preview,
+        element("div", "boards-actions", file, button2("Close", () => this.dialog?.close()))
+      );
+      try {
+        this.show(await ask3(this.path));
+      } catch (error) {
+        this.refuse(error);
+        return;
+      }
+      ways.append(this.byHand(), this.fromNames(), this.fromTable());
+      ways.querySelector("input, textarea")?.focus();
+    }
+    /** @param {ClipProperties} known */
+    show({ columns, clips, first }) {
+      this.first = first;
+      const rows2 = columns.map((column) => this.row(column, clips));
+      const heads = ["Property", "Kind", "Values", "Missing", ""].map((head3) => element("th", "", head3));
+      this.columns.replaceChildren(rows2.length ? element("table", "properties-table", element("thead", "", element("tr", "", ...heads)), element("tbody", "", ...rows2)) : element("p", "muted", `Nothing is known yet of its ${plural(clips, "clip")}: who moves, in which condition, in which session. Groups are compared and boards narrowed by such properties.`));
+    }
+    /** @param {ColumnOfClips} column @param {number} clips */
+    row({ name, kind, values, distinct, missing }, clips) {
+      const picker = withAttributes(element("select", "boards-select for-editors", ...KINDS2.map((one) => withAttributes(element("option", "", one), { value: one }))), { "aria-label": `Kind of ${name}` });
+      picker.value = kind;
+      picker.addEventListener("change", () => this.change({ action: "kind", column: name, kind: picker.value }));
+      const some = values.slice(0, SHOWN).map(([value, count]) => `${value} (${count})`).join(", ");
+      const remove = iconButton("trash", `Remove ${name}`, () => this.change({ action: "remove", column: name }));
+      remove.classList.add("for-editors");
+      return element(
+        "tr",
+        "",
+        element("td", "", name),
+        element("td", "", picker),
+        element("td", "", distinct > SHOWN ? `${some} and ${distinct - SHOWN} more` : some),
+        element("td", "number", missing ? `${missing} of ${clips}` : "none"),
+        element("td", "", remove)
+      );
+    }
+    byHand() {
+      const [name, value] = [this.input("Property", "subject"), this.input("Value", "Ana")];
+      const body2 = () => ({ action: "set", column: name.value, value: value.value, clips: this.clips });
+      const form = this.way(
+        `For ${this.clips.length === 1 ? this.clips[0] : plural(this.clips.length, "chosen clip")}`,
+        this.clips.length ? "An empty value takes it away." : "Choose clips in the table of the Library by their boxes, then “Properties”.",
+        [name, value],
+        body2
+      );
+      if (!this.clips.length) for (const control of form.querySelectorAll("input, button")) control.toggleAttribute("disabled", true);
+      return form;
+    }
+    fromNames() {
+      const pattern = this.input("Pattern of the names", "{subject}_{condition}_{take}");
+      return this.way("From names of clips", `Names in braces become properties, * is anything. The first name is ${this.first}.`, [pattern], () => ({ action: "names", pattern: pattern.value }));
+    }
+    fromTable() {
+      const table3 = withAttributes(element("textarea"), { rows: 4, placeholder: "clip,subject,condition", "aria-label": "Table as CSV" });
+      const file = withAttributes(element("input"), { type: "file", accept: ".csv,.tsv,.txt", "aria-label": "CSV file" });
+      file.addEventListener("change", async () => {
+        table3.value = await file.files?.[0]?.text() ?? "";
+        table3.dispatchEvent(new Event("input", { bubbles: true }));
+      });
+      return this.way("From a table", "CSV whose column “clip” names the clips; choose a file or paste it.", [file, table3], () => ({ action: "table", table: table3.value }));
+    }
+    /** @param {string} name @param {string} hint */
+    input(name, hint) {
+      return withAttributes(element("input"), { placeholder: hint, "aria-label": name });
+    }
+    /**
+     * A way to set properties: what it would do is shown while one types.
+     * @param {string} title @param {string} hint @param {HTMLElement[]} controls @param {() => Record<string, any>} body
+     */
+    way(title, hint, controls, body2) {
+      const form = element("form", "boards-form properties-way", element("h3", "", title), element("small", "muted", hint), ...controls, element("button", "boards-button primary", "Keep"));
+      form.addEventListener("input", () => {
+        clearTimeout(this.waiting);
+        this.waiting = window.setTimeout(() => this.change({ ...body2(), preview: true }), SETTLED2);
+      });
+      form.addEventListener("submit", (event) => {
+        event.preventDefault();
+        clearTimeout(this.waiting);
+        this.change(body2());
+      });
+      return form;
+    }
+    /** @param {Record<string, any>} body */
+    async change(body2) {
+      try {
+        const made = await ask3(this.path, body2);
+        this.show(made);
+        this.tell(made, body2.preview);
+        if (body2.preview) return;
+        say("Properties kept.", async () => {
+          this.show(await ask3(this.path, { action: "restore", version: made.before }));
+          this.preview.replaceChildren();
+        });
+      } catch (error) {
+        this.refuse(error);
+      }
+    }
+    /** @param {ClipProperties} made @param {boolean} preview */
+    tell({ remarks = [], rows: rows2 = [] }, preview) {
+      const names2 = rows2.length ? Object.keys(rows2[0]) : [];
+      this.preview.replaceChildren(
+        element("p", preview ? "properties-draft" : "muted", preview ? "Preview: nothing is kept yet." : "Kept."),
+        ...remarks.map((words4) => element("p", "muted", words4)),
+        rows2.length ? element(
+          "table",
+          "properties-table",
+          element("thead", "", element("tr", "", ...names2.map((name) => element("th", "", name)))),
+          element("tbody", "", ...rows2.map((row7) => element("tr", "", ...names2.map((name) => element("td", "", row7[name] ?? "")))))
+        ) : ""
+      );
+    }
+    /** @param {unknown} error */
+    refuse(error) {
+      const problem2 = element("p", "form-problem", error instanceof Error ? error.message : String(error));
+      problem2.setAttribute("role", "alert");
+      this.preview.replaceChildren(problem2);
+    }
+  };
+
   // library/batch.mjs
   var MOTION = ["FBX", "GLB", "GLTF", "VRM", "VMD", "C3D", "TRC", "NPZ", "NPY", "PKL", "BIP", "HTR", "MVNX", "BLEND", "DAE", "USD"];
   var sizeInWords = (bytes2) => bytes2 >= 2 ** 30 ? (bytes2 / 2 ** 30).toFixed(1) + " GB" : bytes2 >= 1e5 ? (bytes2 / 2 ** 20).toFixed(1) + " MB" : Math.max(1, Math.round(bytes2 / 1024)) + " kB";
@@ -6433,7 +6636,7 @@
   // library/upload.mjs
   var HEADERS = { "X-Motionscape": "upload" };
   var AT_ONCE = 3;
-  var SHOWN = 400;
+  var SHOWN2 = 400;
   var batch = null;
   var limits = () => {
     const data2 = need(DROP_ZONE).dataset;
@@ -6527,7 +6730,7 @@
     const list3 = find(UPLOAD_LIST);
     if (!list3 || mine2 !== batch) return;
     if (!item.row) {
-      if (list3.childElementCount >= SHOWN && item.state !== "error") {
+      if (list3.childElementCount >= SHOWN2 && item.state !== "error") {
         return;
       }
       item.row = document.createElement("li");

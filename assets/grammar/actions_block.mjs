@@ -20,5 +20,17 @@ export function drawActions(place, content, context) {
     })],
   }));
   const lit = drawRows(place, tracks);
-  return { light: (selection) => lit(new Set(selection.action === undefined ? [] : [`action ${selection.action}`]), selection.clip) };
+  /** @type {[Set<string>, string | undefined, Set<string> | null]} */
+  let [keys, clip, among] = [new Set(), undefined, null];
+  return {
+    light(selection) {
+      keys = new Set(selection.action === undefined ? [] : [`action ${selection.action}`]);
+      ({ clip } = selection);
+      lit(keys, clip, among);
+    },
+    narrow(_label, clips) {
+      among = clips;
+      lit(keys, clip, among);
+    },
+  };
 }

@@ -20,7 +20,7 @@
 /**
  * What is to be done with the clips that are chosen in the table.
  * @typedef {object} ClipsAction
- * @property {"remove" | "clear" | "reread"} action
+ * @property {"remove" | "clear" | "reread" | "properties"} action
  * @property {number} [at]
  */
 
@@ -36,6 +36,14 @@
  * @typedef {object} Reread
  * @property {string} dataset
  * @property {Array<string>} [clips]
+ * @property {number} [at]
+ */
+
+/**
+ * The data set and the clips of it whose properties are to be shown.
+ * @typedef {object} PropertiesOf
+ * @property {string} dataset
+ * @property {Array<string>} clips
  * @property {number} [at]
  */
 
@@ -201,6 +209,7 @@ export const UPLOAD_SUGGESTED = /** @type {StoreId<string>} */ ("upload-suggeste
 export const UPLOADED = /** @type {StoreId<string>} */ ("uploaded");
 export const REREAD_DIALOG = "reread-dialog";
 export const REREAD_OF = /** @type {StoreId<Reread>} */ ("reread-of");
+export const PROPERTIES_OF = /** @type {StoreId<PropertiesOf>} */ ("properties-of");
 export const REREAD_NOW = "reread-now";
 export const REREAD_UNIT = "reread-unit";
 export const REREAD_UP = "reread-up";

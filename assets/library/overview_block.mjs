@@ -1,4 +1,5 @@
 // The facts of a dataset, and its clips.
+import { isFaint } from "../blocks/rows.mjs";
 import { tableOf, tableRow } from "../blocks/table.mjs";
 import { element } from "../shared/dom.mjs";
 import { clock, plural } from "../shared/words.mjs";
@@ -16,6 +17,6 @@ export function drawOverview(place, { facts, clips, more }, context) {
   place.append(tableOf(["Clip", "Duration", "Frames", "Rate", "Labels", "Motion"], rows, more ? `${plural(more, "more clip")} not listed.` : ""));
   return {
     light: (selection) => clips.forEach(({ name }, k) => rows[k].classList.toggle("chosen", name === selection.clip)),
-    narrow: (label) => clips.forEach(({ labels }, k) => rows[k].classList.toggle("faint", Boolean(label) && !labels.split(", ").includes(label))),
+    narrow: (label, among) => clips.forEach(({ name, labels }, k) => rows[k].classList.toggle("faint", isFaint(among, name) || (Boolean(label) && !labels.split(", ").includes(label)))),
   };
 }

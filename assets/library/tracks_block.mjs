@@ -31,15 +31,17 @@ export function drawTracks(place, content, context) {
   let [wanted, clip] = ["", /** @type {string | undefined} */ (undefined)];
   /** @type {Set<string>} */
   let keys = new Set();
-  const show = () => lit(wanted ? new Set([...keys, `label ${wanted}`]) : keys, clip);
+  /** @type {Set<string> | null} */
+  let among = null;
+  const show = () => lit(wanted ? new Set([...keys, `label ${wanted}`]) : keys, clip, among);
   return {
     light(selection) {
       keys = new Set([...motifsIn(selection)].map((motif) => `motif ${motif}`));
       ({ clip } = selection);
       show();
     },
-    narrow(label) {
-      wanted = label;
+    narrow(label, clips) {
+      [wanted, among] = [label, clips];
       show();
     },
   };

@@ -38,3 +38,23 @@ export interface Limits {
   files: number;
   suffixes: string[];
 }
+
+/** A property of clips: see webapp/features/library/property_routes.py. */
+export interface ColumnOfClips {
+  name: string;
+  kind: string;
+  distinct: number;
+  missing: number;
+  values: [string, number][];
+}
+
+/** What is known of the clips of a data set, and after a change some of the clips whose values are others now. */
+export interface ClipProperties {
+  dataset: string;
+  clips: number;
+  columns: ColumnOfClips[];
+  first: string;
+  remarks?: string[];
+  rows?: Record<string, string>[];
+  before?: number;
+}

@@ -32,8 +32,8 @@ export function drawGraph(place, { motifs, edges }, context) {
   svg.append(...boxes.values());
   place.append(svg, panZoom(svg, around(motifs)));
   return {
-    narrow(label) {
-      for (const motif of motifs) boxes.get(motif.id)?.classList.toggle("faint", !fits(motif, label));
+    narrow(label, among) {
+      for (const motif of motifs) boxes.get(motif.id)?.classList.toggle("faint", !fits(motif, label, among));
     },
     light(selection) {
       const chosen = motifsIn(selection);

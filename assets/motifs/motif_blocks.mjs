@@ -15,8 +15,13 @@ export const playingOf = (motif) => ({
 /** @param {Context} context @param {MotifContent} motif */
 export const choose = (context, motif) => context.select({ motif: motif.id }, playingOf(motif));
 
-/** Whether most of a motif has a label; every motif fits none. @param {MotifContent} motif @param {string} label */
-export const fits = (motif, label) => !label || Boolean(motif.label?.startsWith(`${label} (`));
+/**
+ * Whether most of a motif has a label, and a motion of it is of one of some clips; every motif fits "" and null.
+ * @param {MotifContent} motif
+ * @param {string} label
+ * @param {Set<string> | null} among
+ */
+export const fits = (motif, label, among) => (!label || Boolean(motif.label?.startsWith(`${label} (`))) && (!among || motif.motions.some(([clip]) => among.has(clip)));
 
 /** @param {MotifContent} motif */
 export const factsOf = (motif) => [
@@ -36,7 +41,7 @@ export function drawMotifs(place, { motifs, more }, context) {
       const chosen = motifsIn(selection);
       motifs.forEach(({ id }, k) => rows[k].classList.toggle("chosen", chosen.has(id)));
     },
-    narrow: (label) => motifs.forEach((motif, k) => rows[k].classList.toggle("faint", !fits(motif, label))),
+    narrow: (label, among) => motifs.forEach((motif, k) => rows[k].classList.toggle("faint", !fits(motif, label, among))),
   };
 }
 

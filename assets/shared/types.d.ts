@@ -17,3 +17,13 @@ export type ViewChange = { [K in keyof View]?: string | number | boolean | null 
 
 /** T where everything has come: only the keys K may be missing. */
 export type Complete<T, K extends keyof T = never> = Required<Omit<T, K>> & Pick<T, K>;
+
+/** A field of a form. */
+export interface Field {
+  name: string;
+  label: string;
+  value?: string;
+  kind?: "line" | "text" | "choice";
+  choices?: [string, string][];
+  hint?: string;
+}

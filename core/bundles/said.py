@@ -1,20 +1,22 @@
-"""What people said and arranged about a data set: notes, saved views, boards with their comments."""
+"""What people said and arranged about a data set: properties of its clips, notes, saved views, boards with comments."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any
 from urllib.parse import parse_qsl, urlencode, urlsplit
 
 from core.bundles.manifest import plain
+from core.errors import FormatError, ParameterError
 from core.mocap.dataset import Dataset
+from core.mocap.properties import Properties, from_json
 from core.workspace import Workspace, WorkspaceError
 from core.workspace.blocks import Block
 
 
 def said_of(workspace: Workspace, dataset: Dataset) -> dict[str, list[dict[str, Any]]]:
-    """What people said and arranged about a data set: notes, saved views, boards."""
+    """What people said and arranged about a data set: notes, saved views, boards, properties of its clips."""
     boards = [board for board in workspace.boards.all() if _shows(asdict(board), dataset.name)]
     views = [view for view in workspace.views.all() if _dataset_in(view.address) == dataset.name]
     return {
@@ -35,7 +37,13 @@ def said_of(workspace: Workspace, dataset: Dataset) -> dict[str, list[dict[str, 
             ),
             key=plain,
         ),
+        "properties": [known.to_json()] if (known := properties_of(workspace, dataset)).columns else [],
     }
+
+
+def properties_of(workspace: Workspace, dataset: Dataset) -> Properties:
+    """The properties of the clips that a data set has now."""
+    return workspace.properties.of(workspace.info(dataset.name).id).of_clips(dataset.names)
 
 
 def _bare(block: dict[str, Any]) -> dict[str, Any]:
@@ -70,6 +78,7 @@ def say(
     """Keeps notes, views and boards that are not there yet; how many of each. Raises WorkspaceError."""
     try:
         id = workspace.info(dataset).id
+        _say_properties(workspace, dataset, id, said.get("properties", ()))
         notes = [note for note in said["notes"] if note not in workspace.notes.all(id)]
         for note in notes:
             texts = {name: note[name] for name in ("name", "tags", "note")}
@@ -81,9 +90,29 @@ def say(
         boards = [board for board in _renamed(said["boards"], before, dataset) if board not in present["boards"]]
         for board in boards:
             _make_board(workspace, board)
-    except (KeyError, TypeError, AttributeError, IndexError) as error:
-        raise WorkspaceError(f"What the bundle says of notes, views and boards is incomplete ({error!r}).") from error
+    except (KeyError, TypeError, AttributeError, IndexError, FormatError, ParameterError) as error:
+        raise WorkspaceError(
+            f"What the bundle says of notes, properties, views and boards is incomplete ({error!r})."
+        ) from error
     return len(notes), len(views), len(boards)
+
+
+def _say_properties(workspace: Workspace, dataset: str, id: str, kept: Sequence[Mapping[str, Any]]) -> None:
+    """Properties of clips that have none in that column yet."""
+    present = workspace.properties.of(id)
+    for document in kept:
+        come = from_json(document).of_clips(workspace.open(dataset).names)
+        missing = {
+            clip: {name: value for name, value in own.items() if name not in present.values.get(clip, {})}
+            for clip, own in come.values.items()
+        }
+        if any(missing.values()):
+            both = present.with_values(missing)
+            columns = {
+                name: come.columns.get(name, kind) if name not in present.columns else kind
+                for name, kind in both.columns.items()
+            }
+            workspace.properties.put(id, Properties(columns, both.values), "from a bundle")
 
 
 def _make_board(workspace: Workspace, board: Mapping[str, Any]) -> None:

@@ -48,6 +48,8 @@ def take_bundle(workspace: Workspace, path: str | Path, name: str | None = None,
         fingerprint = str(manifest["dataset"]["fingerprint"])
         dataset = _checked_dataset(root / "dataset", fingerprint, report) if manifest["recordings"] else None
         said = {part: _list(root / f"{part}.json") for part in ("notes", "views", "boards")}
+        if "properties.json" in manifest["files"]:  # older bundles have none
+            said["properties"] = _list(root / "properties.json")
         results = {_key(file): file for file in sorted((root / "results").glob("*"))}
         for file in results.values():
             if is_drawn(workspace.results.check(file).document):
@@ -115,7 +117,7 @@ def _place(root: Path, entry: str, name: str) -> Path:
     """Where a file of a bundle goes: only what a bundle has, and nowhere else."""
     parts = entry.split("/")
     known = entry in ("dataset/dataset.json", "dataset/motion.npy", "features.npz")
-    known = known or entry in ("notes.json", "views.json", "boards.json")
+    known = known or entry in ("notes.json", "views.json", "boards.json", "properties.json")
     if not known and not (len(parts) == 2 and parts[0] == "results" and Path(parts[1]).suffix in (".json", ".npz")):
         raise WorkspaceError(f"{name} holds something that a bundle does not: {entry[:80]!r}.")
     if parts[0] == "results":

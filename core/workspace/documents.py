@@ -23,8 +23,6 @@ from core.workspace.texts import LONGEST_NAME, one_line
 
 T = TypeVar("T")
 Document = dict[str, Any]
-KEPT_VERSIONS = 200  # of each document; the oldest go first
-LARGEST_DOCUMENT = 1_000_000  # letters of JSON
 
 _PRESENT = (
     "SELECT d.id, d.version, v.document, v.author, d.created, v.saved, d.deleted FROM documents d "
@@ -55,7 +53,13 @@ class Change:
 
 
 class Documents(Generic[T], ABC):
-    """The documents of one kind; ``word`` is what people call one of them, as in "the board"."""
+    """The documents of one kind; ``word`` is what people call one of them, as in "the board".
+
+    kept_versions: of each document, the oldest go first; largest_document: letters of its JSON.
+    """
+
+    kept_versions = 200
+    largest_document = 1_000_000
 
     def __init__(self, database: Database, kind: str, word: str):
         self._database, self._kind, self._word = database, kind, word
@@ -83,10 +87,11 @@ class Documents(Generic[T], ABC):
         document: what it is to become, where that is known.
         """
 
-    def _create(self, document: Document, author: str, what: str = "made") -> T:
-        """Keeps a new document under a new id; raises WorkspaceError where it is too large or cannot be written."""
-        self._require(None, document, f"make a {self._word}")
-        id, now = secrets.token_hex(6), time.time()
+    def _create(self, document: Document, author: str, what: str = "made", id: str = "") -> T:
+        """Keeps a new document under ``id``, or a new one; raises WorkspaceError where it is too large or cannot be
+        written."""
+        self._require(id or None, document, f"make a {self._word}")
+        id, now = id or secrets.token_hex(6), time.time()
         text, author = self._text(document), self._author(author)
         with self._database.transaction(f"keep the {self._word}") as table:
             table.execute("INSERT INTO documents VALUES (?, ?, 1, ?, NULL)", (self._kind, id, now))
@@ -202,7 +207,7 @@ class Documents(Generic[T], ABC):
         )
         table.execute(
             "DELETE FROM document_versions WHERE kind = ? AND id = ? AND version <= ?",
-            (self._kind, id, version - KEPT_VERSIONS),
+            (self._kind, id, version - self.kept_versions),
         )
         record(table, f"{self._word}: {what}", self._title(document), id)
         return self._content(Kept(id, version, document, author, newest.created, now))
@@ -248,8 +253,8 @@ class Documents(Generic[T], ABC):
 
     def _text(self, document: Document) -> str:
         text = json.dumps(document, allow_nan=False, separators=(",", ":"))
-        if len(text) > LARGEST_DOCUMENT:
+        if len(text) > self.largest_document:
             raise WorkspaceError(
-                f"This {self._word} has become too large: {len(text):,} letters, where {LARGEST_DOCUMENT:,} fit."
+                f"This {self._word} has become too large: {len(text):,} letters, where {self.largest_document:,} fit."
             )
         return text

@@ -20,6 +20,7 @@ from core.workspace.errors import WorkspaceError, plain_errors
 from core.workspace.jobs import JobTable
 from core.workspace.names import clean_name
 from core.workspace.notes import Notes
+from core.workspace.properties import PropertyStore
 from core.workspace.ratings import Ratings
 from core.workspace.results import ResultStore
 from core.workspace.uploads import Uploads
@@ -61,6 +62,7 @@ class Workspace:
         self.jobs = JobTable(self._database)
         self.notes = Notes(self._database)
         self.ratings = Ratings(self._database)
+        self.properties = PropertyStore(self._database)
         self.views = Views(self._database)
         self.boards = Boards(self._database)
         self.comments = Comments(self._database)
@@ -351,6 +353,7 @@ class Workspace:
         deleted = self._datasets.empty_trash()
         self.notes.forget_deleted()
         self.ratings.forget_deleted()
+        self.properties.forget_deleted()
         return deleted
 
     def close(self) -> None:

@@ -6,7 +6,7 @@ import hashlib
 import logging
 import math
 from collections.abc import Callable, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 from urllib.parse import quote
 
 from flask import Blueprint, Response, jsonify, request
@@ -18,6 +18,7 @@ from webapp.shell.errors import log_bug, sentence
 
 log = logging.getLogger(__name__)
 
+HEADER = "X-Motionscape"  # other sites cannot send it
 VERSION = 1  # of headers, positions and pictures; part of the ETag
 FOR_GOOD = "private, max-age=31536000, immutable"
 ASK_AGAIN = "private, no-cache"
@@ -128,6 +129,20 @@ def response_with_etag(keys: Sequence[str], for_good: bool, make: Callable[[], b
     response.set_etag(etag)
     response.headers["Cache-Control"] = FOR_GOOD if for_good else ASK_AGAIN
     return response
+
+
+def json_body(largest: int = 300_000) -> dict[str, Any]:
+    """The JSON object of the request, at most ``largest`` bytes. Raises BadRequest for anything else, or where it does
+    not come from the app.
+    """
+    if not request.headers.get(HEADER):
+        raise BadRequest("This request does not come from the app.", 403)
+    if (request.content_length or 0) > largest:
+        raise BadRequest("This is too large.", 413)
+    body = request.get_json(silent=True)
+    if not isinstance(body, dict):
+        raise BadRequest("A JSON object was expected.")
+    return body
 
 
 class Refusal(MotionscapeError):

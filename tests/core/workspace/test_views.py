@@ -9,7 +9,7 @@ from multiprocessing import get_context
 import pytest
 
 from core.workspace import ConflictError, DocumentDamaged, DocumentGone, Workspace, WorkspaceError
-from core.workspace.documents import KEPT_VERSIONS
+from core.workspace.documents import Documents
 
 ADDRESS = "/motifs?dataset=demo&kappa=60&motif=3"
 OLD_TABLES = """
@@ -100,10 +100,10 @@ def test_what_does_not_fit_is_refused_in_plain_words(views, wrong, message):
 
 def test_old_versions_go_when_there_are_very_many(views):
     saved = views.save(ADDRESS, "0")
-    for number in range(1, KEPT_VERSIONS + 5):
+    for number in range(1, Documents.kept_versions + 5):
         views.save(ADDRESS, str(number), id=saved.id)
     history = views.history(saved.id)
-    assert len(history) == KEPT_VERSIONS and history[0].version == KEPT_VERSIONS + 5
+    assert len(history) == Documents.kept_versions and history[0].version == Documents.kept_versions + 5
     assert views.get(saved.id, history[-1].version).title == "5"
 
 

@@ -27,6 +27,7 @@ KINDS = (
         "import",
         "import-bundle",
         "labels",
+        "properties",
         "inspect",
         "reread",
         "body",

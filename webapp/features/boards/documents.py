@@ -5,18 +5,21 @@ from __future__ import annotations
 import hashlib
 import json
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import asdict
 from typing import Any
 from urllib.parse import urlencode
 
-from core.workspace import Board, Comment, SavedView, Workspace, acting, pinned_state
+from core.workspace import Board, Comment, SavedView, Workspace, WorkspaceError, acting, pinned_state
 from core.workspace.blocks import Block
+from core.workspace.boards import shown
 from webapp.features.boards.contents import request_of
 from webapp.features.boards.parts import Part
 from webapp.shell import settings
 from webapp.shell.feature import blocks
 
 MOST_NAMES = 40
+MOST_GROUPS = 60  # values of a property that a board offers to narrow itself to
 
 
 def fingerprints(workspace: Workspace) -> dict[str, str]:
@@ -28,6 +31,7 @@ def board_mark(workspace: Workspace, id: str) -> str:
     """Changes with everything that :func:`board_data` says, by a few cheap queries; raises DocumentGone."""
     parts = [workspace.boards.version(id), workspace.comments.state(f"board:{id}"), fingerprints(workspace)]
     parts += [acting().may_change_board(id), acting().name]
+    parts += [workspace.properties.state(info.id) for info in workspace.datasets()]
     return hashlib.blake2b(json.dumps(parts, sort_keys=True).encode(), digest_size=12).hexdigest()
 
 
@@ -49,9 +53,31 @@ def board_data(workspace: Workspace, id: str) -> dict[str, Any]:
         "may_edit": may_edit,
         "me": acting().name,
         "datasets": sorted(known),
+        "groups": groups_of(workspace, str(board.filters.get("dataset") or "")),
         "links": links_of(board, may_edit),
         "names": _names(workspace, board, comments),
     }
+
+
+def groups_of(workspace: Workspace, dataset: str) -> list[tuple[str, list[str]]]:
+    """Properties of clips of a dataset with their values; columns with many values are left out."""
+    try:
+        known = workspace.properties.of(workspace.info(dataset).id).of_clips(workspace.open(dataset).names)
+    except WorkspaceError:
+        return []
+    values = [(column, list(known.groups(column))) for column in known.columns]
+    return [(column, some) for column, some in values if 0 < len(some) <= MOST_GROUPS]
+
+
+def clips_of_group(workspace: Workspace, board: Board, group: str) -> dict[str, list[str]]:
+    """Of each dataset on a board the clips of a group, written ``column=value``."""
+    column, _, value = group.partition("=")
+    clips: dict[str, list[str]] = {}
+    for name in sorted(shown(board)[0]):
+        with suppress(WorkspaceError):
+            of_clips = workspace.properties.of(workspace.info(name).id).values
+            clips[name] = [clip for clip in workspace.open(name).names if of_clips.get(clip, {}).get(column) == value]
+    return clips
 
 
 def block_data(board: Board, block: Block, known: Mapping[str, str]) -> dict[str, Any]:

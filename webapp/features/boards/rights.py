@@ -5,6 +5,7 @@ from webapp.shell.rights import Rights
 RIGHTS = Rights(
     package="webapp.features.boards",
     reads=(
+        "routes.board_group",
         "routes.board_history",
         "routes.list_boards",
         "routes.report_file",

@@ -19,12 +19,13 @@ from core.errors import ParameterError
 from core.workspace import AccessRefused, ConflictError, DocumentGone, Workspace, WorkspaceError
 from core.workspace.blocks import Block
 from webapp import jobs
-from webapp.features.boards.board_changes import CHANGES, Body, pinned_to, whole_of
+from webapp.features.boards.board_changes import CHANGES, pinned_to, whole_of
 from webapp.features.boards.contents import answer, request_of
 from webapp.features.boards.documents import (
     board_data,
     board_entry,
     board_mark,
+    clips_of_group,
     comment_data,
     dataset_of,
     kinds,
@@ -34,10 +35,7 @@ from webapp.features.boards.documents import (
 from webapp.features.boards.pictures import keep_picture, picture_of
 from webapp.features.boards.report_writing import Reports
 from webapp.features.boards.templates import TEMPLATES, blocks_of
-from webapp.shell.routes import ASK_AGAIN, BadRequest, answer_errors, response_with_etag
-
-HEADER = "X-Motionscape"  # other sites cannot send it
-LARGEST_BODY = 300_000
+from webapp.shell.routes import ASK_AGAIN, BadRequest, answer_errors, json_body, response_with_etag
 
 
 def blueprints(workspace: Workspace) -> list[Blueprint]:
@@ -87,7 +85,7 @@ def _list_routes(routes: Blueprint, workspace: Workspace) -> None:
 
     @routes.post("/boards")
     def make_board() -> Response:
-        body = _body()
+        body = json_body()
         template = TEMPLATES.get(str(body.get("template", "empty")))
         if template is None:
             raise BadRequest("There is no such template.")
@@ -110,7 +108,7 @@ def _board_routes(routes: Blueprint, workspace: Workspace) -> None:
 
     @routes.post("/boards/<id>")
     def change_board(id: str) -> Response:
-        body = _body()
+        body = json_body()
         change = CHANGES.get(str(body.get("action")))
         if change is None:
             raise BadRequest("There is no such change of a board.")
@@ -122,6 +120,10 @@ def _board_routes(routes: Blueprint, workspace: Workspace) -> None:
     @routes.get("/boards/<id>/history")
     def board_history(id: str) -> Response:
         return jsonify(history=[asdict(change) for change in workspace.boards.history(id)])
+
+    @routes.get("/boards/<id>/group")
+    def board_group(id: str) -> Response:
+        return jsonify(clips=clips_of_group(workspace, workspace.boards.get(id), request.args.get("of", "")))
 
     @routes.get("/boards/<id>/blocks/<block_id>")
     def show_block(id: str, block_id: str) -> Response:
@@ -162,7 +164,7 @@ def _job(workspace: Workspace, dataset: str, block: Block) -> dict[str, Any] | N
 def _view_routes(routes: Blueprint, workspace: Workspace) -> None:
     @routes.post("/views")
     def save_view() -> Response:
-        body = _body()
+        body = json_body()
         tags = [str(tag) for tag in body.get("tags", ())]
         address, title, note, author = (str(body.get(name, "")) for name in ("address", "title", "note", "author"))
         id, version = body.get("id"), body.get("version")
@@ -173,7 +175,7 @@ def _view_routes(routes: Blueprint, workspace: Workspace) -> None:
 
     @routes.post("/views/<id>")
     def change_view(id: str) -> Response:
-        body = _body()
+        body = json_body()
         if body.get("action") == "delete":
             workspace.views.delete(id)
             return jsonify(deleted=True)
@@ -202,7 +204,7 @@ def _view_routes(routes: Blueprint, workspace: Workspace) -> None:
 def _comment_routes(routes: Blueprint, workspace: Workspace) -> None:
     @routes.post("/comments")
     def change_comments() -> Response:
-        body = _body()
+        body = json_body()
         comments, id = workspace.comments, str(body.get("id", ""))
         action = body.get("action")
         if action == "add":
@@ -243,18 +245,6 @@ def _report_routes(routes: Blueprint, workspace: Workspace) -> None:
         sent = Response(content, mimetype="application/octet-stream")
         sent.headers["Content-Disposition"] = f"attachment; filename*=UTF-8''{quote(name)}"
         return sent
-
-
-def _body() -> Body:
-    """The JSON object of the request. Raises BadRequest for anything else, or where it does not come from the app."""
-    if not request.headers.get(HEADER):
-        raise BadRequest("This request does not come from the app.", 403)
-    if (request.content_length or 0) > LARGEST_BODY:
-        raise BadRequest("This is too large.", 413)
-    body = request.get_json(silent=True)
-    if not isinstance(body, dict):
-        raise BadRequest("A JSON object was expected.")
-    return body
 
 
 def _digest(text: str) -> str:

@@ -27,6 +27,11 @@ FEATURE = Feature(
             later(f"{_ARGUMENTS}:labels"),
             later("webapp.features.library.label_commands:labels"),
         ),
+        "properties": Command(
+            "Set, show or write properties of clips: subject, condition, session, ...",
+            later(f"{_ARGUMENTS}:properties"),
+            later("webapp.features.library.property_commands:properties"),
+        ),
         "inspect": Command(
             "Report for every file whether it can be read, and what is odd about it.",
             later(f"{_ARGUMENTS}:inspect"),

@@ -25,6 +25,16 @@ def labels(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--quiet", action="store_true", help="no summary")
 
 
+def properties(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``properties``."""
+    parser.add_argument("source", metavar="WORKSPACE/NAME", help="the dataset")
+    parser.add_argument("--table", type=Path, metavar="FILE.csv", help="read them from a CSV file: clip, column, ...")
+    parser.add_argument("--names", metavar="PATTERN", help="read them from names of clips, as {subject}_{condition}_*")
+    parser.add_argument("--preview", action="store_true", help="say what would be read and keep nothing")
+    parser.add_argument("--out", type=Path, metavar="FILE.csv", help="write all properties to a CSV file")
+    parser.add_argument("--quiet", action="store_true", help="no summary")
+
+
 def inspect(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``inspect``."""
     parser.add_argument("paths", nargs="+", type=Path, metavar="PATH", help="recordings, or folders of them")

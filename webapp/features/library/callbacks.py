@@ -72,6 +72,9 @@ def _show(app: Dash, workspace: Workspace) -> None:
         prevent_initial_call=True,
     )
     app.clientside_callback(
+        ClientsideFunction("properties", "open"), Input(names.PROPERTIES_OF, "data"), prevent_initial_call=True
+    )
+    app.clientside_callback(
         ClientsideFunction("tables", "mark"),
         Output(names.CLIPS_MARKED, "data"),
         Input(SELECTION, "data"),
@@ -191,6 +194,10 @@ def _choose_clips(app: Dash, workspace: Workspace) -> None:
     def act_on_clips(request, rows, name):
         if (request or {}).get("action") == "reread" and rows:
             reading.open_for(name, [row["clip"] for row in rows])
+            return no_update
+        if (request or {}).get("action") == "properties" and rows:
+            chosen = {"dataset": name, "clips": [row["clip"] for row in rows], "at": time.time()}
+            set_props(names.PROPERTIES_OF, {"data": chosen})
             return no_update
         if (request or {}).get("action") == "remove" and rows:
             try:

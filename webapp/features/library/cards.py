@@ -102,6 +102,7 @@ def _card_menu(name: str) -> Component:
                     item("Rename", "edit", names.DATASET_ACTION, {"action": "rename"}, **editors),
                     item("Change how it was read ...", "retry", names.REREAD_OF, {}, **editors),
                     item("Which joint is which ...", "person", names.BODY_OF, {}, **editors),
+                    dmc.MenuItem("Properties of clips ...", leftSection=icon("note", 16), **{"data-properties": name}),
                     dmc.MenuItem("Report ...", leftSection=icon("board", 16), **{"data-report": name}),
                     item("Features (npz)", "download", names.FEATURES_CHOICE, {"suffix": ".npz"}),
                     item("Features (Parquet)", "download", names.FEATURES_CHOICE, {"suffix": ".parquet"}),

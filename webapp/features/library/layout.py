@@ -50,6 +50,7 @@ def page() -> Component:
             dcc.Store(id=names.DATASET_ACTION),  # {"action": "rename" | "trash" | "empty", "dataset"}
             dcc.Store(id=names.CLIPS_ACTION),  # {"action": "remove" | "reread" | "clear"}
             dcc.Store(id=names.REREAD_OF),  # {"dataset": name, "clips": [names]}: open the dialog for them
+            dcc.Store(id=names.PROPERTIES_OF),  # {"dataset": name, "clips": [names]}: open the dialog for them
             dcc.Store(id=names.BODY_OF),  # {"dataset": name}: open the editor of its bodies
             dcc.Store(id=names.UPLOAD_INTO),  # {"dataset": name}: open the dialog for it
             dcc.Store(id=names.UPLOAD, data={}),  # written by assets/library/upload.mjs
@@ -126,6 +127,13 @@ def clips_chosen(chosen: int) -> Component | None:
                 size="compact-sm",
                 variant="default",
                 **sends(names.CLIPS_ACTION, {"action": "reread"}, every_time=True),
+            ),
+            dmc.Button(
+                "Properties",
+                className="for-editors",
+                size="compact-sm",
+                variant="default",
+                **sends(names.CLIPS_ACTION, {"action": "properties"}, every_time=True),
             ),
             dmc.Button(
                 "Clear",

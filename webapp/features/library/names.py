@@ -24,7 +24,7 @@ class DatasetAction(TypedDict):
 class ClipsAction(TypedDict):
     """What is to be done with the clips that are chosen in the table."""
 
-    action: Literal["remove", "clear", "reread"]
+    action: Literal["remove", "clear", "reread", "properties"]
     at: NotRequired[float]
 
 
@@ -40,6 +40,14 @@ class Reread(TypedDict):
 
     dataset: Name
     clips: NotRequired[list[str]]
+    at: NotRequired[float]
+
+
+class PropertiesOf(TypedDict):
+    """The data set and the clips of it whose properties are to be shown."""
+
+    dataset: Name
+    clips: list[str]
     at: NotRequired[float]
 
 
@@ -212,6 +220,7 @@ UPLOADED = Store("uploaded", Name)  # the token whose import was started
 
 REREAD_DIALOG = Id("reread-dialog")
 REREAD_OF = Store("reread-of", Reread)
+PROPERTIES_OF = Store("properties-of", PropertiesOf)
 REREAD_NOW = Id("reread-now")
 REREAD_UNIT = Id("reread-unit")
 REREAD_UP = Id("reread-up")

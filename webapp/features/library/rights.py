@@ -15,6 +15,8 @@ RIGHTS = Rights(
         "callbacks.show_chosen",
         "callbacks.show_detail",
         "callbacks.show_trash",
+        "property_routes.properties_file",
+        "property_routes.show_properties",
         "reading.open_dialog",
         "routes.bvh",
         "routes.features",
@@ -29,6 +31,7 @@ RIGHTS = Rights(
         "callbacks.act",
         "callbacks.act_on_clips",
         "callbacks.rename",
+        "property_routes.change_properties",
         "reading.read_again",
     ),
 )

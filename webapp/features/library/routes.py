@@ -16,13 +16,14 @@ from core.export.files import SUFFIXES
 from core.mocap.bvh import write_bvh
 from core.mocap.dataset import Dataset
 from core.workspace import Workspace, WorkspaceError, clean_name
+from webapp.features.library.property_routes import properties_blueprint
 from webapp.shell.virtual import opener
 from webapp.stage.motion_routes import BadRequest, answer_errors, find_interval
 
 
 def blueprints(workspace: Workspace) -> list[Blueprint]:
     """The routes of the page for one workspace."""
-    return [recordings_blueprint(workspace, opener(workspace))]
+    return [recordings_blueprint(workspace, opener(workspace)), properties_blueprint(workspace)]
 
 
 def recordings_blueprint(workspace: Workspace, open_dataset: Callable[[str], Dataset]) -> Blueprint:

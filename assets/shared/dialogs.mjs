@@ -1,6 +1,6 @@
 // Small windows: forms, questions, lists to choose from, and the line that offers to undo.
-import { element, icon, targetOf, withAttributes } from "../shared/dom.mjs";
-/** @import { Child } from "../shared/dom.mjs" */
+import { element, icon, targetOf, withAttributes } from "./dom.mjs";
+/** @import { Child } from "./dom.mjs" */
 /** @import { Field } from "./types.d.ts" */
 
 /** @param {string} name @param {() => void} act @param {string} [className] */
@@ -131,7 +131,8 @@ export function say(words, undo) {
   }) : null);
   shown.setAttribute("role", "status");
   line = shown;
-  (document.fullscreenElement ?? document.body).append(shown);
+  // in the window that is open, for everything beside it cannot be clicked
+  (document.querySelector("dialog[open]") ?? document.fullscreenElement ?? document.body).append(shown);
   setTimeout(() => shown.remove(), undo ? 12_000 : 4000);
 }
 
