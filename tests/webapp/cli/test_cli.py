@@ -34,6 +34,7 @@ KINDS = (
         "demo",
         "map",
         "search",
+        "evaluate",
         "export",
         "motifs",
         "sweep",

@@ -52,6 +52,11 @@ FEATURE = Feature(
             later(f"{_ARGUMENTS}:demo"),
             later(f"{_COMMANDS}:demo"),
         ),
+        "evaluate": Command(
+            "Score motifs or actions against labels: MoF, Edit, F1@10/25/50, coverage, purity.",
+            later(f"{_ARGUMENTS}:evaluate"),
+            later("webapp.features.library.evaluation_commands:evaluate"),
+        ),
         "export": Command(
             "Write features (npz, Parquet) or clips (BVH) for other tools.",
             later(f"{_ARGUMENTS}:export"),

@@ -65,6 +65,16 @@ def demo(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--quiet", action="store_true", help="no progress and no summary")
 
 
+def evaluate(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``evaluate``."""
+    parser.add_argument("source", metavar="SOURCE", help=SOURCE_HELP)
+    words = "what is scored: a file that motifs or grammar wrote"
+    parser.add_argument("--from", dest="result", type=Path, required=True, metavar="RESULT.json", help=words)
+    parser.add_argument("--track", default="actions", metavar="NAME", help="track of labels (default: actions)")
+    parser.add_argument("--out", type=Path, required=True, metavar="scores.json", help="file to write")
+    common(parser)
+
+
 def export(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``export``."""
     parser.add_argument("source", metavar="SOURCE", help=SOURCE_HELP)
