@@ -18,3 +18,13 @@ def njit(*, nogil: bool = False, fastmath: bool | set[str] = False) -> Callable[
         fastmath: Which rearrangements of floating point arithmetic are allowed (``True``: all of them).
     """
     return cast("Callable[[Kernel], Kernel]", numba.njit(cache=True, nogil=nogil, fastmath=fastmath))
+
+
+def warm_up() -> None:
+    """Gets numba ready to load kernels, which takes longer than to load one; no thread is started."""
+    _smallest(0)
+
+
+@njit()
+def _smallest(number: int) -> int:
+    return number

@@ -74,11 +74,9 @@ def request(**parameters) -> Request:
     return Request("toy", "toy", {"seconds": 0} | parameters)
 
 
-def environment(folder: Path) -> dict[str, str]:
-    """Environment for worker processes that know the toy method (through a sitecustomize module in ``folder``)."""
-    known = "import sys\nif '--job' in sys.orig_argv:\n    import tests.toy_method\n"  # only who computes needs it
-    (folder / "sitecustomize.py").write_text(known)
-    return os.environ | {"PYTHONPATH": os.pathsep.join([str(folder), str(REPOSITORY)])}
+def environment() -> dict[str, str]:
+    """Environment for worker processes that know the toy method (tests/with_toy/sitecustomize.py loads it)."""
+    return os.environ | {"PYTHONPATH": os.pathsep.join([str(REPOSITORY / "tests" / "with_toy"), str(REPOSITORY)])}
 
 
 METHODS["toy"] = Method("Toy", 1, lambda: ToyParameters, compute, lambda result, _: (result, {}), lambda text, _: text)

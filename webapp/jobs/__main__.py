@@ -1,7 +1,8 @@
-"""``python -m webapp.jobs``: a worker, its child, or the process that starts a worker (see ``launching``)."""
+"""``python -m webapp.jobs``: a worker, or the process that starts one (see ``launching``)."""
 
 import sys
 
 from webapp.jobs.launching import main
 
-main(sys.argv[1:])
+if __name__ == "__main__":
+    main(sys.argv[1:])

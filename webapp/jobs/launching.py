@@ -1,20 +1,14 @@
-"""Starts workers: processes that take jobs from the workspace's table until none is left.
+"""Starts work: a request enters the workspace's job table, and a worker is called or started for it.
 
-``start`` enters a request and makes sure that a worker runs. A worker is a separate process that outlives the server:
-it claims the oldest queued job, computes it in a child process on all cores (the child can be ended at any moment, even
-inside a long kernel or when it has used up the memory), sends heartbeats, and continues with the next job.
-
-``python -m webapp.jobs WORKSPACE`` is such a worker; ``--job N`` its child, ``--detach`` starts one and returns.
-Only the standard library is imported at the top: a worker must start quickly and stay small.
+A worker (``webapp.jobs.worker``) is a separate process that outlives the server.
+Only the standard library is imported at the top: a worker must start quickly.
 """
 
 from __future__ import annotations
 
 import atexit
-import contextlib
 import os
 import shutil
-import signal
 import subprocess
 import sys
 import tempfile
@@ -23,18 +17,15 @@ import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from webapp.jobs import idle
+
 if TYPE_CHECKING:
     from core.analyses import Request
     from core.workspace import Job, Workspace
 
 REDIS = "MOTIONSCAPE_REDIS_URL"
-GRACE = 0.8  # seconds a job has to stop by itself before its process is ended
-POLL = 0.2  # seconds between two checks of the child and the table
+POLL = 0.2  # seconds between two looks at the table
 RELAUNCH = 3.0  # seconds a worker has to appear before another is started
-OUT_OF_MEMORY = (
-    "The system ended the worker, most likely because memory ran out. "
-    "Close other programs, or take fewer clips or a lower frame rate, and run it again."
-)
 
 # By workspace: the newest job that a worker was started for, and when.
 _launched: dict[str, tuple[int, float]] = {}
@@ -100,8 +91,10 @@ def wait_for(workspace_path: str, job_id: int) -> str:
 
 
 def launch(workspace_path: str | Path) -> None:
-    """Starts a detached worker process, which does not end with Dash or the server."""
-    subprocess.run(_command("--detach", Path(workspace_path).absolute()), check=True, **_QUIET)
+    """Calls an idle worker, or starts one: a detached process, which does not end with Dash or the server."""
+    path = Path(workspace_path).absolute()
+    if not idle.call(path):
+        subprocess.run(_command("--detach", os.getpid(), path), check=True, **_QUIET)
 
 
 def background_manager(workspace_path: str | Path) -> Any:
@@ -129,77 +122,8 @@ def background_manager(workspace_path: str | Path) -> Any:
     return WaitingManager(Cache(folder))
 
 
-def serve_queue(workspace: Workspace) -> int:
-    """Runs queued jobs, oldest first, until none waits or enough other workers run; returns how many it ran."""
-    done = 0
-    while (job := workspace.jobs.claim_next(limit())) is not None:
-        supervise(workspace, job)
-        done += 1
-    return done
-
-
-def supervise(workspace: Workspace, job: Job) -> None:
-    """Runs a claimed job in a child process, and records how it ended where the child could not."""
-    log = workspace.logs / f"job-{job.id}-output.log"
-    with log.open("wb") as output:
-        quiet = _QUIET | {"stdout": output, "stderr": output}
-        child = subprocess.Popen(_command("--job", str(job.id), workspace.path), **quiet)
-        ended_by_us = _watch(workspace, job, child)
-    if log.stat().st_size == 0:
-        log.unlink()
-    after = workspace.jobs.get(job.id)
-    if after is None or not after.alive:
-        return
-    if ended_by_us or after.cancelling:
-        workspace.jobs.stopped(job.id)
-    elif child.returncode == -getattr(signal, "SIGKILL", 9):
-        workspace.jobs.fail(job.id, OUT_OF_MEMORY, died=True)
-    else:
-        from core.workspace.jobs import STOPPED
-
-        workspace.jobs.fail(job.id, STOPPED, died=True)
-
-
-def _watch(workspace: Workspace, job: Job, child: subprocess.Popen) -> bool:
-    """Waits for the child, sending heartbeats; ends it if a cancelled job does not stop. Returns whether it did."""
-    from core.workspace import WorkspaceError
-
-    cancelled_at = None
-    while True:
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            child.wait(POLL)
-            return False
-        with contextlib.suppress(WorkspaceError):  # a busy table: try again
-            if workspace.jobs.beat(job.id) and cancelled_at is None:
-                cancelled_at = time.monotonic()
-        if cancelled_at is not None and time.monotonic() - cancelled_at > GRACE:
-            child.kill()
-            child.wait()
-            return True
-
-
-def _compute(workspace: Workspace, job_id: int) -> None:
-    from core.analyses import execute
-    from core.errors import AnalysisError
-    from core.machine import limit_memory
-    from core.progress import Cancelled
-
-    limit_memory()
-    job = workspace.jobs.get(job_id)
-    if job is not None and job.state == "running":
-        with contextlib.suppress(AnalysisError, Cancelled):  # the table has both states
-            execute(workspace, job)
-
-
-def _leave_with_parent(parent: int) -> None:
-    """Ends this process when its worker is gone, because no one would record the result."""
-    while os.getppid() == parent:
-        time.sleep(0.5)
-    os._exit(1)
-
-
-def _command(option: str, *rest: str | Path) -> list[str]:
-    return [sys.executable, "-m", "webapp.jobs", option, *map(str, rest)]
+def _command(*arguments: str | int | Path) -> list[str]:
+    return [sys.executable, "-m", "webapp.jobs", *map(str, arguments)]
 
 
 _QUIET: dict[str, Any] = {
@@ -215,19 +139,11 @@ else:
 
 
 def main(arguments: list[str]) -> None:
-    """Runs as a worker, as a worker's child, or starts a detached worker: see the module's description."""
-    *options, path = arguments
-    if options == ["--detach"]:
-        subprocess.Popen([sys.executable, "-m", "webapp.jobs", path], **_QUIET)
+    """Starts a detached worker (``--detach CALLER WORKSPACE``), or works itself (``[CALLER] WORKSPACE``)."""
+    if arguments[:1] == ["--detach"]:
+        subprocess.Popen(_command(*arguments[1:]), **_QUIET)
         return
-    if options[:1] == ["--job"]:
-        threading.Thread(target=_leave_with_parent, args=(os.getppid(),), daemon=True).start()
-        if hasattr(os, "nice"):
-            os.nice(5)  # lower priority than the server, so that the Stage stays smooth
-    from core.workspace import Workspace
+    from webapp.jobs.worker import work
 
-    workspace = Workspace(path)
-    if options[:1] == ["--job"]:
-        _compute(workspace, int(options[1]))
-    else:
-        serve_queue(workspace)
+    *caller, path = arguments
+    work(path, int(caller[0]) if caller else os.getppid())

@@ -21,7 +21,7 @@ from webapp.jobs import launching
 
 @pytest.fixture
 def workspace(tmp_path, monkeypatch):
-    for name, value in toy_method.environment(tmp_path).items():
+    for name, value in toy_method.environment().items():
         monkeypatch.setenv(name, value)
     workspace = Workspace(tmp_path / "space")
     workspace.add_dataset("toy", make_dataset())
