@@ -36,7 +36,7 @@ def main() -> str:
             "## Start of jobs",
             "",
             "`python -m benchmarks start_of_jobs`: a minute of the demo, seconds of a job from the request to its",
-            "result. Processor time is that of the worker and its child. The first job starts a worker; it stays, and the",
+            "result. Processor time is that of the worker and its child. The first job starts a worker, which stays; the",
             "next ones are forked from it with everything imported.",
             "",
             "| job | first: processor | first: clock | next: processor | next: clock |",
