@@ -9,6 +9,7 @@ import "./shell/settings.mjs";
 import "./shell/views.mjs";
 import "./jobs/job_bar.mjs";
 import "./boards/boards.mjs";
+import "./boards/discussion.mjs";
 import "./report/blocks.mjs";
 import "./library/body.mjs";
 import "./library/clips.mjs";

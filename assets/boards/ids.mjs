@@ -11,4 +11,5 @@
 
 export const BOARDS_PLACE = "boards-place";
 export const SAVE_VIEW = "save-view";
+export const COMMENTS_BUTTON = "comments-button";
 export const BOARDS_SHOWN = /** @type {StoreId<any>} */ ("boards-shown");

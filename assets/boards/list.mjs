@@ -3,6 +3,7 @@ import { changeView, openPage } from "../shared/dash.mjs";
 import { element, svgElement, withAttributes } from "../shared/dom.mjs";
 import { ask } from "../shared/server.mjs";
 import { ago, button, iconButton, openForm, openMenu, openWindow, say } from "../shared/dialogs.mjs";
+import { renewPicture } from "./picture.mjs";
 import { openReport } from "./reports.mjs";
 import { known, shown } from "./state.mjs";
 /** @import { BoardEntry, Change, Listing, Shape, ViewEntry } from "./types.d.ts" */
@@ -30,7 +31,7 @@ export async function showList(place) {
     /** @param {(string | undefined)[]} texts */
     const found = (texts) => words.every((word) => texts.join(" ").toLowerCase().includes(word));
     const [some, more] = [all.filter((board) => found([board.title, board.note, board.author, board.dataset])), saved.filter((one) => found([one.title, one.note, one.author, ...one.tags]))];
-    boards.replaceChildren(...some.map((board) => boardCard(board, again)), ...(some.length ? [] : [empty(all.length ? "No board is called so." : "There is no board yet: begin with a template.")]));
+    boards.replaceChildren(...some.map((board) => boardCard(board, again)), ...(some.length ? [] : [all.length ? empty("No board is called so.") : beginning()]));
     views.replaceChildren(...more.map((one) => viewCard(one, again)), ...(more.length ? [] : [empty(saved.length ? "No view is called so." : "Save a view with “Save view” at the top, on any page.")]));
   };
   search.addEventListener("input", fill);
@@ -44,6 +45,12 @@ export async function showList(place) {
     views,
   );
 }
+
+/** Where there is no board yet: what one is, and what to begin with. */
+const beginning = () => element("section", "boards-beginning",
+  element("h3", "", "Look at motion together"),
+  element("p", "muted", "A board shows graphs, maps, tables and motion side by side. Everyone who has its link open sees what the others change."),
+  element("div", "boards-cards for-editors", ...templateCards(() => undefined)));
 
 /** @param {string} words */
 const empty = (words) => element("p", "muted", words);
@@ -82,7 +89,10 @@ export async function deleteBoard(board, again) {
 function viewCard(saved, again) {
   const picture = withAttributes(element("img", "boards-picture"), { src: saved.picture, alt: "", loading: "lazy" });
   picture.addEventListener("error", () => picture.replaceWith(element("div", "boards-picture boards-no-picture", new URL(saved.address, location.href).pathname.slice(1))));
-  const open = button("", () => followLink(saved.address), "boards-open");
+  const open = button("", () => {
+    followLink(saved.address);
+    renewPicture(saved.id, saved.address);
+  }, "boards-open");
   open.append(picture, element("strong", "ellipsis", saved.title));
   if (saved.note) open.title = saved.note;
   const about = [saved.author, ago(saved.updated), ...saved.tags.map((tag) => `#${tag}`)].filter(Boolean).join(" · ");
@@ -133,10 +143,15 @@ export async function showHistory(path, title, restore) {
 
 /** Boards to begin with. */
 export function openGallery() {
+  const dialog = openWindow("New board", element("div", "boards-cards", ...templateCards(() => dialog.close())));
+}
+
+/** Templates as cards; a click asks for a title and makes a board. @param {() => void} chosen called first */
+function templateCards(chosen) {
   const { templates } = /** @type {Listing} */ (known.listing);
-  const dialog = openWindow("New board", element("div", "boards-cards", ...templates.map((template) => {
+  return templates.map((template) => {
     const card = button("", () => {
-      dialog.close();
+      chosen();
       openForm(`New board: ${template.title}`, [{ name: "title", label: "Title", value: template.name === "empty" ? "" : `${shown.dataset}: ${template.title.toLowerCase()}` }], "Make it", async ({ title }) => {
         const board = await ask("boards", { template: template.name, title, dataset: shown.dataset });
         changeView({ board: board.id, screen: "" });
@@ -144,7 +159,7 @@ export function openGallery() {
     }, "boards-open boards-card");
     card.append(drawShape(template.shape), element("strong", "", template.title), element("span", "muted", template.words));
     return card;
-  })));
+  });
 }
 
 /** A board as its blocks lie. @param {Shape} shape */

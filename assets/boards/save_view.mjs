@@ -1,14 +1,12 @@
 // "Save view" in the header: what is shown, under a title, with a small picture of it.
 import { notify } from "../shared/dash.mjs";
-import { allWithin, closest, context2d, find } from "../shared/dom.mjs";
+import { closest, find } from "../shared/dom.mjs";
 import { PAGE } from "../shared/ids.mjs";
-import { STAGE_CANVAS } from "../stage/ids.mjs";
 import { ask, person } from "../shared/server.mjs";
 import { openForm } from "../shared/dialogs.mjs";
 import { SAVE_VIEW } from "./ids.mjs";
 import { tagsOf, viewFields } from "./list.mjs";
-
-const [WIDTH, HEIGHT, BESIDE] = [360, 220, 130]; // pixels; how much of the width the Stage has
+import { pictureOfPage } from "./picture.mjs";
 
 document.addEventListener("click", async (event) => {
   if (!closest(event, `#${SAVE_VIEW}`)) return;
@@ -22,66 +20,3 @@ document.addEventListener("click", async (event) => {
     notify("View saved", "It is listed on the Boards page.", "accent");
   });
 });
-
-/** The largest drawings of the page and the Stage, as a small JPEG. */
-async function pictureOfPage() {
-  const canvas = document.createElement("canvas");
-  [canvas.width, canvas.height] = [WIDTH, HEIGHT];
-  const context = context2d(canvas);
-  context.fillStyle = getComputedStyle(document.body).backgroundColor;
-  context.fillRect(0, 0, WIDTH, HEIGHT);
-  const page = find(PAGE);
-  const main = page ? largest(page) : null;
-  const stage = /** @type {HTMLCanvasElement | null} */ (/** @type {unknown} */ (find(STAGE_CANVAS)));
-  const beside = main ? BESIDE : WIDTH; // a page of tables has no drawing: the Stage alone
-  const width = stage ? WIDTH - beside : WIDTH;
-  if (main) {
-    const box = main.getBoundingClientRect();
-    const scale = Math.min(width / box.width, HEIGHT / box.height);
-    for (const part of allWithin(main, "canvas, svg")) await draw(context, part, box, scale, (width - box.width * scale) / 2, (HEIGHT - box.height * scale) / 2);
-  }
-  if (stage?.width) {
-    const scale = Math.max(beside / stage.width, HEIGHT / stage.height); // its middle, cut to the shape of the place
-    const [wide, high] = [beside / scale, HEIGHT / scale];
-    context.drawImage(stage, (stage.width - wide) / 2, (stage.height - high) / 2, wide, high, WIDTH - beside, 0, beside, HEIGHT);
-  }
-  return canvas.toDataURL("image/jpeg", 0.72);
-}
-
-/** The parent of the largest drawing that can be seen. @param {Element} page */
-function largest(page) {
-  const area = (/** @type {Element} */ node) => {
-    const { width, height } = node.getBoundingClientRect();
-    return width * height;
-  };
-  const drawings = allWithin(page, "canvas, svg").sort((a, b) => area(b) - area(a));
-  return drawings.length && area(drawings[0]) > 10_000 ? drawings[0].parentElement : null;
-}
-
-/**
- * @param {CanvasRenderingContext2D} context
- * @param {Element} part
- * @param {DOMRect} frame
- * @param {number} scale
- * @param {number} left
- * @param {number} top
- */
-async function draw(context, part, frame, scale, left, top) {
-  const box = part.getBoundingClientRect();
-  if (!box.width || !box.height) return;
-  /** @type {CanvasImageSource} */
-  let image;
-  if (part instanceof HTMLCanvasElement) {
-    if (!part.width || !part.height) return;
-    image = part;
-  } else {
-    const copy = /** @type {Element} */ (part.cloneNode(true));
-    copy.setAttribute("width", String(box.width));
-    copy.setAttribute("height", String(box.height));
-    const text = new XMLSerializer().serializeToString(copy);
-    image = new Image();
-    image.src = `data:image/svg+xml;utf8,${encodeURIComponent(text)}`;
-    await image.decode();
-  }
-  context.drawImage(image, left + (box.left - frame.left) * scale, top + (box.top - frame.top) * scale, box.width * scale, box.height * scale);
-}

@@ -33,6 +33,20 @@ export interface CommentData {
   mentions: string[];
   resolved: boolean;
   parent: string | null;
+  /** Where in a clip: see webapp/features/boards/discussion.py. */
+  frame?: number;
+  seconds?: number;
+}
+
+/** What is said about a motif or the moments of a clip. */
+export interface Discussion {
+  place: string;
+  title: string;
+  moments: boolean;
+  comments: CommentData[];
+  me: string;
+  may_edit: boolean;
+  names: string[];
 }
 
 export interface Board {

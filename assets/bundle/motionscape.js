@@ -3924,8 +3924,8 @@
       const panels = allWithin(document, `.view-panel[data-key="${key}"]`);
       if (!panels.length) return clientside.no_update;
       const wanted2 = view4?.[key];
-      const shown8 = panels.find((panel) => panel.dataset.value === wanted2) || panels[0];
-      for (const panel of panels) panel.classList.toggle("hidden", panel !== shown8);
+      const shown8 = panels.find((panel2) => panel2.dataset.value === wanted2) || panels[0];
+      for (const panel2 of panels) panel2.classList.toggle("hidden", panel2 !== shown8);
       return shown8.dataset.value;
     }
   });
@@ -4593,6 +4593,73 @@
     }
   };
 
+  // boards/picture.mjs
+  var [WIDTH, HEIGHT, BESIDE] = [360, 220, 130];
+  var SETTLED = 3e3;
+  function renewPicture(id, address2) {
+    window.setTimeout(async () => {
+      if (location.pathname !== new URL(address2, location.href).pathname || document.visibilityState !== "visible") return;
+      const picture = await pictureOfPage().catch(() => "");
+      if (picture) await ask3(`views/${id}`, { action: "picture", picture }).catch(() => void 0);
+    }, SETTLED);
+  }
+  async function pictureOfPage() {
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = [WIDTH, HEIGHT];
+    const context = context2d(canvas);
+    context.fillStyle = getComputedStyle(document.body).backgroundColor;
+    context.fillRect(0, 0, WIDTH, HEIGHT);
+    const page2 = find(PAGE);
+    const main = page2 ? largest(page2) : null;
+    const stage2 = (
+      /** @type {HTMLCanvasElement | null} */
+      /** @type {unknown} */
+      find(STAGE_CANVAS)
+    );
+    const beside = main ? BESIDE : WIDTH;
+    const width = stage2 ? WIDTH - beside : WIDTH;
+    if (main) {
+      const box4 = main.getBoundingClientRect();
+      const scale3 = Math.min(width / box4.width, HEIGHT / box4.height);
+      for (const part2 of allWithin(main, "canvas, svg")) await draw(context, part2, box4, scale3, (width - box4.width * scale3) / 2, (HEIGHT - box4.height * scale3) / 2);
+    }
+    if (stage2?.width) {
+      const scale3 = Math.max(beside / stage2.width, HEIGHT / stage2.height);
+      const [wide, high] = [beside / scale3, HEIGHT / scale3];
+      context.drawImage(stage2, (stage2.width - wide) / 2, (stage2.height - high) / 2, wide, high, WIDTH - beside, 0, beside, HEIGHT);
+    }
+    return canvas.toDataURL("image/jpeg", 0.72);
+  }
+  function largest(page2) {
+    const area = (node) => {
+      const { width, height } = node.getBoundingClientRect();
+      return width * height;
+    };
+    const drawings2 = allWithin(page2, "canvas, svg").sort((a, b) => area(b) - area(a));
+    return drawings2.length && area(drawings2[0]) > 1e4 ? drawings2[0].parentElement : null;
+  }
+  async function draw(context, part2, frame, scale3, left, top) {
+    const box4 = part2.getBoundingClientRect();
+    if (!box4.width || !box4.height) return;
+    let image;
+    if (part2 instanceof HTMLCanvasElement) {
+      if (!part2.width || !part2.height) return;
+      image = part2;
+    } else {
+      const copy2 = (
+        /** @type {Element} */
+        part2.cloneNode(true)
+      );
+      copy2.setAttribute("width", String(box4.width));
+      copy2.setAttribute("height", String(box4.height));
+      const text = new XMLSerializer().serializeToString(copy2);
+      image = new Image();
+      image.src = `data:image/svg+xml;utf8,${encodeURIComponent(text)}`;
+      await image.decode();
+    }
+    context.drawImage(image, left + (box4.left - frame.left) * scale3, top + (box4.top - frame.top) * scale3, box4.width * scale3, box4.height * scale3);
+  }
+
   // boards/reports.mjs
   var POLL2 = 500;
   function openReport(dataset2, board) {
@@ -4659,7 +4726,7 @@
       const words4 = search2.value.toLowerCase().split(/\s+/).filter(Boolean);
       const found = (texts) => words4.every((word) => texts.join(" ").toLowerCase().includes(word));
       const [some, more2] = [all.filter((board) => found([board.title, board.note, board.author, board.dataset])), saved.filter((one) => found([one.title, one.note, one.author, ...one.tags]))];
-      boards.replaceChildren(...some.map((board) => boardCard(board, again)), ...some.length ? [] : [empty(all.length ? "No board is called so." : "There is no board yet: begin with a template.")]);
+      boards.replaceChildren(...some.map((board) => boardCard(board, again)), ...some.length ? [] : [all.length ? empty("No board is called so.") : beginning()]);
       views.replaceChildren(...more2.map((one) => viewCard(one, again)), ...more2.length ? [] : [empty(saved.length ? "No view is called so." : "Save a view with “Save view” at the top, on any page.")]);
     };
     search2.addEventListener("input", fill);
@@ -4673,6 +4740,13 @@
       views
     );
   }
+  var beginning = () => element(
+    "section",
+    "boards-beginning",
+    element("h3", "", "Look at motion together"),
+    element("p", "muted", "A board shows graphs, maps, tables and motion side by side. Everyone who has its link open sees what the others change."),
+    element("div", "boards-cards for-editors", ...templateCards(() => void 0))
+  );
   var empty = (words4) => element("p", "muted", words4);
   function boardCard(board, again) {
     const open6 = button2("", () => changeView({ board: board.id, screen: "" }), "boards-open");
@@ -4700,7 +4774,10 @@
   function viewCard(saved, again) {
     const picture = withAttributes(element("img", "boards-picture"), { src: saved.picture, alt: "", loading: "lazy" });
     picture.addEventListener("error", () => picture.replaceWith(element("div", "boards-picture boards-no-picture", new URL(saved.address, location.href).pathname.slice(1))));
-    const open6 = button2("", () => followLink(saved.address), "boards-open");
+    const open6 = button2("", () => {
+      followLink(saved.address);
+      renewPicture(saved.id, saved.address);
+    }, "boards-open");
     open6.append(picture, element("strong", "ellipsis", saved.title));
     if (saved.note) open6.title = saved.note;
     const about = [saved.author, ago(saved.updated), ...saved.tags.map((tag) => `#${tag}`)].filter(Boolean).join(" · ");
@@ -4737,13 +4814,16 @@
     ))));
   }
   function openGallery() {
+    const dialog2 = openWindow("New board", element("div", "boards-cards", ...templateCards(() => dialog2.close())));
+  }
+  function templateCards(chosen3) {
     const { templates } = (
       /** @type {Listing} */
       known.listing
     );
-    const dialog2 = openWindow("New board", element("div", "boards-cards", ...templates.map((template) => {
+    return templates.map((template) => {
       const card4 = button2("", () => {
-        dialog2.close();
+        chosen3();
         openForm(`New board: ${template.title}`, [{ name: "title", label: "Title", value: template.name === "empty" ? "" : `${shown3.dataset}: ${template.title.toLowerCase()}` }], "Make it", async ({ title }) => {
           const board = await ask3("boards", { template: template.name, title, dataset: shown3.dataset });
           changeView({ board: board.id, screen: "" });
@@ -4751,7 +4831,7 @@
       }, "boards-open boards-card");
       card4.append(drawShape(template.shape), element("strong", "", template.title), element("span", "muted", template.words));
       return card4;
-    })));
+    });
   }
   function drawShape(shape2) {
     const height = Math.max(6, ...shape2.map(([, y, , h]) => y + h));
@@ -4767,14 +4847,14 @@
 
   // boards/board.mjs
   var EVERY = 1e3;
-  var SETTLED = 350;
+  var SETTLED2 = 350;
   var motions = new MotionCache();
   var OpenBoard = class {
     /** @param {HTMLElement} place @param {string} id @param {string} look "read", "present" or "" */
-    constructor(place5, id, look) {
+    constructor(place5, id, look2) {
       this.place = place5;
       this.id = id;
-      this.look = look;
+      this.look = look2;
       this.cards = /* @__PURE__ */ new Map();
       this.comments = new Comments(() => this.update(true));
       this.mark = "";
@@ -5050,7 +5130,7 @@
       this.moving = window.setTimeout(async () => {
         this.moving = 0;
         await this.change({ action: "move", places });
-      }, SETTLED);
+      }, SETTLED2);
     }
     /** @param {Card} card @param {Element} anchor */
     menu(card4, anchor) {
@@ -5130,6 +5210,7 @@
   // boards/ids.mjs
   var BOARDS_PLACE = "boards-place";
   var SAVE_VIEW = "save-view";
+  var COMMENTS_BUTTON = "comments-button";
 
   // boards/palette.mjs
   var MOST = 12;
@@ -5188,7 +5269,6 @@
   }
 
   // boards/save_view.mjs
-  var [WIDTH, HEIGHT, BESIDE] = [360, 220, 130];
   document.addEventListener("click", async (event) => {
     if (!closest(event, `#${SAVE_VIEW}`)) return;
     const address2 = location.pathname + location.search;
@@ -5201,62 +5281,6 @@
       notify("View saved", "It is listed on the Boards page.", "accent");
     });
   });
-  async function pictureOfPage() {
-    const canvas = document.createElement("canvas");
-    [canvas.width, canvas.height] = [WIDTH, HEIGHT];
-    const context = context2d(canvas);
-    context.fillStyle = getComputedStyle(document.body).backgroundColor;
-    context.fillRect(0, 0, WIDTH, HEIGHT);
-    const page2 = find(PAGE);
-    const main = page2 ? largest(page2) : null;
-    const stage2 = (
-      /** @type {HTMLCanvasElement | null} */
-      /** @type {unknown} */
-      find(STAGE_CANVAS)
-    );
-    const beside = main ? BESIDE : WIDTH;
-    const width = stage2 ? WIDTH - beside : WIDTH;
-    if (main) {
-      const box4 = main.getBoundingClientRect();
-      const scale3 = Math.min(width / box4.width, HEIGHT / box4.height);
-      for (const part2 of allWithin(main, "canvas, svg")) await draw(context, part2, box4, scale3, (width - box4.width * scale3) / 2, (HEIGHT - box4.height * scale3) / 2);
-    }
-    if (stage2?.width) {
-      const scale3 = Math.max(beside / stage2.width, HEIGHT / stage2.height);
-      const [wide, high] = [beside / scale3, HEIGHT / scale3];
-      context.drawImage(stage2, (stage2.width - wide) / 2, (stage2.height - high) / 2, wide, high, WIDTH - beside, 0, beside, HEIGHT);
-    }
-    return canvas.toDataURL("image/jpeg", 0.72);
-  }
-  function largest(page2) {
-    const area = (node) => {
-      const { width, height } = node.getBoundingClientRect();
-      return width * height;
-    };
-    const drawings2 = allWithin(page2, "canvas, svg").sort((a, b) => area(b) - area(a));
-    return drawings2.length && area(drawings2[0]) > 1e4 ? drawings2[0].parentElement : null;
-  }
-  async function draw(context, part2, frame, scale3, left, top) {
-    const box4 = part2.getBoundingClientRect();
-    if (!box4.width || !box4.height) return;
-    let image;
-    if (part2 instanceof HTMLCanvasElement) {
-      if (!part2.width || !part2.height) return;
-      image = part2;
-    } else {
-      const copy2 = (
-        /** @type {Element} */
-        part2.cloneNode(true)
-      );
-      copy2.setAttribute("width", String(box4.width));
-      copy2.setAttribute("height", String(box4.height));
-      const text = new XMLSerializer().serializeToString(copy2);
-      image = new Image();
-      image.src = `data:image/svg+xml;utf8,${encodeURIComponent(text)}`;
-      await image.decode();
-    }
-    context.drawImage(image, left + (box4.left - frame.left) * scale3, top + (box4.top - frame.top) * scale3, box4.width * scale3, box4.height * scale3);
-  }
 
   // boards/boards.mjs
   var open = null;
@@ -5292,6 +5316,101 @@
     open = null;
     last = { ...last, place: null };
   }).observe(document.documentElement, { childList: true, subtree: true });
+
+  // boards/discussion.mjs
+  var EVERY2 = 2e3;
+  var SETTLED3 = 400;
+  var Panel = class extends Comments {
+    constructor() {
+      super(() => this.update());
+      this.node.classList.add("discussion");
+      this.about = null;
+      this.etag = "";
+      this.asked = "";
+      this.timer = 0;
+    }
+    place() {
+      const { place: place5 = "", moments = false } = this.about ?? {};
+      return moments ? `${place5}/${frameNow(place5)}` : place5;
+    }
+    /** @param {CommentData} comment */
+    said(comment) {
+      const node = super.said(comment);
+      if (comment.frame !== void 0) node.prepend(button2(`at ${comment.seconds?.toFixed(2)} s`, () => this.seek(Number(comment.frame)), "boards-moment"));
+      return node;
+    }
+    /** @param {number} frame */
+    seek(frame) {
+      const clip = this.about?.place.replace(/^moment:[^/]+\//, "");
+      if (clip) player.seek({ clip, frame });
+    }
+    /** Ask what is said about what is selected now. */
+    async update() {
+      const query = location.search;
+      const answer2 = (
+        /** @type {Discussion | null} */
+        await ask3(`comments${query || "?"}`).catch(() => void 0)
+      );
+      if (query !== location.search || answer2 === void 0) return;
+      const other = answer2?.place !== this.about?.place;
+      this.about = answer2?.place ? answer2 : null;
+      const open6 = (this.about?.comments ?? []).filter((comment) => !comment.resolved && !comment.parent).length;
+      const label = find(COMMENTS_BUTTON);
+      if (label) {
+        label.hidden = !this.about;
+        label.dataset.count = open6 ? String(open6) : "";
+        label.title = this.about ? `What is said about ${this.about.title}` : "";
+      }
+      if (!this.about) this.close();
+      else if (!this.node.hidden) {
+        if (other) this.open(this.asBoard(), "", this.about.title);
+        else this.show(this.asBoard());
+      }
+    }
+    /** What the list of comments needs to know of a board. */
+    asBoard() {
+      return (
+        /** @type {Board} */
+        /** @type {unknown} */
+        { ...this.about }
+      );
+    }
+    poll() {
+      clearTimeout(this.timer);
+      this.timer = window.setTimeout(async () => {
+        if (this.node.hidden) return;
+        if (document.visibilityState === "visible") await this.update();
+        this.poll();
+      }, EVERY2);
+    }
+  };
+  var panel = new Panel();
+  document.addEventListener("click", async (event) => {
+    if (!closest(event, `#${COMMENTS_BUTTON}`)) return;
+    if (!panel.node.hidden) {
+      panel.close();
+      return;
+    }
+    document.body.append(panel.node);
+    await panel.update();
+    if (!panel.about) return;
+    panel.open(panel.asBoard(), "", panel.about.title);
+    panel.poll();
+  });
+  var waiting = 0;
+  var look = () => {
+    const query = location.search.replace(/&?(time|camera|speed|layout)=[^&]*/g, "");
+    if (query === panel.asked) return;
+    panel.asked = query;
+    clearTimeout(waiting);
+    waiting = window.setTimeout(() => panel.update(), SETTLED3);
+  };
+  setInterval(look, SETTLED3);
+  function frameNow(place5) {
+    const clip = place5.replace(/^moment:[^/]+\//, "");
+    for (let k = 0, item; k < 48 && (item = player.frameOf(k)); k++) if (item.clip === clip) return Math.round(item.frame);
+    return 0;
+  }
 
   // blocks/player.mjs
   var calm2 = () => matchMedia("(prefers-reduced-motion: reduce)").matches;
@@ -6415,7 +6534,7 @@
   });
 
   // library/properties.mjs
-  var SETTLED2 = 300;
+  var SETTLED4 = 300;
   var SHOWN = 6;
   var KINDS2 = ["text", "number", "date"];
   document.addEventListener("click", (event) => {
@@ -6522,7 +6641,7 @@
       const form = element("form", "boards-form properties-way", element("h3", "", title), element("small", "muted", hint), ...controls, element("button", "boards-button primary", "Keep"));
       form.addEventListener("input", () => {
         clearTimeout(this.waiting);
-        this.waiting = window.setTimeout(() => this.change({ ...body2(), preview: true }), SETTLED2);
+        this.waiting = window.setTimeout(() => this.change({ ...body2(), preview: true }), SETTLED4);
       });
       form.addEventListener("submit", (event) => {
         event.preventDefault();
@@ -7056,7 +7175,7 @@
     for (let k = 0, item; k < 48 && (item = player.frameOf(k)); k++) items.push(item);
     return items;
   }
-  var frameNow = () => standing2().find(isShown)?.frame ?? at.frame;
+  var frameNow2 = () => standing2().find(isShown)?.frame ?? at.frame;
   var isShown = (item) => at.shown && item.clip === at.shown.clip && (!item.dataset || item.dataset === at.shown.dataset);
   function follow(items) {
     at.items = items || [];
@@ -7161,7 +7280,7 @@
     },
     /** @param {object | null} edit */
     editAtFrame(edit) {
-      return edit ? { ...edit, frame: frameNow() ?? 0 } : clientside.no_update;
+      return edit ? { ...edit, frame: frameNow2() ?? 0 } : clientside.no_update;
     }
   });
 
@@ -7330,14 +7449,14 @@
     if (button5) zoom(button5.dataset.clipZoom);
   });
   function setEnd(which) {
-    const frame = frameNow();
+    const frame = frameNow2();
     if (frame === null || !at.shown) return;
     const [start3, end] = chosenRange() || [0, at.shown.frames];
     select2(which === "start" ? [frame, end > frame ? end : at.shown.frames] : [start3 < frame ? start3 : 0, frame + 1]);
   }
   var step = (by) => {
     player.pause();
-    seekFrame((frameNow() ?? 0) + by);
+    seekFrame((frameNow2() ?? 0) + by);
   };
   var KEYS3 = {
     ArrowLeft: (far) => step(far ? -10 : -1),
@@ -11339,14 +11458,14 @@
     null
   );
   var drawn4 = "";
-  var waiting = 0;
+  var waiting2 = 0;
   var total2 = () => Object.values(raw).reduce((sum2, value) => sum2 + value, 0);
   var share = (leaf) => raw[leaf] / Math.max(total2(), 1e-9);
   var percent2 = (value) => value === 0 ? "0 %" : `${(100 * value).toFixed(100 * value < 9.95 ? 1 : 0)} %`.replace(".0 ", " ");
   function send2() {
-    clearTimeout(waiting);
-    waiting = setTimeout(() => {
-      waiting = 0;
+    clearTimeout(waiting2);
+    waiting2 = setTimeout(() => {
+      waiting2 = 0;
       if (total2() > 0) changeSearch({ parts: writeWeights(raw, now5.body) });
     }, 140);
   }
@@ -11490,7 +11609,7 @@
     else if (pieces.length !== Number(box4.dataset.pieces || 0)) mode2 = "pieces";
     box4.dataset.pieces = String(pieces.length);
     const text = now5.view.parts || "";
-    if (!raw || text !== drawn4 && !waiting) {
+    if (!raw || text !== drawn4 && !waiting2) {
       raw = readWeights(text, now5.body);
       drawn4 = text;
     }
@@ -11869,7 +11988,7 @@
   });
 
   // search/options.mjs
-  var waiting2 = 0;
+  var waiting3 = 0;
   var option = (value, words4) => Object.assign(element("option", "", words4), { value });
   function labelled(words4, of2, ...controls) {
     const label = element("label", "search-label", words4);
@@ -11925,7 +12044,7 @@
       [SEARCH_SHORTEST]: shortest,
       [SEARCH_LONGEST]: longest2
     };
-    if (!waiting2) {
+    if (!waiting3) {
       for (const [id, value] of Object.entries(values)) if (find(id) !== document.activeElement || need(id).tagName === "SELECT") need(id).value = value;
     }
     sayRoute();
@@ -11985,10 +12104,10 @@
   document.addEventListener("input", (event) => {
     if (!mine(targetOf(event)) || targetOf(event).tagName === "SELECT") return;
     if (targetOf(event).id === SEARCH_ROUTE) sayRoute();
-    clearTimeout(waiting2);
+    clearTimeout(waiting3);
     const { id } = targetOf(event);
-    waiting2 = setTimeout(() => {
-      waiting2 = 0;
+    waiting3 = setTimeout(() => {
+      waiting3 = 0;
       take2(id);
     }, 220);
   });

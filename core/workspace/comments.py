@@ -21,9 +21,11 @@ _MENTION = re.compile(r"(?<![\w@.])@([\w][\w.-]{0,79})")
 
 @dataclass(frozen=True)
 class Comment:
-    """What someone said. place: ``board:ID/block:ID``, ``motif:DATASET/KEY/3`` or ``moment:DATASET/CLIP/FRAME``;
+    """What someone said.
 
-    mentions: the names behind an @ in the text; parent: the id of the comment that this one answers.
+    place: ``board:ID/block:ID``, ``motif:DATASET/KEY/3`` or ``moment:DATASET/CLIP/FRAME``, where DATASET is an id.
+    created, updated: seconds since 1970. mentions: the names behind an @ in the text. parent: the id of the comment
+    that this one answers.
     """
 
     id: str
@@ -155,7 +157,7 @@ def _require(place: str, to: str) -> None:
     if kind == "board":
         people.require_board(rest, to=to)
     else:
-        people.require("editor", to=to)
+        people.require("editor", rest if kind in ("motif", "moment", "dataset") else None, to=to)
 
 
 def _require_own(comment: Comment, to: str) -> None:

@@ -133,7 +133,7 @@ def test_a_board_begins_with_a_template_and_a_view_is_saved(show):
     expect(card).to_contain_text("#graph")
     page.wait_for_function("document.querySelector('img.boards-picture')?.naturalWidth > 0")
     page.get_by_role("button", name="New board").click()
-    page.get_by_role("button", name="Curation").click()
+    page.get_by_role("dialog").get_by_role("button", name="Curation").click()
     page.get_by_role("button", name="Make it").click()
     expect(page.locator(".grid-stack-item")).to_have_count(4)
     expect(page.locator(".block-of-overview tbody tr").first).to_be_visible()

@@ -9,6 +9,8 @@ from pathlib import Path
 import pytest
 from playwright.sync_api import Browser, Page, expect
 
+from core.mocap.properties import Properties
+from core.mocap.property_files import by_pattern
 from core.workspace import Workspace
 from tests.browser.app import address, demo_workspace, wait_until, workspace
 
@@ -35,8 +37,7 @@ def invite(page: Page) -> str:
     page.get_by_role("dialog").get_by_role("button", name="Save", exact=True).click()
     page.locator("#nav-boards").click()
     expect(page.locator(".boards-card", has_text="The graph")).to_be_visible()
-    page.get_by_role("button", name="New board").click()
-    page.get_by_role("button", name="Motif report").click()
+    page.locator(".boards-beginning").get_by_role("button", name="Motif report").click()
     page.get_by_role("button", name="Make it").click()
     expect(page.locator(".block-motif").first).to_be_visible()
     page.get_by_role("button", name="Share board").click()
@@ -45,7 +46,20 @@ def invite(page: Page) -> str:
     return link
 
 
-def test_the_whole_round(ann, open_page, chromium: Browser, tmp_path: Path):
+def say_about_the_motif(page: Page) -> None:
+    """Comments on the motif that is selected, on its own page."""
+    page.goto(page.url + "&motif=1")
+    page.get_by_role("button", name="Comments").click()
+    page.get_by_label(re.compile("Say something")).fill("This recurs")
+    page.get_by_role("button", name="Comment", exact=True).click()
+    expect(page.locator(".discussion .boards-comment")).to_contain_text("This recurs")
+    page.get_by_role("button", name="Close the comments").click()
+
+
+def test_the_whole_round(ann, open_page, workspace: Workspace, chromium: Browser, tmp_path: Path):
+    found, _ = by_pattern("{performer}_{take}", workspace.open("demo").names)
+    workspace.properties.put(workspace.info("demo").id, Properties().with_values(found))
+    say_about_the_motif(ann)
     guest = open_page(invite(ann), viewport=WIDE)
     expect(guest.locator(".block-motif").first).to_be_visible()
 
@@ -58,6 +72,9 @@ def test_the_whole_round(ann, open_page, chromium: Browser, tmp_path: Path):
     guest.get_by_label("Narrow the board to a label").fill("walk")
     guest.keyboard.press("Enter")
     expect(guest.locator("[data-kind=motifs] tr.faint").first).to_be_visible()
+
+    guest.get_by_label("Narrow the board to a group of clips").select_option("performer=ben")
+    expect(ann.get_by_label("Narrow the board to a group of clips")).to_have_value("performer=ben")
 
     guest.locator(".boards-bar").get_by_role("button", name="More", exact=True).click()
     guest.get_by_role("menuitem", name="Report").click()

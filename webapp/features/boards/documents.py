@@ -161,11 +161,11 @@ def _texts(values: object) -> dict[str, str]:
 
 def _names(workspace: Workspace, board: Board, comments: list[Comment]) -> list[str]:
     """People who have worked on a board, and for people with an account all who have one, for mentions."""
+    authors = [*(block.author for block in board.blocks), *(comment.author for comment in comments)]
+    return people_of(workspace, board.author, *authors)
+
+
+def people_of(workspace: Workspace, *names: str) -> list[str]:
+    """These names, and for people with an account those of all who have one."""
     accounts = [] if acting().is_guest else [account.name for account in workspace.users.list()]
-    names = [
-        *accounts,
-        board.author,
-        *(block.author for block in board.blocks),
-        *(comment.author for comment in comments),
-    ]
-    return sorted({name for name in names if name})[:MOST_NAMES]
+    return sorted({name for name in (*accounts, *names) if name})[:MOST_NAMES]

@@ -24,8 +24,14 @@ def page() -> Component:
 
 
 def header() -> list[Component]:
-    """Saves what is shown, on every page."""
+    """Comments on what is selected, and saving what is shown, on every page."""
     return [
+        html.Button(
+            [icon("note", 16), "Comments"],
+            id=names.COMMENTS_BUTTON,
+            className="boards-button boards-comments-button",
+            hidden=True,
+        ),
         dmc.Button(
             "Save view",
             id=names.SAVE_VIEW,
@@ -33,5 +39,5 @@ def header() -> list[Component]:
             variant="default",
             leftSection=icon("star", 16),
             **attributes(aria_label="Save this view for the team"),
-        )
+        ),
     ]

@@ -15,4 +15,5 @@ class View(TypedDict, total=False):
 
 BOARDS_PLACE = Id("boards-place")  # what assets/boards fills
 SAVE_VIEW = Id("save-view")
+COMMENTS_BUTTON = Id("comments-button")  # of what is selected
 BOARDS_SHOWN = Store("boards-shown", Any)

@@ -11,6 +11,7 @@ RIGHTS = Rights(
         "routes.report_file",
         "routes.show_block",
         "routes.show_board",
+        "routes.show_comments",
         "routes.show_report",
         "routes.view_history",
         "routes.view_picture",

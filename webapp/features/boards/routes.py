@@ -21,6 +21,7 @@ from core.workspace.blocks import Block
 from webapp import jobs
 from webapp.features.boards.board_changes import CHANGES, pinned_to, whole_of
 from webapp.features.boards.contents import answer, request_of
+from webapp.features.boards.discussion import said_about
 from webapp.features.boards.documents import (
     board_data,
     board_entry,
@@ -184,6 +185,10 @@ def _view_routes(routes: Blueprint, workspace: Workspace) -> None:
         if body.get("action") == "restore":
             restored = workspace.views.restore(id, whole_of(body, "version"), str(body.get("author", "")))
             return jsonify(view_entry(restored))
+        if body.get("action") == "picture":
+            view = workspace.views.get(id)
+            keep_picture(workspace, id, view.version, str(body.get("picture", "")))
+            return jsonify(view_entry(view))
         raise BadRequest("There is no such change of a view.")
 
     @routes.get("/views/<id>/history")
@@ -202,6 +207,10 @@ def _view_routes(routes: Blueprint, workspace: Workspace) -> None:
 
 
 def _comment_routes(routes: Blueprint, workspace: Workspace) -> None:
+    @routes.get("/comments")
+    def show_comments() -> Response:
+        return jsonify(said_about(workspace, request.args) or {})
+
     @routes.post("/comments")
     def change_comments() -> Response:
         body = json_body()

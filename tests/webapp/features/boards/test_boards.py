@@ -211,3 +211,15 @@ def test_a_viewer_sees_a_board_and_may_not_change_it(workspace, board):
         assert not seen["may_edit"] and "edit" not in seen["links"] and seen["me"] == "Vera"
     with acting_as(replace(viewer, role="editor")):
         assert board_data(workspace, board["id"])["may_edit"]
+
+
+def test_motifs_and_moments_are_discussed_where_they_are_shown(ask):
+    nothing = ask("comments?dataset=walks").json
+    assert nothing == {}
+    clip = ask("comments?dataset=walks&clip=a").json
+    assert clip["moments"] and clip["comments"] == []
+    ask("comments", {"action": "add", "place": f"{clip['place']}/30", "text": "look @Ben", "author": "Ana"})
+    said = ask("comments?dataset=walks&clip=a").json["comments"]
+    assert [comment["frame"] for comment in said] == [30] and said[0]["seconds"] > 0
+    assert ask("comments?dataset=walks&motif=999").json == {}
+    assert ask("comments?dataset=nothing&motif=1").status_code == 400
