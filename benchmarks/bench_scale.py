@@ -1,30 +1,20 @@
-"""Cost against length: every method on made-up recordings of an hour, of ten and, if asked for, of a hundred.
+"""Cost against length: every method on made-up recordings of an hour, of ten and, where it was measured, of a hundred.
 
 usage: python -m benchmarks scale
        python -m benchmarks.bench_scale [--hundred] [--only motifs,grammar]
 
-Recordings are made once and kept in the folder that ``MOTIONSCAPE_SCALE`` names (build/scale): six minutes for warming
-up, one hour, ten hours, three and a half hours cut into short clips. Each measurement runs in a process of its own and
-is kept beside them (``measured``), so that one that was interrupted goes on; delete that folder to measure anew.
+Recordings and measurements are kept, see :mod:`benchmarks.scale_runs`. A hundred hours take the night: they are
+measured with ``--hundred`` only, and shown wherever they have been measured.
 """
 
 from __future__ import annotations
 
-import json
-import os
-import resource
-import subprocess
 import sys
-import time
-from collections.abc import Callable
-from dataclasses import replace
-from itertools import pairwise
-from pathlib import Path
 
 import numpy as np
 
+from benchmarks.scale_runs import FOLDER, METHODS, ROOT, SHORT_SECONDS, SWEPT, measured
 from core.demo import make_demo
-from core.mocap.dataset import Dataset
 from core.motifs.adjacency import nearest_pairs_radius, radius_adjacency
 from core.motifs.discovery import largest_first
 from core.motifs.matching import Matcher, Rule
@@ -33,100 +23,10 @@ from core.motifs.quantize import automatic_kappa, k_means
 from core.motifs.samples import sampled_first
 from core.poses.features import pose_features
 from core.sequences.repeats import remove_runs
-from core.workspace import Workspace
 
-ROOT = Path(__file__).resolve().parents[1]
-FOLDER = Path(os.environ.get("MOTIONSCAPE_SCALE", ROOT / "build" / "scale"))
 CHART = ROOT / "docs" / "images" / "scale.svg"
-WARM, HOUR = "demo-6", "demo-60"
-SHORT_SECONDS = 4.3  # of a short clip: 2930 of them are three and a half hours
-MOST_MEGABYTES = 8000
-
-
-def _features(dataset: Dataset) -> object:
-    return pose_features(dataset)
-
-
-def _motifs(dataset: Dataset) -> object:
-    from core.motifs.build import find_motifs
-
-    return find_motifs(dataset)
-
-
-def _grammar(dataset: Dataset) -> object:
-    from core.grammar.build import learn_grammar
-
-    return learn_grammar(dataset)
-
-
-def _map(dataset: Dataset) -> object:
-    from core.motion_map.build import build_motion_map
-
-    return build_motion_map(dataset)
-
-
-def _search(dataset: Dataset) -> object:
-    from core.retrieval.search import build_search_index
-
-    return build_search_index(dataset)
-
-
-METHODS: dict[str, Callable[[Dataset], object]] = {
-    "features": _features,
-    "motifs": _motifs,
-    "grammar": _grammar,
-    "map": _map,
-    "search": _search,
-}
-
-
-def prepared(name: str) -> str:
-    """The name of a collection, ``demo-MINUTES`` or ``short-MINUTES``, made where it is not there yet."""
-    workspace = Workspace(FOLDER)
-    if name not in {info.name for info in workspace.datasets()}:
-        kind, minutes = name.split("-")
-        dataset = make_demo(minutes=int(minutes))
-        workspace.add_dataset(name, _cut(dataset) if kind == "short" else dataset)
-    return name
-
-
-def _cut(dataset: Dataset) -> Dataset:
-    """The dataset as clips of a few seconds."""
-    clips = []
-    for clip in dataset.clips:
-        n = max(1, round(clip.seconds / SHORT_SECONDS))
-        edges = np.linspace(0, clip.n_frames, n + 1).astype(int)
-        clips += [replace(clip.cut(a, b), name=f"{clip.name}_{a:06d}") for a, b in pairwise(edges.tolist())]
-    return Dataset("short", tuple(clips))
-
-
-def measure(method: str, name: str) -> None:
-    """Runs a method once, after it has run on a few minutes, and prints what it took as JSON."""
-    resource.setrlimit(resource.RLIMIT_DATA, (MOST_MEGABYTES << 20,) * 2)
-    workspace = Workspace(FOLDER)
-    METHODS[method](workspace.open(WARM))
-    dataset = workspace.open(name)
-    wall, cpu = time.perf_counter(), time.process_time()
-    METHODS[method](dataset)
-    seconds, processor = time.perf_counter() - wall, time.process_time() - cpu
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
-    print(json.dumps({"hours": dataset.seconds / 3600, "seconds": seconds, "cpu": processor, "megabytes": peak}))
-
-
-def measured(method: str, name: str) -> dict[str, float] | None:
-    """What a method took on a collection, measured in a process of its own; None where it did not end well."""
-    kept = FOLDER / "measured" / f"{method}-{name}.json"
-    if not kept.exists():
-        command = [sys.executable, "-m", "benchmarks.bench_scale", "--measure", method, prepared(name)]
-        done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT)
-        if done.returncode:
-            print(done.stderr[-500:], file=sys.stderr)
-            return None
-        kept.parent.mkdir(exist_ok=True)
-        kept.write_text(done.stdout.splitlines()[-1], encoding="utf-8")
-    found: dict[str, float] = json.loads(kept.read_text(encoding="utf-8"))
-    print(method, name, found, file=sys.stderr)
-    return found
+HOUR, TEN, HUNDRED = "demo-60", "demo-600", "demo-6000"
+IN_A_HUNDRED = ("features", "map", "search", "motifs", "grammar")
 
 
 def quality(minutes: int = 15, seeds: int = 4) -> list[str]:
@@ -167,11 +67,12 @@ def table(found: dict[str, list[dict[str, float]]]) -> list[str]:
     """A row a method, a column a length: processor seconds, seconds on the clock, megabytes."""
     lengths = max(found.values(), key=len)
     heads = [f"{point['hours']:.0f} h: CPU s | clock s | MB" for point in lengths]
-    rows = [f"| method | {' | '.join(heads)} | exponent |", "|---" * (3 * len(heads) + 2) + "|"]
+    rows = [f"| method | {' | '.join(heads)} | exponent | standing |", "|---" * (3 * len(heads) + 3) + "|"]
     for method, points in found.items():
         cells = [f"{p['cpu']:.1f} | {p['seconds']:.1f} | {p['megabytes']:.0f}" for p in points]
         cells += ["- | - | -"] * (len(lengths) - len(points))
-        rows.append(f"| {method} | {' | '.join(cells)} | {f'{exponent(points):.2f}' if len(points) > 1 else '-'} |")
+        cells += [f"{exponent(points):.2f}" if len(points) > 1 else "-", f"{100 * points[-1]['standing']:.0f} %"]
+        rows.append(f"| {method} | {' | '.join(cells)} |")
     return rows
 
 
@@ -190,7 +91,7 @@ def chart(found: dict[str, list[dict[str, float]]]) -> str:
     names_at, lowest = {}, 0.0  # names beside the last points, one below the other
     for method, row in sorted(found.items(), key=lambda item: -item[1][-1]["cpu"]):
         lowest = names_at[method] = max(float(at(row[-1]["hours"], row[-1]["cpu"]).split(",")[1]) + 4, lowest + 14)
-    colours = ("#3366aa", "#cc5522", "#338855", "#884499", "#777711")
+    colours = ("#3366aa", "#cc5522", "#338855", "#884499", "#777711", "#116677", "#aa3366", "#555555", "#996633")
     parts = []
     for cpu in (10.0**e for e in range(-1, 6) if y0 <= e <= y1):
         (a, y), (b, _) = at(10**x0, cpu).split(","), at(10**x1, cpu).split(",")
@@ -218,26 +119,33 @@ def chart(found: dict[str, list[dict[str, float]]]) -> str:
     )
 
 
+def points(method: str, hundred: bool) -> list[dict[str, float]]:
+    """What a method took on an hour, on ten, and on a hundred where that is asked for or was measured before."""
+    names = [HOUR, TEN]
+    if method in IN_A_HUNDRED and (hundred or (FOLDER / "measured" / f"{method}-{HUNDRED}.json").exists()):
+        names.append(HUNDRED)
+    return [point for name in names if (point := measured(method, name))]
+
+
 def main(hundred: bool = False, only: list[str] | None = None) -> str:
     """The Markdown section, also printed."""
-    prepared(WARM)
-    names = [HOUR, "demo-600", *(["demo-6000"] if hundred else [])]
     methods = only or list(METHODS)
-    found = {method: [p for name in names if (p := measured(method, name))] for method in methods}
-    found = {method: points for method, points in found.items() if points}
+    found = {method: row for method in methods if (row := points(method, hundred))}
     short = {m: p for m in ("motifs", "grammar") if m in methods and (p := measured(m, "short-210"))}
     CHART.write_text(chart(found), encoding="utf-8")
     clips = [f"| {m} | {p['cpu']:.1f} | {p['seconds']:.1f} | {p['megabytes']:.0f} |" for m, p in short.items()]
+    swept = ", ".join(f"{name} {', '.join(map(str, values))}" for name, values in SWEPT.items())
     text = "\n".join(
         [
             "## Cost against length",
             "",
             "The demo made an hour and ten hours long: motion that repeats itself all the time. 30 frames a second are "
-            "looked at, 15 for the grammar. Recordings lie in a workspace; reading them is part of the time. "
-            "Megabytes: the most the process had, mapped files included. The machine was busy (load 10 to 14 on two "
-            "cores), so processor seconds say more than seconds on the clock. Exponent: of the processor time. "
-            "`python -m benchmarks scale`; with "
-            "`python -m benchmarks.bench_scale --hundred` also a hundred hours.",
+            "looked at, 15 for the grammar. Recordings lie in a workspace, for the import as BVH files; reading them "
+            f"is part of the time. The sweep has three points ({swept}), stability eleven analyses. "
+            "Megabytes: the most the process had, mapped files included. Others used the two cores as well (load 4 to "
+            "14), so processor seconds say more than seconds on the clock. Exponent: of the processor time. "
+            "Standing: the longest time that stage and per cent on screen did not change, as a share of all. "
+            "`python -m benchmarks scale`; with `python -m benchmarks.bench_scale --hundred` also a hundred hours.",
             "",
             *table(found),
             "",
@@ -263,8 +171,5 @@ def main(hundred: bool = False, only: list[str] | None = None) -> str:
 
 
 if __name__ == "__main__":
-    if "--measure" in sys.argv:
-        measure(*sys.argv[-2:])
-    else:
-        chosen = sys.argv[sys.argv.index("--only") + 1].split(",") if "--only" in sys.argv else None
-        main("--hundred" in sys.argv, chosen)
+    chosen = sys.argv[sys.argv.index("--only") + 1].split(",") if "--only" in sys.argv else None
+    main("--hundred" in sys.argv, chosen)
