@@ -23,6 +23,7 @@ import numpy as np
 
 from core.demo import write_demo
 from core.demo.routines import routines
+from core.machine import PeakMemory
 from core.mocap.clip import Clip
 from core.mocap.dataset import Dataset
 from core.mocap.storage import load_dataset, writing_dataset
@@ -48,6 +49,13 @@ def _motifs(dataset: Dataset, report: Report) -> object:
     from core.motifs.build import find_motifs
 
     return find_motifs(dataset, report=report)
+
+
+def _exact(dataset: Dataset, report: Report) -> object:
+    """Motifs by matching everything with everything."""
+    from core.motifs.build import find_motifs
+
+    return find_motifs(dataset, MotifParameters(sample=0), report)
 
 
 def _grammar(dataset: Dataset, report: Report) -> object:
@@ -107,6 +115,7 @@ METHODS: dict[str, Callable[[Dataset, Report], object]] = {
     "sweep": _sweep,
     "redundancy": _redundancy,
     "stability": _stability,
+    "exact": _exact,
 }
 
 
@@ -172,13 +181,16 @@ def measure(method: str, name: str) -> None:
     METHODS[method](load_dataset(FOLDER / WARM), Progress())
     dataset, progress = load_dataset(FOLDER / name), Progress()
     wall, cpu = time.perf_counter(), time.process_time()
-    METHODS[method](dataset, progress)
+    with PeakMemory() as peak:
+        METHODS[method](dataset, progress)
     progress.end()
     seconds, processor = time.perf_counter() - wall, time.process_time() - cpu
     found = {
         "hours": dataset.seconds / 3600,
         "seconds": seconds,
         "cpu": processor,
+        "frames": dataset.n_frames,
+        "own_megabytes": peak.bytes / 1e6,
         "megabytes": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024,
         "standing": progress.standing / seconds,
         "stood_at": progress.stood_at,

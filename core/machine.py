@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+import threading
 from contextlib import suppress
 from pathlib import Path
+from types import TracebackType
 
 import psutil
 
@@ -54,6 +56,36 @@ def check_fits(needed: float, what: str, advice: str) -> None:
 def in_gigabytes(size: float) -> str:
     """Bytes as people read them: ``1.5 GB``."""
     return f"{size / 1e9:.1f} GB" if size >= 1e8 else f"{max(size / 1e6, 1):.0f} MB"
+
+
+def used_bytes() -> int:
+    """Memory that this process has for itself: without files that are mapped, whose pages the system can take back."""
+    process = psutil.Process()
+    with suppress(OSError, IndexError, ValueError):  # Linux alone tells it at once
+        status = Path(f"/proc/{process.pid}/status").read_text(encoding="ascii")
+        return int(status.partition("RssAnon:")[2].split()[0]) * 1024
+    return int(process.memory_info().rss)
+
+
+class PeakMemory:
+    """The most memory that this process had for itself while the block ran: ``bytes``, looked at now and then."""
+
+    def __init__(self, every: float = 0.2):
+        self.bytes, self._every, self._over = used_bytes(), every, threading.Event()
+        self._thread = threading.Thread(target=self._look, name="peak memory", daemon=True)
+
+    def __enter__(self) -> PeakMemory:
+        self._thread.start()
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, at: TracebackType | None) -> None:
+        self._over.set()
+        self._thread.join()
+        self.bytes = max(self.bytes, used_bytes())
+
+    def _look(self) -> None:
+        while not self._over.wait(self._every):
+            self.bytes = max(self.bytes, used_bytes())
 
 
 def limit_memory() -> None:
