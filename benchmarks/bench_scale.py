@@ -9,12 +9,14 @@ measured with ``--hundred`` only, and shown wherever they have been measured.
 
 from __future__ import annotations
 
+import json
 import sys
 
 import numpy as np
 
-from benchmarks.scale_runs import FOLDER, METHODS, ROOT, SHORT_SECONDS, SWEPT, measured
+from benchmarks.scale_runs import FOLDER, METHODS, ROOT, SHORT_SECONDS, SWEPT, WARM, measured, prior
 from core.demo import make_demo
+from core.estimates import PRIOR
 from core.motifs.adjacency import nearest_pairs_radius, radius_adjacency
 from core.motifs.discovery import largest_first
 from core.motifs.matching import Matcher, Rule
@@ -127,12 +129,21 @@ def points(method: str, hundred: bool) -> list[dict[str, float]]:
     return [point for name in names if (point := measured(method, name))]
 
 
+def write_prior() -> None:
+    """Writes what estimates of jobs begin with, from everything that was measured."""
+    for method in METHODS:
+        measured(method, WARM)
+    measured("exact", "demo-15")
+    PRIOR.write_text(json.dumps({"methods": prior()}, indent=1) + "\n", encoding="utf-8")
+
+
 def main(hundred: bool = False, only: list[str] | None = None) -> str:
     """The Markdown section, also printed."""
     methods = only or [method for method in METHODS if method != "exact"]
     found = {method: row for method in methods if (row := points(method, hundred))}
     short = {m: p for m in ("motifs", "grammar") if m in methods and (p := measured(m, "short-210"))}
     CHART.write_text(chart(found), encoding="utf-8")
+    write_prior()
     clips = [f"| {m} | {p['cpu']:.1f} | {p['seconds']:.1f} | {p['megabytes']:.0f} |" for m, p in short.items()]
     swept = ", ".join(f"{name} {', '.join(map(str, values))}" for name, values in SWEPT.items())
     text = "\n".join(

@@ -21,14 +21,18 @@ from pathlib import Path
 
 import numpy as np
 
+from core.analyses import normalise
 from core.demo import write_demo
 from core.demo.routines import routines
+from core.estimates import amount_of_frames
 from core.machine import PeakMemory
 from core.mocap.clip import Clip
 from core.mocap.dataset import Dataset
 from core.mocap.storage import load_dataset, writing_dataset
+from core.motifs.axes import write_axis
 from core.motifs.parameters import MotifParameters
 from core.progress import Report
+from core.requests import Request
 from core.workspace import Workspace
 
 ROOT = Path(__file__).resolve().parents[1]
@@ -196,6 +200,32 @@ def measure(method: str, name: str) -> None:
         "stood_at": progress.stood_at,
     }
     print(json.dumps(found))
+
+
+def prior() -> dict[str, list[list[float]]]:
+    """What estimates of jobs begin with: amount of work, seconds and bytes of every measurement, by method.
+
+    Seconds: on the clock, or of the processor where the clock says more because others used the machine as well.
+    """
+    points: dict[str, list[list[float]]] = {}
+    for method in METHODS:
+        kept = (FOLDER / "measured" / f"{method}-demo-{minutes}.json" for minutes in (6, 15, 60, 600, 6000))
+        for file in (file for file in kept if file.exists()):
+            found = json.loads(file.read_text(encoding="utf-8"))
+            seconds = min(found["seconds"], found["cpu"])
+            amount = _amount(method, found["hours"] * 3600, found["frames"], file.stem.partition("-")[2])
+            points.setdefault(method, []).append(
+                [round(amount), round(seconds, 2), round(found["own_megabytes"] * 1e6)]
+            )
+    return points
+
+
+def _amount(method: str, seconds: float, frames: int, name: str) -> float:
+    if method == "import":
+        return sum(file.stat().st_size for file in (FOLDER / f"{name}-bvh").iterdir())
+    asked = {"axes": write_axis(*next(iter(SWEPT.items())))} if method == "sweep" else {}
+    request = normalise(Request("", "motifs" if method == "exact" else method, asked))
+    return amount_of_frames(request, seconds, frames)
 
 
 def measured(method: str, name: str) -> dict[str, float] | None:

@@ -10,8 +10,8 @@ import hashlib
 import json
 import time
 import traceback
-from collections.abc import Callable, Mapping
-from contextlib import suppress
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager, suppress
 from dataclasses import asdict, dataclass, field
 from datetime import datetime
 from pathlib import Path
@@ -19,7 +19,9 @@ from typing import TYPE_CHECKING, Any
 
 from core.caching import RecentCache
 from core.errors import AnalysisError, LoggedBug, MotionscapeError, ParameterError, new_bug_id
+from core.estimates import advice_for, amount_of, estimate, note_cost
 from core.grammar.table import TableParameters, part_report
+from core.machine import PeakMemory
 from core.methods import METHODS, Method
 from core.motifs.axes import SweepParameters
 from core.parameters import Parameter as Parameter
@@ -31,6 +33,7 @@ from core.workspace import (
     Job,
     ResultDamaged,
     Workspace,
+    WorkspaceError,
     explain,
     query_files,
     tasks,
@@ -127,8 +130,10 @@ def _is_of(workspace: Workspace, method: str, result_key: str) -> bool:
     return document_and_arrays is not None and (len(kind) < 2 or kind[1] not in METHODS or kind[1] == method)
 
 
-def submit(workspace: Workspace, request: Request) -> Job:
+def submit(workspace: Workspace, request: Request, *, ask: bool = False) -> Job:
     """Enters the request into the job table, or returns the active job for it; a worker computes it.
+
+    ask: hold a job that would take very long or more memory than there is, until someone says that it shall start.
 
     Raises ParameterError, or WorkspaceError (no such data set, or for an import a name that is taken).
     """
@@ -141,7 +146,19 @@ def submit(workspace: Workspace, request: Request) -> Job:
         workspace.check_free(request.dataset)
     elif request.method in ("add", "remove", "edit", "reread"):
         workspace.info(request.dataset)  # raises where it is not there
-    return workspace.jobs.submit(key(workspace, request), entry, f"{kind.title}: {request.dataset}")
+    expected = estimate(workspace, request)
+    held = expected.objection(advice_for(request)) if expected and ask else ""
+    words = expected.words if expected else ""
+    title = f"{kind.title}: {request.dataset}"
+    return workspace.jobs.submit(key(workspace, request), entry, title, expected=words, held=held)
+
+
+def expected_words(workspace: Workspace, request: Request) -> str:
+    """What a request will take, in words; empty where nobody knows, or it cannot be used."""
+    with suppress(ParameterError, WorkspaceError):
+        expected = estimate(workspace, normalise(request))
+        return expected.words if expected else ""
+    return ""
 
 
 def run(workspace: Workspace, request: Request, report: Report = silent) -> Any:
@@ -212,17 +229,30 @@ def _perform(workspace: Workspace, job: Job, report: Report) -> Any:
     if entry["method"] in TASKS:
         task = TASKS[entry["method"]]
         name = workspace.open_fingerprint(entry["fingerprint"]).name if task.analyses else entry["dataset"]
-        task.perform(workspace, name, build(task.parameters, entry["parameters"]), report)
+        request = Request(name, entry["method"], entry["parameters"])
+        with _counted(workspace, request):
+            task.perform(workspace, name, build(task.parameters, entry["parameters"]), report)
         return None
     result = _load(workspace, entry["method"], job.key)
     if result is None:  # otherwise someone finished it between the request and now
         method = METHODS[entry["method"]]
         report("opening", 0.0)
         dataset = workspace.open_fingerprint(entry["fingerprint"])
-        result = _computed(workspace, dataset, entry["method"], entry["parameters"], report)
+        with _counted(workspace, Request(dataset.name, entry["method"], entry["parameters"])):
+            result = _computed(workspace, dataset, entry["method"], entry["parameters"], report)
         workspace.results.put(job.key, *method.pack(result, dataset))
         _results.put((workspace.path, entry["method"], job.key), result)
     return result
+
+
+@contextmanager
+def _counted(workspace: Workspace, request: Request) -> Iterator[None]:
+    """Keeps what the block took, if it ends well, for later estimates."""
+    amount = amount_of(workspace, request)  # before: an upload is gone afterwards
+    started = time.perf_counter()
+    with PeakMemory() as peak:
+        yield
+    note_cost(workspace, request, amount, time.perf_counter() - started, peak.bytes)
 
 
 def _computed(workspace: Workspace, dataset: Dataset, name: str, values: Mapping[str, Any], report: Report) -> Any:

@@ -26,6 +26,7 @@ SHARED = Rights(
         "stage.motion_routes.motions",
         "stage.selection_routes.stage",
         "ui.method_page.find_result",
+        "ui.method_page.show_estimate",
         "ui.method_page.show_form",
         "ui.method_page.show_status",
     ),

@@ -3960,11 +3960,11 @@
       spinner,
       element("span", "job-title ellipsis", title),
       progress,
-      element("span", "job-stage number", element("span", "job-words"), percent3),
-      element("div", "job-actions", button("cancel", id, "job-cancel", "Cancel"))
+      element("span", "job-stage number", element("span", "job-words"), percent3, element("span", "job-expected")),
+      element("div", "job-actions", button("start", id, "job-start for-editors", "Start anyway"), button("cancel", id, "job-cancel", "Cancel"))
     );
   }
-  function update(row7, { stage: stage2, percent: percent3, stopping }) {
+  function update(row7, { stage: stage2, percent: percent3, stopping, held, expected }) {
     const progress = within(row7, ".job-progress"), known4 = percent3 !== null;
     progress.classList.toggle("waiting", !known4);
     childrenOf(progress)[0].style.width = (percent3 || 0) + "%";
@@ -3972,6 +3972,9 @@
     else progress.removeAttribute("aria-valuenow");
     const words4 = within(row7, ".job-words");
     if (words4.textContent !== stage2) words4.textContent = stage2;
+    const took2 = row7.querySelector(".job-expected");
+    if (took2 && took2.textContent !== (expected || "")) took2.textContent = expected || "";
+    row7.classList.toggle("held", Boolean(held));
     const number2 = row7.querySelector(".job-percent");
     if (number2) number2.textContent = percent3 ? ` ${percent3} %` : "";
     within(row7, ".job-cancel").disabled = stopping;

@@ -162,6 +162,7 @@
  */
 
 export const GRAMMAR_RUN = "grammar-run";
+export const GRAMMAR_ESTIMATE = "grammar-estimate";
 export const GRAMMAR_FOLD = "grammar-fold";
 export const GRAMMAR_SUMMARY = "grammar-summary";
 export const GRAMMAR_FORM = "grammar-form";

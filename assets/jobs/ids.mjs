@@ -10,13 +10,15 @@
  * @property {string} [stage]
  * @property {number | null} [percent]
  * @property {boolean} [stopping]
+ * @property {boolean} [held]
+ * @property {string} [expected]
  * @property {string} [error]
  */
 
 /**
  * What is to be done with a job.
  * @typedef {object} JobAction
- * @property {"cancel" | "retry" | "dismiss"} action
+ * @property {"start" | "cancel" | "retry" | "dismiss"} action
  * @property {number} job
  * @property {number} [at]
  */

@@ -32,8 +32,8 @@ function alive({ id, title }) {
   const percent = element("span", "job-percent");
   percent.setAttribute("aria-hidden", "true"); // the progress bar says it
   return element("div", "job", spinner, element("span", "job-title ellipsis", title), progress,
-    element("span", "job-stage number", element("span", "job-words"), percent),
-    element("div", "job-actions", button("cancel", id, "job-cancel", "Cancel")));
+    element("span", "job-stage number", element("span", "job-words"), percent, element("span", "job-expected")),
+    element("div", "job-actions", button("start", id, "job-start for-editors", "Start anyway"), button("cancel", id, "job-cancel", "Cancel")));
 }
 
 /**
@@ -41,7 +41,7 @@ function alive({ id, title }) {
  * @param {HTMLElement} row
  * @param {Job} job
  */
-function update(row, { stage, percent, stopping }) {
+function update(row, { stage, percent, stopping, held, expected }) {
   const progress = within(row, ".job-progress"), known = percent !== null;
   progress.classList.toggle("waiting", !known);
   childrenOf(progress)[0].style.width = (percent || 0) + "%";
@@ -49,6 +49,9 @@ function update(row, { stage, percent, stopping }) {
   else progress.removeAttribute("aria-valuenow");
   const words = within(row, ".job-words"); // announced when they change, so written only then
   if (words.textContent !== stage) words.textContent = stage;
+  const took = row.querySelector(".job-expected");
+  if (took && took.textContent !== (expected || "")) took.textContent = expected || "";
+  row.classList.toggle("held", Boolean(held));
   const number = row.querySelector(".job-percent");
   if (number) number.textContent = percent ? ` ${percent} %` : "";
   within(row, ".job-cancel").disabled = stopping;

@@ -2,4 +2,4 @@
 import type { Complete } from "../shared/types.d.ts";
 import type { JobRow } from "./ids.mjs";
 
-export type Job = Complete<JobRow, "error">;
+export type Job = Complete<JobRow, "error" | "held" | "expected">;

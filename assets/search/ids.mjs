@@ -228,6 +228,7 @@
  */
 
 export const SEARCH_RUN = "search-run";
+export const SEARCH_ESTIMATE = "search-estimate";
 export const SEARCH_FOLD = "search-fold";
 export const SEARCH_SUMMARY = "search-summary";
 export const SEARCH_FORM = "search-form";
@@ -285,6 +286,7 @@ export const STUDY_RECEIVED = /** @type {StoreId<ReceivedAnswers>} */ ("study-re
 export const STUDY_WISH = /** @type {StoreId<Wish>} */ ("study-wish");
 export const STUDY_PERSON = /** @type {StoreId<Person>} */ ("study-person");
 export const RANKING_RUN = "ranking-run";
+export const RANKING_ESTIMATE = "ranking-estimate";
 export const RANKING_FOLD = "ranking-fold";
 export const RANKING_SUMMARY = "ranking-summary";
 export const RANKING_FORM = "ranking-form";

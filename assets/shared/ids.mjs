@@ -126,6 +126,7 @@ export const LOADING = "loading";
 export const FIRST_LAYOUT = "first-layout";
 export const FIRST_DEPENDENCIES = "first-dependencies";
 export const MOTIFS_RUN = "motifs-run";
+export const MOTIFS_ESTIMATE = "motifs-estimate";
 export const MOTIFS_FOLD = "motifs-fold";
 export const MOTIFS_SUMMARY = "motifs-summary";
 export const MOTIFS_FORM = "motifs-form";

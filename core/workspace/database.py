@@ -23,9 +23,14 @@ CREATE TABLE IF NOT EXISTS jobs (
     id INTEGER PRIMARY KEY AUTOINCREMENT, key TEXT NOT NULL, request TEXT NOT NULL, title TEXT NOT NULL,
     state TEXT NOT NULL DEFAULT 'queued', stage TEXT NOT NULL DEFAULT '', fraction REAL NOT NULL DEFAULT 0,
     cancel REAL, created REAL NOT NULL, started REAL, finished REAL, heartbeat REAL NOT NULL,
-    pid INTEGER, born REAL, host TEXT, error TEXT NOT NULL DEFAULT '', died INTEGER NOT NULL DEFAULT 0
+    pid INTEGER, born REAL, host TEXT, error TEXT NOT NULL DEFAULT '', died INTEGER NOT NULL DEFAULT 0,
+    expected TEXT NOT NULL DEFAULT '', held TEXT NOT NULL DEFAULT ''
 );
 CREATE UNIQUE INDEX IF NOT EXISTS one_flight ON jobs (key) WHERE state IN ('queued', 'running') AND cancel IS NULL;
+CREATE TABLE IF NOT EXISTS costs (
+    id INTEGER PRIMARY KEY AUTOINCREMENT, method TEXT NOT NULL, fingerprint TEXT NOT NULL, amount REAL NOT NULL,
+    seconds REAL NOT NULL, bytes REAL NOT NULL, host TEXT NOT NULL, at REAL NOT NULL
+);
 CREATE TABLE IF NOT EXISTS notes (
     id INTEGER PRIMARY KEY AUTOINCREMENT, dataset TEXT NOT NULL, result TEXT NOT NULL, motif INTEGER NOT NULL,
     segments TEXT NOT NULL, name TEXT NOT NULL, tags TEXT NOT NULL, note TEXT NOT NULL, changed REAL NOT NULL,
@@ -69,6 +74,8 @@ CREATE TABLE IF NOT EXISTS audit (
     subject TEXT NOT NULL, details TEXT NOT NULL
 );
 """
+_LATER = {"jobs": ("expected TEXT NOT NULL DEFAULT ''", "held TEXT NOT NULL DEFAULT ''")}
+"""Columns that tables of older workspaces lack."""
 
 
 class Database:
@@ -80,6 +87,11 @@ class Database:
             present = {row[0] for row in table.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
             for statement in SCHEMA.split(";"):
                 table.execute(statement)
+            for name, columns in _LATER.items():
+                there = {row["name"] for row in table.execute(f"PRAGMA table_info({name})")}
+                for column in columns:
+                    if column.split()[0] not in there:
+                        table.execute(f"ALTER TABLE {name} ADD COLUMN {column}")
         self.is_new = "datasets" not in present
 
     @contextmanager

@@ -1,7 +1,8 @@
 """The job table: what was asked for, how far it is, how it ended. All processes see the same rows.
 
-A job is ``queued``, ``running``, ``done``, ``failed`` or ``cancelled``. Among the living jobs (queued or running, not
-asked to stop) there is at most one per key, so that the same request is computed once. Times are seconds since 1970.
+A job is ``queued``, ``running``, ``done``, ``failed`` or ``cancelled``. A queued one may be held: no worker takes it
+until someone says that it shall start. Among the living jobs (queued or running, not asked to stop) there is at most
+one per key, so that the same request is computed once. Times are seconds since 1970.
 """
 
 from __future__ import annotations
@@ -31,11 +32,15 @@ STALE_HERE = 900.0  # here we see whether the process exists; long kernels may k
 CANCEL_PATIENCE = 10.0  # a worker that ignores a request to stop for this long is given up
 KEPT = 200  # finished jobs kept as history
 PROGRESS_EVERY = 0.2  # seconds
+_WAITS = "state = 'queued' AND held = ''"  # for a worker
 
 
 @dataclass(frozen=True)
 class Job:
-    """A row of the job table. ``fraction`` is from 0 to 1 within ``stage``; ``died`` where its worker vanished."""
+    """A row of the job table. ``fraction`` is from 0 to 1 within ``stage``; ``died`` where its worker vanished.
+
+    expected: what it will take, in words. held: why it has not been put in the queue yet, in words; empty where it has.
+    """
 
     id: int
     key: str
@@ -52,6 +57,8 @@ class Job:
     pid: int | None
     error: str
     died: bool
+    expected: str = ""
+    held: str = ""
 
     @property
     def alive(self) -> bool:
@@ -65,8 +72,8 @@ class JobTable:
     def __init__(self, database: Database):
         self._database = database
 
-    def submit(self, key: str, request: dict[str, Any], title: str) -> Job:
-        """The living job for ``key``, or a new one, queued. ``request`` must be JSON."""
+    def submit(self, key: str, request: dict[str, Any], title: str, *, expected: str = "", held: str = "") -> Job:
+        """The living job for ``key``, or a new one, queued. ``request`` must be JSON; the rest as in :class:`Job`."""
         text, now = json.dumps(request, sort_keys=True), time.time()
         with self._database.transaction("enter the job") as table:
             _require_editor(table, request, "start this")
@@ -76,8 +83,9 @@ class JobTable:
             ).fetchone()
             if row is None:
                 entry = table.execute(
-                    "INSERT INTO jobs (key, request, title, created, heartbeat) VALUES (?, ?, ?, ?, ?)",
-                    (key, text, title, now, now),
+                    "INSERT INTO jobs (key, request, title, created, heartbeat, expected, held) "
+                    "VALUES (?, ?, ?, ?, ?, ?, ?)",
+                    (key, text, title, now, now, expected, held),
                 )
                 row = table.execute("SELECT * FROM jobs WHERE id = ?", (entry.lastrowid,)).fetchone()
                 _prune(table)
@@ -95,7 +103,7 @@ class JobTable:
             _bury_dead(table)
             if table.execute("SELECT count(*) FROM jobs WHERE state = 'running'").fetchone()[0] >= limit:
                 return None
-            return _claim(table, table.execute("SELECT * FROM jobs WHERE state = 'queued' ORDER BY id").fetchone())
+            return _claim(table, table.execute(f"SELECT * FROM jobs WHERE {_WAITS} ORDER BY id").fetchone())
 
     def beat(self, job_id: int) -> bool:
         """A sign of life from the worker; True when the job has been asked to stop."""
@@ -144,6 +152,17 @@ class JobTable:
             row = table.execute("SELECT * FROM jobs WHERE id = ?", (job_id,)).fetchone()
         return _job(row) if row else None
 
+    def release(self, job_id: int) -> Job | None:
+        """Lets a held job start. None where there is no such job."""
+        with self._database.transaction("start the job") as table:
+            asked = table.execute("SELECT request, title FROM jobs WHERE id = ?", (job_id,)).fetchone()
+            if asked is None:
+                return None
+            _require_editor(table, json.loads(asked["request"]), "start this")
+            if table.execute("UPDATE jobs SET held = '' WHERE id = ? AND held != ''", (job_id,)).rowcount:
+                record(table, "job released", asked["title"], f"job {job_id}")
+            return _job(table.execute("SELECT * FROM jobs WHERE id = ?", (job_id,)).fetchone())
+
     def get(self, job_id: int) -> Job | None:
         """The job, or None where there is none. A dead worker has been noticed."""
         return next(iter(self._read("WHERE id = ?", job_id)), None)
@@ -153,8 +172,8 @@ class JobTable:
         return next(iter(self._read("WHERE key = ? ORDER BY id DESC LIMIT 1", key)), None)
 
     def newest_queued(self) -> int | None:
-        """The id of the newest job that waits, or None."""
-        newest: int | None = self._database.rows("SELECT max(id) FROM jobs WHERE state = 'queued'")[0][0]
+        """The id of the newest job that waits for a worker, or None."""
+        newest: int | None = self._database.rows(f"SELECT max(id) FROM jobs WHERE {_WAITS}")[0][0]
         return newest
 
     def running(self) -> int:

@@ -14,6 +14,7 @@ from core.progress import Report, silent
 from core.workspace.audit import Audit
 from core.workspace.boards import Boards
 from core.workspace.comments import Comments
+from core.workspace.costs import Costs
 from core.workspace.database import Database
 from core.workspace.datasets import DatasetInfo, DatasetStore, Fill, version_token
 from core.workspace.errors import WorkspaceError, plain_errors
@@ -60,6 +61,7 @@ class Workspace:
         self.results = ResultStore(self.path / "results")
         self.uploads = Uploads(self.path / "uploads")
         self.jobs = JobTable(self._database)
+        self.costs = Costs(self._database)
         self.notes = Notes(self._database)
         self.ratings = Ratings(self._database)
         self.properties = PropertyStore(self._database)

@@ -7,6 +7,7 @@ from typing import Any
 
 from core import analyses
 from core.workspace import WorkspaceError
+from webapp.cli.expected import say_expected
 from webapp.cli.progress_bar import progress_bar
 from webapp.cli.sources import open_source, say_left_out, stored_dataset
 
@@ -26,7 +27,9 @@ def result_of(arguments: Namespace, method: str) -> Any:
         if named:
             workspace, name = named
             say_left_out(workspace.open(name), arguments.quiet)
-            return analyses.run(workspace, analyses.Request(name, method, values), report)
+            say_expected(request := analyses.Request(name, method, values), workspace, arguments.quiet)
+            return analyses.run(workspace, request, report)
         dataset = open_source(arguments, report)
         say_left_out(dataset, arguments.quiet)
+        say_expected(analyses.Request(dataset.name, method, values), dataset, arguments.quiet)
         return analyses.compute(dataset, method, values, report)

@@ -63,8 +63,8 @@ class Pulse:
 
     @property
     def busy(self) -> bool:
-        """Whether anything waits or runs."""
-        return any(job.alive for job in self.jobs)
+        """Whether anything waits for a worker or runs."""
+        return any(job.alive and not job.held for job in self.jobs)
 
 
 def layout() -> Component:
@@ -76,7 +76,7 @@ def layout() -> Component:
             dcc.Store(id=names.JOBS_SHOWN),  # the rows; assets/jobs/job_bar.mjs draws them
             dcc.Interval(id=names.JOB_TICK, interval=FAST),
             dcc.Store(id=names.JOB_POKE),  # written when a job was started: the bar then updates immediately
-            dcc.Store(id=names.JOB_ACTION),  # {"action": "cancel" | "retry" | "dismiss", "job": id}
+            dcc.Store(id=names.JOB_ACTION),  # {"action": "start" | "cancel" | "retry" | "dismiss", "job": id}
             dcc.Store(id=names.JOBS_SEEN, data={}),
             dcc.Store(id=names.JOBS_DISMISSED, data=[], storage_type="session"),
             dcc.Store(id=names.JOBS_FINISHED),  # changes when a job ends: results may have appeared
@@ -111,6 +111,8 @@ def stage_words(job: Job) -> str:
     """The stage of a queued or running job, in words."""
     if job.cancelling:
         return "stopping"
+    if job.held:
+        return job.held
     if job.state == "queued":
         return "waiting for its turn"
     stage, mark, count = job.stage.partition(" (")  # "rough search (2 of 6)"
@@ -120,7 +122,13 @@ def stage_words(job: Job) -> str:
 def _alive(job: Job) -> dict:
     running = job.state == "running" and not job.cancelling
     percent = round(100 * job.fraction) if running else None  # None: the duration is unknown
-    return {"id": job.id, "title": job.title, "stage": stage_words(job), "percent": percent, "stopping": job.cancelling}
+    row = {"id": job.id, "title": job.title, "stage": stage_words(job), "percent": percent, "stopping": job.cancelling}
+    return row | {"held": bool(job.held), "expected": expected_words(job.expected)}
+
+
+def expected_words(expected: str) -> str:
+    """What a job will take, with what it is; empty where nobody knows."""
+    return f"expected: {expected}" if expected else ""
 
 
 def _failed(job: Job) -> dict:
@@ -204,6 +212,9 @@ def register(app: Dash, workspace: Workspace) -> None:
         try:
             if action == "cancel":
                 workspace.jobs.cancel(job_id)
+            elif action == "start":
+                workspace.jobs.release(job_id)
+                webapp_jobs.ensure_worker(workspace)
             elif action == "retry":
                 webapp_jobs.restart(workspace, job_id)
             if action in ("retry", "dismiss"):  # a job that is tried again is no longer shown as failed

@@ -40,11 +40,12 @@ def limit() -> int:
 def start(workspace: Workspace, request: Request) -> Job:
     """Enters a request into the job table (or finds the active job for it) and makes sure that a worker runs.
 
+    One that would take very long, or more memory than there is, is held until someone says that it shall start.
     Raises ParameterError, WorkspaceError.
     """
     from core.analyses import submit
 
-    job = submit(workspace, request)
+    job = submit(workspace, request, ask=True)
     ensure_worker(workspace)
     return job
 

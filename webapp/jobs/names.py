@@ -14,13 +14,15 @@ class JobRow(TypedDict):
     stage: NotRequired[str]
     percent: NotRequired[int | None]  # None where the duration is unknown
     stopping: NotRequired[bool]
+    held: NotRequired[bool]  # it starts when someone says so; ``stage`` says why
+    expected: NotRequired[str]  # what it will take; "" where nobody knows
     error: NotRequired[str]
 
 
 class JobAction(TypedDict):
     """What is to be done with a job."""
 
-    action: Literal["cancel", "retry", "dismiss"]
+    action: Literal["start", "cancel", "retry", "dismiss"]
     job: int
     at: NotRequired[float]
 

@@ -8,17 +8,17 @@ from dash.development.base_component import Component
 
 from core.workspace import Job
 from webapp.jobs import names
-from webapp.jobs.job_bar import stage_words
+from webapp.jobs.job_bar import expected_words, stage_words
 from webapp.shell.attributes import attributes
 from webapp.shell.buttons import sends
 from webapp.shell.icons import icon
 
 
 def running(job: Job, title: str, symbol: str, class_name: str = "empty-state running") -> Component:
-    """Stage, progress and Cancel of a job, drawn once; assets/jobs/job_bar.mjs keeps them up to date."""
+    """Stage, progress and buttons of a job, drawn once; assets/jobs/job_bar.mjs keeps them up to date."""
     has_fraction = job.state == "running" and not job.cancelling
     return html.Div(
-        className=class_name,
+        className=f"{class_name} held" if job.held else class_name,
         role="status",
         children=[
             html.Div(icon(symbol, 34), className="empty-icon"),
@@ -30,13 +30,24 @@ def running(job: Job, title: str, symbol: str, class_name: str = "empty-state ru
                 role="progressbar",
                 **attributes(aria_label="Progress of this stage"),
             ),
-            dmc.Button(
-                "Cancel",
-                variant="default",
+            html.Div(expected_words(job.expected), className="job-expected muted number"),
+            dmc.Group(
+                [
+                    dmc.Button(
+                        "Start anyway",
+                        className="job-start for-editors",
+                        **sends(names.JOB_ACTION, {"action": "start", "job": job.id}, every_time=True),
+                    ),
+                    dmc.Button(
+                        "Cancel",
+                        variant="default",
+                        className="job-cancel",
+                        disabled=job.cancelling,
+                        **sends(names.JOB_ACTION, {"action": "cancel", "job": job.id}, every_time=True),
+                    ),
+                ],
+                gap="xs",
                 mt="xs",
-                className="job-cancel",
-                disabled=job.cancelling,
-                **sends(names.JOB_ACTION, {"action": "cancel", "job": job.id}, every_time=True),
             ),
         ],
         **attributes(data_job=str(job.id)),

@@ -85,6 +85,7 @@ class MethodNames(Group):
 
     def __init__(self, page: str):
         self.run = Id(f"{page}-run")
+        self.estimate = Id(f"{page}-estimate")
         self.fold = Id(f"{page}-fold")
         self.summary = Id(f"{page}-summary")
         self.form = Id(f"{page}-form")

@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 from datetime import datetime
+from typing import Any
 
 import dash_mantine_components as dmc
 from dash import ALL, Dash, Input, Output, State, ctx, dcc, html, no_update, set_props
@@ -65,8 +66,10 @@ class MethodPage:
 
 
 def run_button(method: MethodPage) -> Component:
-    """The button in the page's head that computes the result."""
-    return dmc.Button(method.action, id=method.names.run, leftSection=icon(method.run_symbol or method.symbol, 16))
+    """The button in the page's head that computes the result, with what that will take."""
+    button = dmc.Button(method.action, id=method.names.run, leftSection=icon(method.run_symbol or method.symbol, 16))
+    expected = html.Span(id=method.names.estimate, className="run-estimate muted number")
+    return html.Div([expected, button], className="run-with-estimate")
 
 
 def settings_fold(method: MethodPage) -> Component:
@@ -99,6 +102,7 @@ def register(app: Dash, workspace: Workspace, method: MethodPage) -> None:
     """The callbacks of the settings, the button and the status."""
     _form(app, method)
     _run(app, workspace, method)
+    _expect(app, workspace, method)
     _look(app, workspace, method)
 
 
@@ -153,6 +157,31 @@ def _run(app: Dash, workspace: Workspace, method: MethodPage) -> None:
             title = method.refused or f"Cannot do that: {method.title}"
             set_props(NOTICES, {"sendNotifications": [notice(title, str(error), "red")]})
         return no_update, [None] * len(ids)
+
+
+def _expect(app: Dash, workspace: Workspace, method: MethodPage) -> None:
+    control = method.names.control(ALL)
+
+    @app.callback(
+        Output(method.names.estimate, "children"),
+        Input(DATASET, "data"),
+        Input(method.names.settings, "data"),
+        Input(control, "value"),
+        Input(JOBS_FINISHED, "data"),
+        State(control, "id"),
+        State(VIEW, "data"),
+    )
+    def show_estimate(dataset, _settings, values, _finished, ids, view):
+        form_values, problems = read_form(method.shown, ids, values) if ids else ({}, {})
+        shown = {} if problems else settings.view_of(method.page, form_values)
+        return expected_words(workspace, method.page, dataset, {**(view or {}), **shown})
+
+
+def expected_words(workspace: Workspace, page: str, dataset: str | None, view: Mapping[str, Any] | None) -> str:
+    """What the result that a view stands for will take; empty where it is there, or nobody knows."""
+    if not dataset or settings.key_of(workspace, page, dataset, view):
+        return ""
+    return analyses.expected_words(workspace, settings.request_of(page, dataset, view))
 
 
 def ask(workspace: Workspace, page: str, dataset: str | None, values: Mapping[str, object]) -> None:

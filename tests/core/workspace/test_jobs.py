@@ -247,3 +247,15 @@ def test_a_damaged_table_is_said_plainly_and_can_be_replaced(tmp_path):
         Workspace(tmp_path)
     (tmp_path / "workspace.sqlite").rename(tmp_path / "old")
     assert Workspace(tmp_path).jobs.list() == []
+
+
+def test_the_table_of_an_older_workspace_gets_the_columns_that_came_later(tmp_path):
+    path = tmp_path / "old"
+    job = Workspace(path).jobs.submit("aa", {}, "one")
+    with sqlite3.connect(path / "workspace.sqlite") as table:
+        for column in ("expected", "held"):
+            table.execute(f"ALTER TABLE jobs DROP COLUMN {column}")
+        table.execute("DROP TABLE costs")
+    again = Workspace(path)
+    assert again.jobs.get(job.id).held == "" and again.costs.newest() == []
+    assert again.jobs.submit("bb", {}, "two", held="too long").held == "too long"

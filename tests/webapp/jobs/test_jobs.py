@@ -10,13 +10,13 @@ import time
 import psutil
 import pytest
 
-from core import analyses
+from core import analyses, estimates
 from core.workspace import Workspace, WorkspaceError
 from tests import toy_method
 from tests.core.workspace.test_jobs import wait_for
 from tests.toy_method import REPOSITORY, make_dataset
 from webapp import jobs
-from webapp.jobs import launching
+from webapp.jobs import job_bar, launching
 
 
 @pytest.fixture
@@ -172,3 +172,14 @@ def test_celery_is_asked_where_redis_is_set(tmp_path, monkeypatch):
 
     monkeypatch.setenv(launching.REDIS, "redis://localhost:1/0")
     assert isinstance(jobs.background_manager(tmp_path), CeleryManager)
+
+
+def test_a_job_that_would_take_too_much_asks_first(workspace, monkeypatch):
+    monkeypatch.setattr(estimates, "_prior", lambda: {"toy": [(1.0, 1e6, 1e8)]})
+    job = jobs.start(workspace, toy_method.request())
+    assert "This would take" in job.held and not jobs.ensure_worker(workspace)
+    (row,) = job_bar.rows([workspace.jobs.get(job.id)])
+    assert row["held"] and row["stage"] == job.held and row["expected"].startswith("expected:")
+    assert not job_bar.read_pulse(workspace).busy
+    workspace.jobs.release(job.id)
+    assert jobs.ensure_worker(workspace) and ended(workspace, job).state == "done"

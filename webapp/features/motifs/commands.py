@@ -19,6 +19,7 @@ def motifs(arguments: Namespace) -> int:
     """Finds motifs and writes motifs.json; prints the time of each stage, kappa, the memory taken and the metrics."""
     from core import analyses
     from core.mocap.rigs import comparable
+    from webapp.cli.expected import say_expected
     from webapp.cli.sources import open_source, say_left_out, stored_dataset
 
     values = {p.name: getattr(arguments, p.name) for p in analyses.parameters("motifs")}
@@ -33,12 +34,14 @@ def motifs(arguments: Namespace) -> int:
             dataset = workspace.open(name)
             read = time.perf_counter() - started
             request = analyses.Request(name, "motifs", values)
+            say_expected(request, workspace, arguments.quiet)
             graph = analyses.run(workspace, request, report)
             by_id = {motif.id: motif.segments for motif in graph.motifs}
             notes = workspace.notes.of(workspace.info(name).id, analyses.key(workspace, request), by_id)
         else:
             dataset = open_source(arguments, report)
             read = time.perf_counter() - started
+            say_expected(analyses.Request(dataset.name, "motifs", values), dataset, arguments.quiet)
             graph = analyses.compute(dataset, "motifs", values, report)
     say_left_out(dataset, arguments.quiet)
     dataset = comparable(dataset)

@@ -44,11 +44,12 @@ class OnDemand(NamedTuple):
         """For the view's skeleton."""
         return [dcc.Store(id=store) for store in (self.ids.find, self.ids.job, self.ids.shown)]
 
-    def waiting(self, job: Job | None) -> Component:
-        """The content while there is no result: progress, or an invitation to compute it."""
+    def waiting(self, job: Job | None, expected: str = "") -> Component:
+        """The content while there is no result: progress, or an invitation to compute it, which will take what
+        ``expected`` says."""
         if job is not None and job.alive:
             return running(job, self.doing, self.symbol)
-        title, words = self.missing, self.hint
+        title, words = self.missing, f"{self.hint} It takes {expected}." if expected else self.hint
         if job is not None and job.state == "failed":
             title, words = f"{self.doing} failed", job.error
         elif job is not None and job.state == "cancelled":
@@ -100,4 +101,6 @@ def register(app: Dash, workspace: Workspace, part: OnDemand, body: Body) -> Non
         now = [graph_key, scheme, "there" if result else job.state if job else "", job.id if job else 0]
         if now == shown:
             return no_update, no_update
-        return part.frame(part.waiting(job)) if result is None else body(result, name, view, scheme), now
+        return part.frame(part.waiting(job, analyses.expected_words(workspace, request))) if result is None else body(
+            result, name, view, scheme
+        ), now

@@ -18,6 +18,7 @@ from core.progress import Report
 from core.retrieval.queries import Query, hybrid_query, parse_stretch, whole_query
 from core.retrieval.search import SearchIndex
 from core.workspace import WorkspaceError
+from webapp.cli.expected import say_expected
 from webapp.cli.progress_bar import progress_bar
 from webapp.cli.result_files import write_json
 from webapp.cli.sources import open_source, stored_dataset
@@ -88,7 +89,8 @@ def _open(arguments: Namespace, values: Mapping[str, Any], texts, report: Report
         if arguments.clips:
             open_source(arguments, report)  # refuses names that are not there
         reading = time.perf_counter() - started
-        return dataset, analyses.run(workspace, analyses.Request(name, "search", values), report), reading
+        say_expected(request := analyses.Request(name, "search", values), workspace, arguments.quiet)
+        return dataset, analyses.run(workspace, request, report), reading
     if arguments.clips:  # what is searched, and the clips that are searched for
         clips = [_clip_of(text) for pair in texts for text in pair if text is not None and _file(text) is None]
         arguments = Namespace(**vars(arguments) | {"clips": list(dict.fromkeys([*arguments.clips, *clips]))})

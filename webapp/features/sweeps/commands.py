@@ -22,6 +22,7 @@ from core.motifs.sweep import graphs_of
 from core.motifs.sweep_table import SweepTable
 from core.progress import Report
 from core.workspace import WorkspaceError, atomic_file
+from webapp.cli.expected import say_expected
 from webapp.cli.progress_bar import progress_bar
 from webapp.cli.sources import open_source, say_left_out, stored_dataset
 
@@ -85,7 +86,8 @@ def _figures(arguments: Namespace, values: SweepParameters, report: Report) -> l
     if named:
         workspace, name = named
         parameters = {"axes": values.axes, "seeds": values.seeds, "base": values.base}
-        analyses.run(workspace, analyses.Request(name, "sweep", parameters), report)
+        say_expected(request := analyses.Request(name, "sweep", parameters), workspace, arguments.quiet)
+        analyses.run(workspace, request, report)
         dataset = workspace.open(name)
         keys = [analyses.point_key(dataset.fingerprint, point) for point in values.points()]
         figures = read_figures(workspace, dataset, keys)
@@ -95,6 +97,8 @@ def _figures(arguments: Namespace, values: SweepParameters, report: Report) -> l
         return stored
     dataset = open_source(arguments, report)
     say_left_out(dataset, arguments.quiet)
+    asked = {"axes": values.axes, "seeds": values.seeds, "base": values.base}
+    say_expected(analyses.Request(dataset.name, "sweep", asked), dataset, arguments.quiet)
     return _in_memory(comparable(dataset), values.points(), report)
 
 

@@ -7,6 +7,7 @@ from typing import Any
 
 from dash import ALL, Dash, Input, Output, State, ctx, no_update, set_props
 
+from core import analyses
 from core.errors import ParameterError
 from core.mocap.dataset import Dataset
 from core.motifs.axes import SweepParameters
@@ -88,7 +89,8 @@ def _fill(app: Dash, workspace: Workspace) -> None:
             return "" if problems else str(error), *errors
         dataset = _dataset(workspace, name)
         n_ready = reading.table_of(workspace, dataset, sweep).n_ready if dataset else 0
-        return _plan(sweep, n_ready), *errors
+        expected = "" if not name or n_ready else analyses.expected_words(workspace, reading.request_of(name, sweep))
+        return _plan(sweep, n_ready, expected), *errors
 
 
 def _base_values(x_name: str | None, y_name: str | None, view: Mapping[str, str] | None) -> dict[str, Any]:
@@ -97,7 +99,7 @@ def _base_values(x_name: str | None, y_name: str | None, view: Mapping[str, str]
     return {name: value for name, value in values.items() if name not in (x_name, y_name, "seed")}
 
 
-def _plan(sweep: SweepParameters, n_ready: int) -> str:
+def _plan(sweep: SweepParameters, n_ready: int, expected: str) -> str:
     counts = [len(values) for values in sweep.values_of_axes().values()]
     total = sweep.seeds
     for n in counts:
@@ -110,7 +112,7 @@ def _plan(sweep: SweepParameters, n_ready: int) -> str:
         if n_ready == total
         else f", {n_ready} of them there already"
     )
-    return f"{factors} = {total} points{done}."
+    return f"{factors} = {total} points{done}{f'; {expected}' if expected else ''}."
 
 
 def _run(app: Dash, workspace: Workspace) -> None:
