@@ -2,6 +2,7 @@
 import "regenerator-runtime/runtime.js"; // Dash's component libraries expect it as a global
 import "./shell/refusals.mjs"; // before loading.mjs, which takes its place in fetch and leaves it again
 import "./shell/loading.mjs";
+import "./shell/first_picture.mjs";
 import "./shared/downloads.mjs";
 import "./shell/frame.mjs";
 import "./shell/selecting.mjs";

@@ -1,5 +1,8 @@
 """Loading of every page in headless Chromium: requests, bytes sent, and the time until the first useful screen.
 
+The first useful screen shows what the page is about: to be read, and with links to follow. It may come with the HTML
+(webapp/shell/first_picture.py), before the scripts have drawn the page; when they have, is measured as well.
+
 usage: python -m benchmarks.bench_first_screen [--before CHECKOUT] [--runs N] [--pages library,motifs]
 
 The app runs as ``motionscape serve`` runs it, in a process of its own, on a workspace with the demo and its results.
@@ -46,44 +49,59 @@ USEFUL = {  # page -> what must be visible, and what that is in words
 }
 
 # The time is that of the frame which shows it: the second animation frame after it was found in the page.
-WATCH = """(selector) => {
+# In the picture that comes with the HTML, what libraries draw is named in data-until of its place.
+WATCH = """(selector, library) => {
+    const picture = () => {
+        const until = document.getElementById('first-picture')?.dataset.until ?? '';
+        return library !== '' && until.split(' ').includes(library);
+    };
     const there = () => {
         if (selector === 'cytoscape') return document.getElementById('motif-graph')?._cyreg?.cy?.nodes().length > 0;
         return [...document.querySelectorAll(selector)].some((one) => one.getBoundingClientRect().height > 0);
     };
+    const shown = (name) => requestAnimationFrame(() => requestAnimationFrame(() => {
+        window[name] ??= performance.now();
+    }));
+    let readable = false;
     const look = () => {
-        if (!there()) return requestAnimationFrame(look);
-        requestAnimationFrame(() => requestAnimationFrame(() => { window.usefulAfter = performance.now(); }));
+        const drawn = there();
+        if (!readable && (drawn || picture())) { readable = true; shown('usefulAfter'); }
+        if (drawn) return shown('drawnAfter');
+        requestAnimationFrame(look);
     };
     requestAnimationFrame(look);
 }"""
+PICTURED = {"library": "clips-table", "motifs": "motif-graph"}  # page -> what the HTML's picture shows of it
 
 
 @dataclass(frozen=True)
 class Load:
     """One opening of a page: requests that went over the wire, bytes received (compressed, with headers), seconds from
-    the start of the navigation to the first useful screen, and seconds that the page's main thread computed till then.
+    the start of the navigation to the first useful screen and until the scripts have drawn it, and seconds that the
+    page's main thread computed until then.
     """
 
     requests: int
     received: int
     seconds: float
+    drawn: float
     computed: float
 
 
-def open_page(context: BrowserContext, address: str, selector: str) -> Load:
+def open_page(context: BrowserContext, address: str, selector: str, library: str) -> Load:
     """Opens a page in a new tab of the context and closes it when it has loaded."""
     page = context.new_page()
-    page.add_init_script(f"({WATCH})({selector!r})")
+    page.add_init_script(f"({WATCH})({selector!r}, {library!r})")
     wire = Wire(page)
     metrics = context.new_cdp_session(page)
     metrics.send("Performance.enable")
     before = thread_seconds(metrics)
     page.goto(address, wait_until="commit")
-    milliseconds = page.wait_for_function("window.usefulAfter", timeout=PATIENCE).json_value()
+    page.wait_for_function("window.drawnAfter", timeout=PATIENCE)
     computed = thread_seconds(metrics) - before
     wire.wait_until_quiet(page)  # the bar of jobs asks for news every four seconds
-    load = Load(len(wire.addresses), wire.received, milliseconds / 1000, computed)
+    useful, drawn = page.evaluate("[window.usefulAfter, window.drawnAfter]")
+    load = Load(len(wire.addresses), wire.received, useful / 1000, drawn / 1000, computed)
     page.close()
     return load
 
@@ -96,9 +114,7 @@ def thread_seconds(session: CDPSession) -> float:
 def measure(browser: Browser, address: str, page: str) -> tuple[Load, Load]:
     """A page opened in a fresh context (nothing cached), and once more in the same context."""
     context = browser.new_context(viewport=VIEW)
-    selector = USEFUL[page][0]
-    cold = open_page(context, f"{address}/{page}", selector)
-    warm = open_page(context, f"{address}/{page}", selector)
+    cold, warm = (open_page(context, f"{address}/{page}", USEFUL[page][0], PICTURED.get(page, "")) for _ in range(2))
     context.close()
     return cold, warm
 
@@ -152,9 +168,23 @@ def row(page: str, name: str, loads: list[tuple[Load, Load]]) -> str:
             f"{statistics.median(load.received for load in cache) / 1e6:.2f}",
             f"{min(seconds):.2f}",
             f"{statistics.median(seconds):.2f}",
+            f"{statistics.median(load.drawn for load in cache):.2f}",
             f"{statistics.median(load.computed for load in cache):.2f}",
         ]
     return f"| {page} | {name} | {' | '.join(cells)} |"
+
+
+def ratios(loads: dict[tuple[str, str], list[tuple[Load, Load]]]) -> Iterator[str]:
+    """For pages that were measured in two checkouts: medians of the ratios of runs that followed one another."""
+    for page, name in loads:
+        if name != "now" or (page, "before") not in loads:
+            continue
+        pairs = [(old[0], new[0]) for old, new in zip(loads[page, "before"], loads[page, "now"], strict=True)]
+        shares = [
+            f"{statistics.median(getattr(new, what) / getattr(old, what) for old, new in pairs):.2f} ({words})"
+            for what, words in (("seconds", "first useful screen"), ("drawn", "drawn"), ("computed", "CPU"))
+        ]
+        yield f"\n{page}, cold, now / before, medians of {len(pairs)} pairs of runs: {', '.join(shares)}."
 
 
 def report(loads: dict[tuple[str, str], list[tuple[Load, Load]]], version: str, runs: int) -> str:
@@ -167,13 +197,15 @@ def report(loads: dict[tuple[str, str], list[tuple[Load, Load]]], version: str, 
             "`motionscape serve` on localhost with the six minutes of the demo and its motif graph, map and grammar. "
             f"Cold: fresh context, nothing cached; warm: the same page again in a new tab. {runs} runs each; requests "
             "and MB (received over the wire, with headers) are medians, seconds run from the start of the navigation "
-            "to the first useful screen. Machine load at the end: "
+            "to the first useful screen; drawn: until the scripts have drawn it. Machine load at the end: "
             f"{os.getloadavg()[0]:.1f} on {os.cpu_count()} cores. CPU: seconds that the page's main thread computed "
             "until then, which say more where the machine is busy.",
             "",
-            "| page | code | requests | MB | least s | median s | CPU s | warm: requests | MB | least | median | CPU |",
-            "|---|---|---|---|---|---|---|---|---|---|---|---|",
+            "| page | code | requests | MB | least s | median s | drawn s | CPU s "
+            "| warm: requests | MB | least | median | drawn | CPU |",
+            "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|",
             *(row(page, name, found) for (page, name), found in loads.items()),
+            *ratios(loads),
             "",
             "First useful screen: " + "; ".join(f"{page}: {words}" for page, (_, words) in USEFUL.items()) + ".",
             "",

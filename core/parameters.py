@@ -11,6 +11,7 @@ import math
 import types
 from collections.abc import Mapping
 from dataclasses import MISSING, dataclass, field, fields
+from functools import cache
 from typing import Any, Literal, Union, get_args, get_origin, get_type_hints
 
 from core.errors import ParameterError
@@ -100,6 +101,7 @@ def write_value(value: Any) -> str:
     return repr(value).removesuffix(".0") if isinstance(value, float) else str(value)
 
 
+@cache
 def parameters_of(kind: type) -> tuple[Parameter, ...]:
     """The parameters that the dataclass ``kind`` describes, in its order. Raises TypeError for other annotations."""
     hints = get_type_hints(kind)

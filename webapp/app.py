@@ -16,6 +16,7 @@ from webapp.shell.loading import LoadingDash
 from webapp.shell.uploads import Limits, upload_blueprint
 from webapp.stage import player
 from webapp.stage import routes as stage_routes
+from webapp.ui.first_table import first_table
 
 
 def create_app(workspace_path: str | Path, *, token: str | None = None) -> LoadingDash:
@@ -44,6 +45,9 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> Loadi
         | job_bar.first_values(workspace)
         | person_menu.first_values(workspace)
     )
+    app.drawings = {"AgGrid": first_table}
+    for feature in features():
+        app.drawings |= feature.drawings
     marks = all_marks()
     access.protect(app.server, workspace, token, lambda: mark_of_request(app, marks))
     compression.register(app.server)

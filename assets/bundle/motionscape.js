@@ -553,6 +553,7 @@
   // shared/ids.mjs
   var LOADING = "loading";
   var FIRST_LAYOUT = "first-layout";
+  var FIRST_PICTURE = "first-picture";
   var FIRST_DEPENDENCIES = "first-dependencies";
   var SHELL = "shell";
   var PAGE = "page";
@@ -819,6 +820,32 @@
   for (const [namespace, suite] of Object.entries(suites)) standIn(namespace, suite);
   if (plotly) plotlyLater();
   for (const kind of ["pointerover", "focusin"]) document.addEventListener(kind, fetchAhead, { passive: true });
+
+  // shell/first_picture.mjs
+  var PATIENCE = 15e3;
+  var DRAWN = ".ag-row, .ag-overlay-wrapper, .main-svg";
+  function drawn(id) {
+    const place5 = find(id);
+    return place5 !== null && (place5.dataset.drawn !== void 0 || place5.querySelector(DRAWN) !== null);
+  }
+  function watch(picture2) {
+    const awaited2 = (picture2.dataset.until || "").split(" ").filter(Boolean);
+    let wanted2 = true;
+    const look2 = () => {
+      const stands = find(PAGE)?.firstElementChild;
+      if (stands && !picture2.classList.contains("passed")) {
+        picture2.classList.add("passed");
+        for (const kind of ["pointerdown", "keydown"]) document.addEventListener(kind, () => {
+          wanted2 = false;
+        }, { once: true });
+      }
+      if (wanted2 && performance.now() < PATIENCE && !(stands && awaited2.every(drawn))) return requestAnimationFrame(look2);
+      requestAnimationFrame(() => picture2.remove());
+    };
+    look2();
+  }
+  var picture = find(FIRST_PICTURE);
+  if (picture) watch(picture);
 
   // shared/grid.mjs
   var gridFunctions = window.dashAgGridFunctions ||= {};
@@ -3750,7 +3777,7 @@
 
   // stage/ahead.mjs
   var REST = 90;
-  var PATIENCE = 400;
+  var PATIENCE2 = 400;
   var KEPT = 15e3;
   var OTHER = ["motifs", "motif", "motion", "edge", "transition", "action", "segment", "clip", "start", "end", "as", "time", "speed", "layout", "camera"];
   var requests = /* @__PURE__ */ new Map();
@@ -3800,7 +3827,7 @@
       if (usable(selection)) current = play(selection);
     },
     /** Until what was played last is on the Stage, but not for long: work that can wait leaves the browser free. */
-    settled: () => Promise.race([current, new Promise((done) => setTimeout(done, PATIENCE))])
+    settled: () => Promise.race([current, new Promise((done) => setTimeout(done, PATIENCE2))])
   };
   async function play(selection) {
     const mine2 = ++turn;
@@ -4602,8 +4629,8 @@
   function renewPicture(id, address2) {
     window.setTimeout(async () => {
       if (location.pathname !== new URL(address2, location.href).pathname || document.visibilityState !== "visible") return;
-      const picture = await pictureOfPage().catch(() => "");
-      if (picture) await ask3(`views/${id}`, { action: "picture", picture }).catch(() => void 0);
+      const picture2 = await pictureOfPage().catch(() => "");
+      if (picture2) await ask3(`views/${id}`, { action: "picture", picture: picture2 }).catch(() => void 0);
     }, SETTLED);
   }
   async function pictureOfPage() {
@@ -4775,13 +4802,13 @@
     say(`“${board.title}” was deleted.`, () => change(board.id, { action: "undelete" }).then(again));
   }
   function viewCard(saved, again) {
-    const picture = withAttributes(element("img", "boards-picture"), { src: saved.picture, alt: "", loading: "lazy" });
-    picture.addEventListener("error", () => picture.replaceWith(element("div", "boards-picture boards-no-picture", new URL(saved.address, location.href).pathname.slice(1))));
+    const picture2 = withAttributes(element("img", "boards-picture"), { src: saved.picture, alt: "", loading: "lazy" });
+    picture2.addEventListener("error", () => picture2.replaceWith(element("div", "boards-picture boards-no-picture", new URL(saved.address, location.href).pathname.slice(1))));
     const open6 = button2("", () => {
       followLink(saved.address);
       renewPicture(saved.id, saved.address);
     }, "boards-open");
-    open6.append(picture, element("strong", "ellipsis", saved.title));
+    open6.append(picture2, element("strong", "ellipsis", saved.title));
     if (saved.note) open6.title = saved.note;
     const about = [saved.author, ago(saved.updated), ...saved.tags.map((tag) => `#${tag}`)].filter(Boolean).join(" · ");
     const act2 = (body2) => ask3(`views/${saved.id}`, body2).then(again, (error) => say(error.message));
@@ -5275,12 +5302,12 @@
   document.addEventListener("click", async (event) => {
     if (!closest(event, `#${SAVE_VIEW}`)) return;
     const address2 = location.pathname + location.search;
-    const picture = await pictureOfPage().catch(() => "");
+    const picture2 = await pictureOfPage().catch(() => "");
     const title = find(PAGE)?.querySelector("h1, h2")?.textContent ?? "";
     const name = { name: "author", label: "Your name", value: person.name, hint: "where the server does not know it" };
     openForm("Save this view", [...viewFields({ title }), name], "Save", async (values) => {
       if (values.author.trim()) person.name = values.author;
-      await ask3("views", { ...values, address: address2, picture, tags: tagsOf(values.tags) });
+      await ask3("views", { ...values, address: address2, picture: picture2, tags: tagsOf(values.tags) });
       notify("View saved", "It is listed on the Boards page.", "accent");
     });
   });
@@ -5569,8 +5596,8 @@
     });
     return { recolour: () => player2.recolour(), close: () => player2.close() };
   }
-  function drawView(place5, { title, note, tags, address: address2, author, picture }, context) {
-    const image = picture ? withAttributes(element("img", "block-view-picture"), { src: picture, alt: `Picture of ${title}` }) : null;
+  function drawView(place5, { title, note, tags, address: address2, author, picture: picture2 }, context) {
+    const image = picture2 ? withAttributes(element("img", "block-view-picture"), { src: picture2, alt: `Picture of ${title}` }) : null;
     const link2 = context.opens ? withAttributes(element("a", "text-link", title), { href: address2 }) : element("strong", "", title);
     place5.append(element("div", "block-view", image, link2, note && element("p", "", note), element("p", "muted", [author, ...tags.map((tag) => `#${tag}`)].filter(Boolean).join(" · "))));
     return {};
@@ -5641,7 +5668,7 @@
   var isFaint = (among2, clip) => among2 !== null && !among2.has(clip);
   function drawRows(place5, tracks) {
     const longest2 = Math.max(...tracks.map(({ seconds }) => seconds), 1e-9);
-    const drawn7 = [];
+    const drawn8 = [];
     const rows2 = tracks.map((track) => {
       const height = Math.max(track.lanes.length, 1) * (LANE2 + GAP);
       const svg = svgElement("svg", { class: "block-track", viewBox: `0 0 1000 ${height}`, height, preserveAspectRatio: "none" });
@@ -5652,7 +5679,7 @@
           tipOn(node, () => [stretch.tip]);
           asButton(node, stretch.tip, stretch.choose);
           node.setAttribute("tabindex", "-1");
-          drawn7.push([stretch, node]);
+          drawn8.push([stretch, node]);
           svg.append(node);
         }
       });
@@ -5662,8 +5689,8 @@
     });
     place5.append(element("div", "block-rows", ...rows2.map(({ node }) => node)));
     return (keys, clip, among2 = null) => {
-      const some = drawn7.some(([{ key }]) => keys.has(key));
-      for (const [{ key }, node] of drawn7) node.classList.toggle("faint", some && !keys.has(key));
+      const some = drawn8.some(([{ key }]) => keys.has(key));
+      for (const [{ key }, node] of drawn8) node.classList.toggle("faint", some && !keys.has(key));
       for (const row7 of rows2) {
         row7.node.classList.toggle("chosen", row7.clip === clip);
         row7.node.classList.toggle("faint", isFaint(among2, row7.clip));
@@ -5711,9 +5738,9 @@
 
   // blocks/table.mjs
   function tableRow(cells, strip, name, act2) {
-    const picture = element("td", "block-strip");
-    picture.innerHTML = strip;
-    return asButton(element("tr", "", ...cells.map((cell2, k) => element("td", k && k < 4 ? "number" : "", cell2 || " ")), picture), name, act2);
+    const picture2 = element("td", "block-strip");
+    picture2.innerHTML = strip;
+    return asButton(element("tr", "", ...cells.map((cell2, k) => element("td", k && k < 4 ? "number" : "", cell2 || " ")), picture2), name, act2);
   }
   function tableOf(heads, rows2, note) {
     return element("div", "block-table", element("table", "", element("thead", "", element("tr", "", ...heads.map((head3, k) => element("th", k && k < 4 ? "number" : "", head3)))), element("tbody", "", ...rows2)), note && element("p", "muted", note));
@@ -5916,8 +5943,8 @@
     place5.append(svg, zoom4);
     const paint2 = () => {
       icons.innerHTML = content.icons[context.dark() ? "dark" : "light"];
-      const picture = icons.firstElementChild;
-      for (const [name, value] of Object.entries({ x: -0.5, y: -0.5, width: nx, height: ny })) picture?.setAttribute(name, String(value));
+      const picture2 = icons.firstElementChild;
+      for (const [name, value] of Object.entries({ x: -0.5, y: -0.5, width: nx, height: ny })) picture2?.setAttribute(name, String(value));
     };
     paint2();
     let current3 = -1;
@@ -6063,11 +6090,11 @@
       { class: "block-motif", transform: `translate(${motif.place[0]} ${motif.place[1]})` },
       svgElement("rect", { x: -w / 2, y: -h / 2, width: w, height: h, rx: 8, stroke: motif.part })
     );
-    const picture = svgElement("g", {});
-    picture.innerHTML = motif.icon;
-    const icon2 = picture.firstElementChild;
+    const picture2 = svgElement("g", {});
+    picture2.innerHTML = motif.icon;
+    const icon2 = picture2.firstElementChild;
     if (icon2) withAttributes(icon2, { x: -side / 2, y: -side / 2, width: side, height: side, "aria-hidden": "true" });
-    node.append(picture, svgElement("text", { y: h / 2 + 15, "text-anchor": "middle" }, `${motif.id} · ${motif.count}×`));
+    node.append(picture2, svgElement("text", { y: h / 2 + 15, "text-anchor": "middle" }, `${motif.id} · ${motif.count}×`));
     tipOn(node, () => factsOf(motif));
     return asButton(node, factsOf(motif).join(", "), () => choose(context, motif));
   }
@@ -7784,9 +7811,9 @@
   var actions = {
     mean: () => now.values.fill(evenWeight(now.values.length)),
     random() {
-      const drawn7 = now.values.map(() => -Math.log(Math.max(Math.random(), 1e-9)));
-      const scale3 = now.values.length > 3 ? Math.max(...drawn7) : sum(drawn7);
-      now.values = drawn7.map((value) => Math.round(value / scale3 * 100) / 100);
+      const drawn8 = now.values.map(() => -Math.log(Math.max(Math.random(), 1e-9)));
+      const scale3 = now.values.length > 3 ? Math.max(...drawn8) : sum(drawn8);
+      now.values = drawn8.map((value) => Math.round(value / scale3 * 100) / 100);
     },
     sources() {
       now.sources = !now.sources;
@@ -7962,7 +7989,7 @@
     for (const node of allWithin(box4, ".flow-bar, .flow-ribbon")) node.classList.toggle("chosen", Boolean(touches(node)));
   }
   var watched = /* @__PURE__ */ new WeakSet();
-  function watch(box4) {
+  function watch2(box4) {
     if (watched.has(box4)) return;
     watched.add(box4);
     let width = 0;
@@ -7977,7 +8004,7 @@
       shown4 = data2 && { data: data2, selection, gained: (view4 || {}).gained };
       const box4 = find(COMPARE_FLOW);
       if (!data2 || !box4) return clientside.no_update;
-      watch(box4);
+      watch2(box4);
       draw4();
       return clientside.no_update;
     },
@@ -8032,7 +8059,7 @@
   }
   var selectionOf = (element2) => element2.isNode() ? { motif: element2.data("motif") } : { edge: element2.data("edge") };
   var watched2 = /* @__PURE__ */ new WeakSet();
-  function watch2(cy) {
+  function watch3(cy) {
     if (watched2.has(cy)) return;
     watched2.add(cy);
     const box4 = cy.container();
@@ -8101,11 +8128,11 @@
     });
   }
   var SHARPNESS = 3;
-  var drawn = /* @__PURE__ */ new Map();
+  var drawn2 = /* @__PURE__ */ new Map();
   function pixels(address2, width, height) {
     const key = `${width}x${height} ${address2}`;
-    if (!drawn.has(key)) {
-      drawn.set(key, new Promise((resolve) => {
+    if (!drawn2.has(key)) {
+      drawn2.set(key, new Promise((resolve) => {
         const image = new Image();
         image.onload = () => {
           const scale3 = SHARPNESS * Math.min(width / image.width, height / image.height);
@@ -8119,15 +8146,17 @@
         image.src = address2;
       }));
     }
-    return drawn.get(key);
+    return drawn2.get(key);
   }
   async function rasterise(cy) {
     const field = "icon_" + (document.documentElement.dataset.mantineColorScheme || "light");
     const vector = cy.nodes().filter((node) => (node.data(field) || "").startsWith("data:image/svg"));
     const images = await Promise.all(vector.map((node) => pixels(node.data(field), node.data("width"), node.data("height"))));
-    if (!cy.destroyed()) cy.batch(() => vector.forEach((node, i) => {
+    if (cy.destroyed()) return;
+    cy.batch(() => vector.forEach((node, i) => {
       node.data(field, images[i]);
     }));
+    cy.container().dataset.drawn = "yes";
   }
   function zoom2(cy, factor) {
     const box4 = cy.container().getBoundingClientRect();
@@ -8150,7 +8179,7 @@
     async mark(selection, threshold) {
       const cy = await graphReady();
       if (!cy) return clientside.no_update;
-      watch2(cy);
+      watch3(cy);
       rasterise(cy);
       const label = find(EDGE_FILTER_LABEL);
       if (label) label.textContent = `Transitions seen at least ${threshold || 1}×`;
@@ -8192,9 +8221,9 @@
     button5.dataset.store = SELECTION;
     button5.dataset.value = JSON.stringify(selection);
     button5.setAttribute("aria-pressed", String(chosen3));
-    const picture = element("img", "motion-strip");
-    Object.assign(picture, { loading: "lazy", alt: "", draggable: false, src: strip });
-    button5.append(icon("play"), element("span", "ellipsis motion-clip", brief), element("span", "muted number motion-time", when), picture);
+    const picture2 = element("img", "motion-strip");
+    Object.assign(picture2, { loading: "lazy", alt: "", draggable: false, src: strip });
+    button5.append(icon("play"), element("span", "ellipsis motion-clip", brief), element("span", "muted number motion-time", when), picture2);
     return button5;
   }
   register("motions", {
@@ -8265,7 +8294,7 @@
     node.addClass("rated");
   }
   var watched3 = /* @__PURE__ */ new WeakSet();
-  function watch3(cy) {
+  function watch4(cy) {
     if (watched3.has(cy)) return;
     watched3.add(cy);
     cy.on("data", "node[motif >= 0]", (event) => rate(event.target));
@@ -8288,7 +8317,7 @@
       if (place5 && shown5) place5.textContent = words3((selection || {}).motif);
       const cy = await graphReady();
       if (!cy) return clientside.no_update;
-      watch3(cy);
+      watch4(cy);
       cy.batch(() => {
         if (shown5) cy.nodes("[motif >= 0]").forEach(rate);
         else cy.nodes(".rated").removeClass("rated");
@@ -8435,12 +8464,12 @@
     }
   }
   setInterval(cursor, 80);
-  var drawn2 = null;
+  var drawn3 = null;
   function drawing4(selection) {
-    if (!drawn2) return null;
+    if (!drawn3) return null;
     const motif = selection && selection.motif !== void 0 ? { motif: String(selection.motif) } : null;
     const scheme = document.documentElement.dataset.mantineColorScheme || "light";
-    return `${drawn2.data.drawing}&${new URLSearchParams({ order: drawn2.order, scale: drawn2.scale, ...motif, scheme })}`;
+    return `${drawn3.data.drawing}&${new URLSearchParams({ order: drawn3.order, scale: drawn3.scale, ...motif, scheme })}`;
   }
   var chosen2 = null;
   drawings.timeline = () => drawing4(chosen2);
@@ -8448,9 +8477,9 @@
     const box4 = find(TIMELINE_ROWS);
     if (!box4 || !data2) return clientside.no_update;
     const wanted2 = { data: data2, order, scale: scale3, motif: order === "chosen" ? (selection || {}).motif : null };
-    const same4 = drawn2 && box4.firstChild && data2 === drawn2.data && order === drawn2.order && scale3 === drawn2.scale && wanted2.motif === drawn2.motif;
+    const same4 = drawn3 && box4.firstChild && data2 === drawn3.data && order === drawn3.order && scale3 === drawn3.scale && wanted2.motif === drawn3.motif;
     if (!same4) {
-      drawn2 = wanted2;
+      drawn3 = wanted2;
       const longest2 = Math.max(...data2.rows.map((clip) => clip.seconds), 1e-3);
       const rows2 = ordered(data2.rows, order, (selection || {}).motif);
       box4.classList.toggle("labelled", data2.actions.length > 0);
@@ -8464,7 +8493,7 @@
     draw: draw5,
     /** @param {Selection | null} selection @param {string} order */
     mark(selection, order) {
-      if (drawn2 && order === "chosen") draw5(drawn2.data, order, drawn2.scale, selection);
+      if (drawn3 && order === "chosen") draw5(drawn3.data, order, drawn3.scale, selection);
       const box4 = find(TIMELINE_ROWS);
       if (box4) mark2(box4, selection);
       return clientside.no_update;
@@ -8493,7 +8522,7 @@
 
   // motifs/walk_graph.mjs
   var watched4 = /* @__PURE__ */ new WeakSet();
-  function watch4(cy, steps2) {
+  function watch5(cy, steps2) {
     if (watched4.has(cy)) return;
     watched4.add(cy);
     cy.on("tap", "node", (event) => walking.on && steps2.add(event.target.data("motif")));
@@ -8513,7 +8542,7 @@
     const mine2 = ++turn2;
     const cy = await graphReady(on2 ? 100 : 1);
     if (!cy || mine2 !== turn2) return;
-    watch4(cy, steps2);
+    watch5(cy, steps2);
     const links = new Set((data2.path || []).slice(1).map((motif, i) => `${data2.path?.[i]}-${motif}`));
     const wanted2 = on2 ? (data2.further || []).filter(([a, b]) => cy.getElementById(`m${a}`).nonempty() && cy.getElementById(`m${b}`).nonempty()) : [];
     const kept = new Set(wanted2.map(([a, b]) => `w${a}-${b}`));
@@ -8604,7 +8633,7 @@
     item.append(box4);
     return item;
   }
-  function watch5(list3) {
+  function watch6(list3) {
     if (list3.dataset.watched) return;
     list3.dataset.watched = "yes";
     let held = null;
@@ -8632,7 +8661,7 @@
     });
   }
   function drawPath(list3, data2, actions4) {
-    watch5(list3);
+    watch6(list3);
     path.ids = data2.path || [];
     path.actions = actions4;
     const stamp = JSON.stringify([data2.path, data2.kinds, data2.gap, data2.dead, data2.motifs]);
@@ -9065,13 +9094,13 @@
   };
   function setup() {
     const queries = data.queries.map(({ name: name2, clip, when, strip }) => {
-      const picture = element("img", "study-strip");
-      Object.assign(picture, { src: strip, alt: "", draggable: false });
+      const picture2 = element("img", "study-strip");
+      Object.assign(picture2, { src: strip, alt: "", draggable: false });
       const away = button3(icon("close", 12), "remove", "search-tool");
       away.dataset.name = name2;
       away.title = `Leave ${clip} out`;
       away.setAttribute("aria-label", away.title);
-      return element("div", "study-query", picture, element("span", "study-query-words", element("b", "ellipsis", clip), element("span", "muted", when)), away);
+      return element("div", "study-query", picture2, element("span", "study-query-words", element("b", "ellipsis", clip), element("span", "muted", when)), away);
     });
     const engines = data.engines.map(({ method, label: label2, ready: ready2 }) => {
       if (ready2) return element("span", "study-engine", icon("check", 13), label2);
@@ -9175,10 +9204,10 @@
     step2(1);
   }
   function send() {
-    if (!pending.length || !find(STUDY_RATE) || sent && Date.now() - sent < PATIENCE2) return;
+    if (!pending.length || !find(STUDY_RATE) || sent && Date.now() - sent < PATIENCE3) return;
     sent = Date.now();
     setStore(STUDY_ANSWER, { answers: [...pending], at: sent });
-    setTimeout(send, PATIENCE2);
+    setTimeout(send, PATIENCE3);
   }
   function step2(by) {
     const which = mode();
@@ -9191,7 +9220,7 @@
     const same4 = before2[number2] && before2.length === all.length && nameOf2(before2[number2]) === nameOf2(all[number2]);
     return same4 ? number2 : Math.max(all.findIndex((row7) => !row7.value), 0);
   }
-  var PATIENCE2 = 2e4;
+  var PATIENCE3 = 2e4;
   var pending = [];
   var sent = 0;
   var person2 = {};
@@ -10781,15 +10810,15 @@
       made.setAttribute("aria-pressed", String(on2));
       const when = `${clock(segment.start / fps)} to ${clock(segment.end / fps)}`;
       made.title = `Play ${segment.clip}, ${when}; postures ${hit.distance.toFixed(2)} m from the keys`;
-      const picture = element("img", "motion-strip");
+      const picture2 = element("img", "motion-strip");
       const query = new URLSearchParams({ start: String(segment.start), end: String(segment.end), n: "5", v: version });
       const address2 = `/api/filmstrip/${encodeURIComponent(dataset2)}/${segment.clip.split("/").map(encodeURIComponent).join("/")}?${query}`;
-      Object.assign(picture, { loading: "lazy", alt: "", draggable: false, src: address2 });
+      Object.assign(picture2, { loading: "lazy", alt: "", draggable: false, src: address2 });
       made.append(
         element("span", "map-rank number muted", String(k + 1)),
         element("span", "ellipsis motion-clip", segment.clip),
         element("span", "muted number motion-time", when),
-        picture
+        picture2
       );
       return made;
     };
@@ -11120,7 +11149,7 @@
     state.hits = answer2.error ? [] : answer2;
     refresh2();
   }
-  function drawn3(points) {
+  function drawn4(points) {
     const step3 = Math.max(1, Math.ceil(points.length / 24));
     const few = points.filter((_, k) => k % step3 === 0 || k === points.length - 1);
     const path2 = few.map((point) => point.map((value) => Math.max(value, 0).toFixed(1)).join("-")).join(",");
@@ -11171,7 +11200,7 @@
       choose: choose4,
       undo: () => state.keys.length && setKeys(state.keys.slice(0, -1)),
       draws: () => state.mode === "draw",
-      path: drawn3
+      path: drawn4
     });
     state.follower = new Follower(state.overlay);
     const slider2 = Object.assign(document.createElement("input"), { type: "range", id: MAP_REACH, className: "map-slider", min: 0, step: 0.01, value: 0 });
@@ -11460,7 +11489,7 @@
     /** @type {any} */
     null
   );
-  var drawn4 = "";
+  var drawn5 = "";
   var waiting2 = 0;
   var total2 = () => Object.values(raw).reduce((sum2, value) => sum2 + value, 0);
   var share = (leaf) => raw[leaf] / Math.max(total2(), 1e-9);
@@ -11605,16 +11634,16 @@
     if (!box4) return;
     if (!box4.firstChild) {
       build(box4);
-      drawn4 = "";
+      drawn5 = "";
     }
     const pieces = now5.found && now5.found.pieces || [];
     if (pieces.length < 2) mode2 = "weights";
     else if (pieces.length !== Number(box4.dataset.pieces || 0)) mode2 = "pieces";
     box4.dataset.pieces = String(pieces.length);
     const text = now5.view.parts || "";
-    if (!raw || text !== drawn4 && !waiting2) {
+    if (!raw || text !== drawn5 && !waiting2) {
       raw = readWeights(text, now5.body);
-      drawn4 = text;
+      drawn5 = text;
     }
     paint();
   };
@@ -11806,15 +11835,15 @@
     const made = element("div", "search-hit");
     made.setAttribute("role", "listitem");
     made.dataset.hit = hit.name;
-    const picture = element("img", "search-strip");
-    Object.assign(picture, { src: hit.strip, alt: "", loading: "lazy", draggable: false });
+    const picture2 = element("img", "search-strip");
+    Object.assign(picture2, { src: hit.strip, alt: "", loading: "lazy", draggable: false });
     const bar = element("span", "search-score-bar");
     bar.style.setProperty("--share", String(Math.min(Math.max(hit.score, 0), 1)));
     const score = element("span", "search-score", bar, element("b", "number", scoreWords(hit.score, chances)));
     if (chances) score.title = "The chance that people would call this the same action";
     const facts = element("span", "search-facts muted", [hit.when, hit.label].filter(Boolean).join(" · "));
     const words4 = element("span", "search-words", element("span", "search-name ellipsis", hit.clip), facts, score);
-    const open6 = element("button", "search-open", element("span", "search-rank number", String(hit.rank)), picture, words4);
+    const open6 = element("button", "search-open", element("span", "search-rank number", String(hit.rank)), picture2, words4);
     open6.type = "button";
     open6.title = `Compare with the query on the Stage: ${hit.clip}, frames ${hit.start} to ${hit.end}`;
     const canvas = element("canvas", "search-why");
@@ -11847,7 +11876,7 @@
       element("span", "search-key muted", "which parts match when: ", element("i", "search-key-none"), " not at all", element("i", "search-key-full"), " alike")
     );
   }
-  var drawn5 = "";
+  var drawn6 = "";
   var drawHits3 = () => {
     const box4 = find(SEARCH_HITS);
     if (!box4) return;
@@ -11859,13 +11888,13 @@
     box4.classList.toggle("hidden", !ready2);
     title.classList.toggle("hidden", !ready2);
     if (!ready2) {
-      drawn5 = "";
+      drawn6 = "";
       box4.replaceChildren();
       return;
     }
     const mark3 = JSON.stringify([found.inputs, now5.scheme]);
-    if (mark3 !== drawn5 || !box4.firstChild) {
-      drawn5 = mark3;
+    if (mark3 !== drawn6 || !box4.firstChild) {
+      drawn6 = mark3;
       head2(title, found);
       const rows2 = found.hits.map((hit) => hitRow(hit, Boolean(found.chances)));
       box4.replaceChildren(...rows2);
@@ -12127,12 +12156,12 @@
     for (let k = 0; k < PICTURES; k++) {
       const start3 = Math.round(from + k * step3);
       const end = Math.max(Math.round(from + (k + 1) * step3), start3 + 1);
-      const picture = element("img");
+      const picture2 = element("img");
       const pairs = new URLSearchParams({ start: String(start3), end: String(Math.min(end, piece.frames)), n: "1", v: piece.version.slice(0, 8) });
-      picture.src = `/api/filmstrip/${encodeURIComponent(piece.source)}/${encodeURIComponent(piece.clip)}?${pairs}`;
-      picture.alt = "";
-      picture.draggable = false;
-      box4.append(picture);
+      picture2.src = `/api/filmstrip/${encodeURIComponent(piece.source)}/${encodeURIComponent(piece.clip)}?${pairs}`;
+      picture2.alt = "";
+      picture2.draggable = false;
+      box4.append(picture2);
     }
     return box4;
   }
@@ -12329,15 +12358,15 @@
 
   // search/sources.mjs
   var clipCalled = (name) => now5.clips && now5.clips.clips.find((clip) => clip[0] === name);
-  var drawn6 = "";
+  var drawn7 = "";
   var dragged = null;
   var drawSources = () => {
     const box4 = need(SEARCH_SOURCES);
     const pieces = now5.found && now5.found.pieces || [];
     const mark3 = JSON.stringify([now5.clips && [now5.clips.dataset, now5.clips.version, now5.clips.clips.length], pieces.map((p) => [p.dataset, p.clip, p.version, p.gives, p.labels.length, shownOf(p)])]);
-    if (mark3 !== drawn6 || !box4.firstChild) {
+    if (mark3 !== drawn7 || !box4.firstChild) {
       const focus2 = document.activeElement && box4.contains(document.activeElement) ? [closest({ target: document.activeElement }, ".search-source")?.dataset.index, document.activeElement.className] : null;
-      drawn6 = mark3;
+      drawn7 = mark3;
       now5.active = Math.min(now5.active, Math.max(pieces.length - 1, 0));
       box4.replaceChildren(...pieces.length ? pieces.map((piece, k) => sourceRow(piece, k, pieces.length > 1)) : [emptyRow()]);
       const again = focus2 && focus2[1] && allWithin(box4, `[data-index="${focus2[0]}"] *`).find((one) => one.className === focus2[1]);

@@ -138,7 +138,9 @@ async function rasterise(cy) {
   const field = "icon_" + (document.documentElement.dataset.mantineColorScheme || "light");
   const vector = cy.nodes().filter((node) => (node.data(field) || "").startsWith("data:image/svg"));
   const images = await Promise.all(vector.map((node) => pixels(node.data(field), node.data("width"), node.data("height"))));
-  if (!cy.destroyed()) cy.batch(() => vector.forEach((node, i) => { node.data(field, images[i]); }));
+  if (cy.destroyed()) return;
+  cy.batch(() => vector.forEach((node, i) => { node.data(field, images[i]); }));
+  cy.container().dataset.drawn = "yes"; // for shell/first_picture.mjs
 }
 
 /** @param {Cytoscape} cy @param {number} factor */

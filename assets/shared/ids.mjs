@@ -124,6 +124,7 @@
 
 export const LOADING = "loading";
 export const FIRST_LAYOUT = "first-layout";
+export const FIRST_PICTURE = "first-picture";
 export const FIRST_DEPENDENCIES = "first-dependencies";
 export const MOTIFS_RUN = "motifs-run";
 export const MOTIFS_ESTIMATE = "motifs-estimate";

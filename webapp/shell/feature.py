@@ -146,6 +146,7 @@ class Feature:
     shows: what it begins with, of "table", "chart" and "graph": their libraries are fetched with the page (loading.py).
     first_values: what the page shows of a dataset and a view (data of the stores), for the HTML that the browser gets
     first: id of a component -> its properties. Callbacks that fill the same places must then leave them as they are.
+    drawings: id of a component that a library draws -> how the page's first picture draws it (first_picture.py).
     keys: of its links. methods: name of the settings in the link -> the method they belong to; ``<name>-<parameter>``.
     on_every_page: those of these names whose settings stand in the links of all pages, as ``<parameter>`` alone.
     routes: the blueprints it serves. stores: components that stay when another page is opened.
@@ -165,6 +166,7 @@ class Feature:
     register: Callable[[Dash, Workspace], None]
     shows: tuple[str, ...] = ()
     first_values: Callable[[Workspace, str, Mapping[str, str]], Values] = lambda workspace, dataset, view: {}
+    drawings: Mapping[str, Callable[[Mapping[str, Any], str], str]] = field(default_factory=lambda: NOTHING)
     keys: LinkKeys = LinkKeys()
     methods: Mapping[str, str] = field(default_factory=lambda: NOTHING)
     on_every_page: tuple[str, ...] = ()

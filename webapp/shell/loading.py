@@ -18,9 +18,9 @@ import dash
 from flask import request
 from plotly.utils import PlotlyJSONEncoder
 
-from webapp.shell import links
+from webapp.shell import first_picture, links
 from webapp.shell.assets import VENDOR
-from webapp.shell.names import FIRST_DEPENDENCIES, FIRST_LAYOUT, LOADING
+from webapp.shell.names import FIRST_DEPENDENCIES, FIRST_LAYOUT, LOADING, URL
 from webapp.shell.state import Values
 from webapp.shell.stores import CheckedDash
 
@@ -39,20 +39,23 @@ class LoadingDash(CheckedDash):
 
     shown_at_once: path of a page -> what it begins with, of "table", "chart" and "graph".
     first_values: pathname and search of an address -> properties of the layout's components, by id, that show it.
+    drawings: how the first picture of a page draws a kind of component or the one of an id (first_picture.py).
     """
 
     shown_at_once: Mapping[str, Sequence[str]] = {}
     first_values: Callable[[str, str], Values] = staticmethod(lambda pathname, search: {})
+    drawings: Mapping[str, first_picture.Draw] = {}
 
     def interpolate_index(self, *_: Any, **parts: Any) -> str:
         """The page's HTML. Raises RuntimeError where Dash writes its scripts otherwise than this module knows."""
         scripts, later = split_scripts(parts["scripts"])
         addresses = self._addresses(later)
         pages = {page: [a for kind in kinds for a in addresses[kind]] for page, kinds in self.shown_at_once.items()}
+        layout, shown = self._first_layout()
         loading = {"suites": _suites(later), "plotly": addresses["chart"][-1], "pages": pages}
         parts["scripts"] = "\n".join(
             [
-                _data(FIRST_LAYOUT, self._first_layout()),
+                _data(FIRST_LAYOUT, json.dumps(layout)),
                 _data(FIRST_DEPENDENCIES, self.dependencies().get_data(as_text=True)),
                 _data(LOADING, json.dumps(loading)),
                 *scripts,
@@ -60,12 +63,21 @@ class LoadingDash(CheckedDash):
         )
         ahead = pages.get(links.page_of(request.path) or "", ())
         parts["css"] += "".join(f'\n<link rel="preload" as="script" href="{address}">' for address in ahead)
+        parts["metas"] += first_picture.SCHEME
+        if shown:
+            style_sheets = re.findall(r'<link rel="stylesheet" href="([^"]+)"', parts["css"])
+            parts["app_entry"] = first_picture.picture(layout, shown, style_sheets, self.drawings) + parts["app_entry"]
         return super().interpolate_index(**parts)
 
-    def _first_layout(self) -> str:
-        """The layout with what the requested address shows, so that the browser need not ask for it."""
+    def _first_layout(self) -> tuple[Any, str]:
+        """The layout with what the requested address shows, so that the browser need not ask for it; and the link of
+        what is shown, "" where the browser has to ask.
+        """
         search = "?" + request.query_string.decode("ascii", "replace") if request.query_string else ""
-        return filled(self.serve_layout().get_data(as_text=True), self.first_values(request.path, search))
+        values = self.first_values(request.path, search)
+        return filled(
+            self.serve_layout().get_data(as_text=True), values
+        ), request.path + search if URL in values else ""
 
     def _addresses(self, later: Mapping[str, str]) -> dict[str, list[str]]:
         """What to load for each kind of thing a page shows."""
@@ -101,8 +113,8 @@ def _source(tag: str) -> str:
     return match[1]
 
 
-def filled(layout: str, values: Values) -> str:
-    """A layout (JSON) with ``values`` put into its components. Raises KeyError for an id that it does not have."""
+def filled(layout: str, values: Values) -> Any:
+    """A layout (JSON), parsed, with ``values`` put into its components. Raises KeyError for an id it does not have."""
     missing = dict(values)
 
     def fill(node: Any) -> None:
@@ -119,7 +131,7 @@ def filled(layout: str, values: Values) -> str:
     fill(tree)
     if missing:
         raise KeyError(f"no component of the layout is called {', '.join(missing)}")
-    return json.dumps(tree)
+    return tree
 
 
 def _suites(sources: Mapping[str, str]) -> dict[str, dict[str, object]]:

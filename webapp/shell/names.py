@@ -100,6 +100,7 @@ class MethodNames(Group):
 # what comes with the page itself, see loading.py
 LOADING = Id("loading")
 FIRST_LAYOUT = Id("first-layout")
+FIRST_PICTURE = Id("first-picture")
 FIRST_DEPENDENCIES = Id("first-dependencies")
 
 MOTIF_METHOD = MethodNames("motifs")  # here, because other pages show the motif graph as well

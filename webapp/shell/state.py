@@ -65,11 +65,18 @@ def first_values(workspace: Workspace, pages: Mapping[str, Component], pathname:
         names.URL: {"pathname": pathname, "search": search},
         names.PAGE: {"children": pages[page]},
         names.DATASET: {"data": opened.dataset},
+        names.DATASET_PICKER: _picker(workspace, opened.dataset),
         names.SELECTION: {"data": opened.selection},
         names.VIEW: {"data": opened.view},
         names.STAGE_RESTORE: {"data": opened.stage},
         **of_page,
     }
+
+
+def _picker(workspace: Workspace, current: str | None) -> dict[str, Any]:
+    """The choice of the dataset: the datasets that there are, and the current one."""
+    known = [info.name for info in workspace.datasets()]
+    return {"data": known, "value": current if current in known else None, "disabled": not known}
 
 
 def register_pages(app: dash.Dash, pages: Mapping[str, Component]) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
 from urllib.parse import urlsplit
 
@@ -93,3 +94,44 @@ def test_a_table_keeps_its_state_when_its_page_is_drawn_again(fresh, address):
     expect(fresh.locator("#clips-chosen")).to_contain_text("1 clip chosen")
     fresh.set_viewport_size({"width": 1100, "height": 700})
     expect(fresh.locator("#clips-table .ag-row-selected")).to_have_count(1)
+
+
+@pytest.mark.parametrize(
+    ("name", "row", "selected"), [("library", "#clips-table a", "clip="), ("motifs", "svg a", "motif=")]
+)
+def test_before_any_script_has_run_a_page_can_be_read_and_followed(chromium, address, name, row, selected):
+    context = chromium.new_context(viewport={"width": 1280, "height": 800}, java_script_enabled=False)
+    page = context.new_page()
+    page.goto(f"{address}/{name}")
+    box = place_in_picture(page, row)
+    page.mouse.click(box[0], box[1])
+    page.wait_for_url(f"**{selected}**")
+    context.close()
+
+
+def place_in_picture(page: Page, selector: str) -> tuple[float, float]:
+    """Where the first element that matches in the picture is; only the protocol sees into its shadow root."""
+    protocol = page.context.new_cdp_session(page)
+    root = protocol.send("DOM.getDocument", {"depth": -1, "pierce": True})["root"]
+    shadow = next(found for found in nodes(root) if found.get("shadowRootType") == "closed")
+    found = protocol.send("DOM.querySelector", {"nodeId": shadow["nodeId"], "selector": selector})
+    corners = protocol.send("DOM.getContentQuads", {"nodeId": found["nodeId"]})["quads"][0]
+    return sum(corners[::2]) / 4, sum(corners[1::2]) / 4
+
+
+def nodes(node: dict):
+    """A node of the protocol's document and all below it."""
+    yield node
+    for child in [*node.get("children", ()), *node.get("shadowRoots", ())]:
+        yield from nodes(child)
+
+
+@pytest.mark.parametrize("name", ["library", "motifs"])
+def test_the_picture_goes_when_the_page_is_drawn(fresh, address, name):
+    fresh.route(re.compile("ag_grid|cytoscape"), lambda route: (fresh.wait_for_timeout(300), route.continue_()))
+    fresh.goto(f"{address}/{name}")
+    picture = fresh.locator("#first-picture")
+    expect(fresh.locator("#page h1")).to_be_visible()
+    expect(picture).to_have_class(re.compile("passed"))
+    expect(picture).to_have_count(0)
+    assert fresh.evaluate("document.querySelectorAll('#page .ag-row, #page canvas').length") > 0

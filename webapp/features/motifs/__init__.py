@@ -16,6 +16,7 @@ FEATURE = Feature(
     register=later("webapp.features.motifs.callbacks:register"),
     shows=("graph", "table"),
     first_values=later("webapp.features.motifs.callbacks:first_values"),
+    drawings={names.MOTIF_GRAPH: later("webapp.features.motifs.figures.drawing:first_graph")},
     keys=link_keys(names.View),
     methods={"motifs": "motifs"},
     on_every_page=("motifs",),

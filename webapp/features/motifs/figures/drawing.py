@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from html import escape
 from typing import Any
+from urllib.parse import unquote
 
 from webapp.shell import theme
+from webapp.shell.links import format_link, parse
 
 _MARGIN, _FONT = 60.0, "system-ui, Segoe UI, Roboto, Liberation Sans, Arial, sans-serif"
 
@@ -27,6 +31,35 @@ def graph_svg(elements: Sequence[dict[str, Any]], scheme: str = "light", title: 
         f'<rect x="{left:.0f}" y="{top:.0f}" width="{width:.0f}" height="{height:.0f}" fill="{colours["surface"]}"/>'
         f"{''.join(drawn)}</svg>"
     )
+
+
+def first_graph(props: Mapping[str, Any], link: str) -> str:
+    """The graph as plain HTML, for the first picture of a page: boxes that are links, at the places where Cytoscape
+    will draw them; props: Cytoscape's. Colours come from the page's style sheet.
+    """
+    elements = props.get("elements") or ()
+    nodes = {e["data"]["id"]: e for e in elements if "position" in e}
+    xs = [n["position"]["x"] + s * n["data"]["width"] / 2 for n in nodes.values() for s in (-1, 1)] or [0.0]
+    ys = [n["position"]["y"] + s * n["data"]["height"] / 2 for n in nodes.values() for s in (-1, 1)] or [0.0]
+    edges = [e["data"] for e in elements if "source" in e["data"]]
+    drawn = [_edge(nodes[e["source"]], nodes[e["target"]], e, "var(--line)") for e in edges]
+    shown, _ = parse(*link.partition("?")[::2])
+    drawn += [
+        _linked_box(node, format_link(replace(shown, selection={"motif": node["data"]["motif"]})))
+        for node in nodes.values()
+    ]
+    view = f"{min(xs):.0f} {min(ys):.0f} {max(xs) - min(xs):.0f} {max(ys) - min(ys):.0f}"
+    return f'<div id="{props["id"]}" class="first-graph"><svg viewBox="{view}">{"".join(drawn)}</svg></div>'
+
+
+def _linked_box(node: Mapping[str, Any], link: str) -> str:
+    """A box of the first picture, with its icon as lines that a style sheet can colour."""
+    data, x, y = node["data"], node["position"]["x"], node["position"]["y"]
+    side = 0.86 * min(data["width"], data["height"])
+    icon = unquote(data.get("icon_light", "").partition(",")[2])
+    lines = re.sub(r' width="[\d.]+" height="[\d.]+"', f" {_box(x, y, side, side)}", icon, count=1)
+    box = f'<rect {_box(x, y, data["width"], data["height"])} rx="7" stroke="{data["colour"]}"/>'
+    return f'<a href="{escape(link)}" aria-label="Motif {escape(data["label"])}">{box}{lines}</a>'
 
 
 def _frame(nodes: Sequence[dict[str, Any]]) -> tuple[float, float, float, float]:
