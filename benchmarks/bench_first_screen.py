@@ -14,7 +14,6 @@ from __future__ import annotations
 import argparse
 import os
 import re
-import shutil
 import statistics
 import subprocess
 import sys
@@ -26,9 +25,6 @@ from pathlib import Path
 
 from playwright.sync_api import Browser, BrowserContext, CDPSession, sync_playwright
 
-from core import analyses
-from core.demo import make_demo
-from core.workspace import Workspace
 from tests.browser.start import start_chromium
 from tests.browser.wire import Wire
 
@@ -119,29 +115,40 @@ def measure(browser: Browser, address: str, page: str) -> tuple[Load, Load]:
     return cold, warm
 
 
+# run by each checkout itself, because the files of a workspace change
+PREPARE = """
+import sys
+from core import analyses
+from core.demo import make_demo
+from core.workspace import Workspace
+workspace = Workspace(sys.argv[1])
+workspace.add_dataset("demo", make_demo(minutes=6.0))
+for method in ("motifs", "map", "grammar"):
+    analyses.run(workspace, analyses.Request("demo", method))
+"""
+
+
+def python_of(checkout: Path) -> str:
+    """The interpreter that has what a checkout needs."""
+    return sys.executable if checkout == REPOSITORY else str(checkout / ".venv" / "bin" / "python")
+
+
+def prepare(checkout: Path, folder: Path) -> Path:
+    """A workspace with six minutes of the demo, its motif graph, map and grammar, made by the code of a checkout."""
+    subprocess.run([python_of(checkout), "-c", PREPARE, str(folder)], cwd=checkout, check=True)
+    return folder
+
+
 @contextmanager
 def served(checkout: Path, workspace: Path) -> Iterator[str]:
-    """``motionscape serve`` of a checkout on a copy of the workspace; gives its address."""
-    copy = shutil.copytree(workspace, Path(tempfile.mkdtemp()) / "workspace")
-    python = sys.executable if checkout == REPOSITORY else str(checkout / ".venv" / "bin" / "python")
-    command = [python, "-m", "webapp.cli", "serve", str(copy), "--port", "0", "--no-browser"]
+    """``motionscape serve`` of a checkout on a workspace of its own; gives its address."""
+    command = [python_of(checkout), "-m", "webapp.cli", "serve", str(workspace), "--port", "0", "--no-browser"]
     process = subprocess.Popen(command, cwd=checkout, stdout=subprocess.PIPE, text=True)
     try:
         yield next(found[0] for line in process.stdout if (found := re.search(r"http://[^/\s]+", line)))
     finally:
         process.terminate()
         process.wait(30)
-        shutil.rmtree(copy.parent)
-
-
-def prepare(folder: Path) -> Path:
-    """A workspace with six minutes of the demo, its motif graph, map and grammar."""
-    workspace = Workspace(folder)
-    workspace.add_dataset("demo", make_demo(minutes=6.0))
-    for method in ("motifs", "map", "grammar"):
-        analyses.run(workspace, analyses.Request("demo", method))
-    workspace.close()
-    return folder
 
 
 def compare(
@@ -220,11 +227,11 @@ def main(
     """Measure, print and return the Markdown section."""
     checkouts = ({"before": Path(before).resolve()} if before else {}) | {"now": REPOSITORY}
     with tempfile.TemporaryDirectory() as folder, sync_playwright() as playwright:
-        workspace = prepare(Path(folder) / "workspace")
         browser = start_chromium(playwright)
         with ExitStack() as servers:
             addresses = {
-                name: servers.enter_context(served(checkout, workspace)) for name, checkout in checkouts.items()
+                name: servers.enter_context(served(checkout, prepare(checkout, Path(folder) / name)))
+                for name, checkout in checkouts.items()
             }
             loads = compare(browser, addresses, pages, runs)
         section = report(loads, browser.version, runs)
