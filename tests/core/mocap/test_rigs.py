@@ -28,6 +28,9 @@ def mixed() -> Dataset:
     return Dataset("mixed", (*people, without(walking("part"), *NO_LEGS), *animals))
 
 
+NAMES = mixed().names
+
+
 def test_a_rig_is_one_in_any_size_and_another_where_its_bones_point_elsewhere():
     plain, turned = walking().skeleton, in_other_axes(walking(), FROM_Y["z"]).skeleton
     small = samples.body(0.6)
@@ -68,12 +71,11 @@ def test_methods_work_on_one_kind_at_a_time(method, clips):
 
 
 def _clips_in(document) -> set[str]:
-    known = set(mixed().names)
     if isinstance(document, dict):
         document = [*document.values()]
     if isinstance(document, list | tuple):
-        return set().union(*map(_clips_in, document)) if document else set()
-    return {document} if isinstance(document, str) and document in known else set()
+        return set().union(*(_clips_in(part) for part in document)) if document else set()
+    return {document} if isinstance(document, str) and document in NAMES else set()
 
 
 def test_poses_of_what_cannot_be_compared_are_refused():

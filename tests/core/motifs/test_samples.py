@@ -41,6 +41,13 @@ def repetitive(n_clips: int = 40, seed: int = 0):
     return runs, Matcher(runs, adjacency), Rule(5, 30, 1.5, 1.0, 0.545 * adjacency.radius, 10)
 
 
+@cache
+def all_matches():
+    """Every match among ``repetitive()``: what the exact search begins with."""
+    _, matcher, rule = repetitive()
+    return matcher.all(rule)
+
+
 def total_volume(runs, motifs) -> float:
     middles = runs.middles
     return sum((len(m) - 1) * float(np.mean(middles[m[:, 1]] - middles[m[:, 0]])) for m in motifs)
@@ -48,7 +55,7 @@ def total_volume(runs, motifs) -> float:
 
 def test_a_sample_as_long_as_the_string_gives_the_exact_result():
     runs, matcher, rule = repetitive()
-    exact = largest_first(runs, matcher.all(rule), rule, 1.0, tightness=0.6)
+    exact = largest_first(runs, all_matches(), rule, 1.0, tightness=0.6)
     sampled = sampled_first(runs, matcher, rule, 1.0, len(runs.letters), tightness=0.6)
     assert len(exact) > 5
     assert [m.tolist() for m in sampled] == [m.tolist() for m in exact]
@@ -57,7 +64,7 @@ def test_a_sample_as_long_as_the_string_gives_the_exact_result():
 @pytest.mark.parametrize("rho", [0.2, 1.0, 5.0])
 def test_motifs_found_in_samples_are_about_as_large(rho):
     runs, matcher, rule = repetitive()
-    exact = total_volume(runs, largest_first(runs, matcher.all(rule), rule, rho, tightness=0.6))
+    exact = total_volume(runs, largest_first(runs, all_matches(), rule, rho, tightness=0.6))
     for seed in range(3):
         sampled = sampled_first(runs, matcher, rule, rho, len(runs.letters) // 3, seed, tightness=0.6)
         assert total_volume(runs, sampled) > 0.95 * exact
@@ -108,7 +115,7 @@ def test_memory_is_that_of_the_sample_however_often_a_motion_recurs(monkeypatch)
         monkeypatch.setattr(matcher, "all", lambda *a, find=find, sizes=sizes, **k: remember(sizes, find(*a, **k)))
         sampled_first(runs, matcher, rule, 1.0, 1500)
         most[n_clips] = max(sizes)
-    everything = len(repetitive(40)[1].all(repetitive(40)[2]).costs)
+    everything = len(all_matches().costs)
     assert most[160] < 1.5 * most[40] < everything
 
 
@@ -119,7 +126,7 @@ def remember(sizes: list[int], matches):
 
 def test_matches_among_some_letters_and_before_cuts_are_those_of_all_that_are_left():
     runs, matcher, rule = repetitive()
-    everything, cut = matcher.all(rule), first_cuts(runs)
+    everything, cut = all_matches(), first_cuts(runs)
     motif = largest_first(runs, everything, rule, 1.0)[0]
     partition(motif, cut)
     among = np.flatnonzero(np.random.default_rng(0).random(len(cut)) < 0.6)
@@ -139,8 +146,8 @@ def test_matches_among_some_letters_and_before_cuts_are_those_of_all_that_are_le
 
 
 def test_many_overlapping_matches_are_chosen_as_by_comparing_all_pairs():
-    runs, matcher, rule = repetitive()
-    index, cut = index_of(runs, matcher.all(rule), rule, 0.0), first_cuts(runs)
+    runs, _, rule = repetitive()
+    index, cut = index_of(runs, all_matches(), rule, 0.0), first_cuts(runs)
     seeds = np.flatnonzero(np.diff(index.pointers) > 20)[::97]
     assert len(seeds) > 20
     for k in seeds:
