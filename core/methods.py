@@ -158,6 +158,17 @@ METHODS: dict[str, Method] = {
         pack=lambda table, dataset: import_module("core.export").pack_features(table),
         unpack=lambda document, arrays: import_module("core.export").unpack_features(document, arrays),
     ),
+    "groups": Method(
+        "Groups compared",
+        1,
+        lambda: import_module("core.comparing").CompareParameters,
+        lambda dataset, values, report, *given: import_module("core.comparing").compare_dataset(
+            dataset, values, report, *given
+        ),
+        lambda document, dataset: (document, {}),
+        lambda document, arrays: document,
+        needs=lambda values: values.need(),
+    ),
     "compression": Method(
         "Compression",
         3,
