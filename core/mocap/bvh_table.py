@@ -73,10 +73,18 @@ class _Repair:
         self.trailing: int | None = None  # line of the first text after the frames
         self.faults: dict[int, _Fault] = {}  # by row
         self.glued: list[int] = []
+        self.no_rows = 0  # damaged rows that have more or fewer numbers than a frame
+        self.counted = (0, 1)  # a place in the data, and the number of the line it is in
         self.replace_commas(decimal_commas)
 
     def error(self, found: str, expected: str, line: int) -> RecordingError:
         return RecordingError(self.path, found, expected, line)
+
+    def line_number(self, at: int) -> int:
+        """The number of the line that holds byte ``at``; counted from where it was asked for last."""
+        before, number = self.counted
+        self.counted = (at, number + self.data.count(b"\n", before, at))
+        return self.counted[1]
 
     def replace_commas(self, decimal: bool) -> None:
         """Numbers with decimal commas become numbers with points; commas between numbers become spaces."""
@@ -123,8 +131,10 @@ class _Repair:
             begin = self.data.rfind(b"\n", 0, offset) + 1
             at = self.data.find(b"\n", offset) + 1 or len(self.data)
             row += self.line(self.data[max(begin, self.start) : at], max(begin, self.start), row, out)
-            if len(self.faults) > _PATIENCE + MOST_FILLED * row:
+            if self.no_rows > _PATIENCE + MOST_FILLED * row:
                 return None
+            if len(self.faults) > _PATIENCE + MOST_FILLED * room:
+                raise self.too_many(f"more than {MOST_FILLED:.0%} of the frames")
         return self.kept(out[:row])
 
     def line(self, text: bytes, begin: int, row: int, out: np.ndarray) -> int:
@@ -132,7 +142,7 @@ class _Repair:
         words = text.decode("latin-1").split()
         if words[0].startswith(("#", "//")):
             return 0
-        number = line_at(self.data, begin)
+        number = self.line_number(begin)
         if self.trailing is not None:
             if not is_numeric(words[0]):
                 return 0
@@ -155,6 +165,7 @@ class _Repair:
         lost = (word for word, part in zip(words, parts, strict=True) if np.isnan(part or ()).any())
         self.faults[row] = _Fault(number, len(values), next(lost, "") if len(values) == self.width else "")
         out[row] = np.nan
+        self.no_rows += len(values) != self.width
         return 1
 
     def kept(self, values: np.ndarray) -> np.ndarray | None:
@@ -163,15 +174,14 @@ class _Repair:
         last = self.faults.get(n - 1)
         if n > 1 and last and last.numbers < self.width:
             del self.faults[n - 1]
+            self.no_rows -= 1
             words = f"the last frame is cut off ({last.words(self.width)}, line {last.line}): left out"
             self.findings.append(Finding("cut", words))
             values, n = values[:-1], n - 1
-        if sum(fault.numbers != self.width for fault in self.faults.values()) > MOST_FILLED * n:
+        if self.no_rows > MOST_FILLED * n:
             return None
         if len(self.faults) > MOST_FILLED * n:
-            row, fault = next(iter(self.faults.items()))
-            found = f"{len(self.faults)} of {n} frames are damaged, the first is frame {row}: {fault.words(self.width)}"
-            raise self.error(found, f"at most {MOST_FILLED:.0%} of them, which can be filled", fault.line)
+            raise self.too_many(f"{len(self.faults)} of {n} frames")
         for first, end in _runs(sorted(self.faults)):
             fault = self.faults[first]
             why = f"{fault.words(self.width)} in line {fault.line}"
@@ -183,6 +193,11 @@ class _Repair:
             words = f"numbers without a space between them in frame {self.glued[0]}{more}: read as two"
             self.findings.append(Finding("glued", words, self.glued[0], self.glued[-1] + 1))
         return values
+
+    def too_many(self, which: str) -> RecordingError:
+        row, fault = next(iter(self.faults.items()))
+        found = f"{which} are damaged, the first is frame {row}: {fault.words(self.width)}"
+        return self.error(found, f"at most {MOST_FILLED:.0%} of them, which can be filled", fault.line)
 
     def stream(self) -> np.ndarray:
         """All numbers one after another, whatever the lines; a frame that is not whole at the end is left out."""
