@@ -144,7 +144,7 @@ def submit(workspace: Workspace, request: Request, *, ask: bool = False) -> Job:
         entry["fingerprint"] = workspace.info(request.dataset).fingerprint
     elif request.method == "import":
         workspace.check_free(request.dataset)
-    elif request.method in ("add", "remove", "edit", "reread"):
+    elif request.method in ("add", "remove", "edit", "reread", "repair"):
         workspace.info(request.dataset)  # raises where it is not there
     expected = estimate(workspace, request)
     held = expected.objection(advice_for(request)) if expected and ask else ""
@@ -410,6 +410,7 @@ TASKS: dict[str, Task] = {
     "add": Task("Add to", tasks.AddParameters, tasks.add_upload),
     "remove": Task("Remove clips from", tasks.RemoveParameters, tasks.remove_clips),
     "reread": Task("Change how clips are read in", tasks.RereadParameters, tasks.reread_clips),
+    "repair": Task("Repair clips of", tasks.RepairParameters, tasks.repair_clips),
     "edit": Task("Edit a clip of", tasks.EditParameters, tasks.edit_clip),
     "query": Task("Read", query_files.QueryFileParameters, _read_query),
     "demo": Task("Demo", DemoParameters, _make_demo),

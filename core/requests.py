@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+import json
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -46,3 +47,14 @@ def edit_request(name: str, clip: str, action: str, **options: Any) -> Request:
 def reread_request(name: str, **options: Any) -> Request:
     """The request that changes how clips of the data set ``name`` are read; options as in tasks.RereadParameters."""
     return Request(name, "reread", options)
+
+
+def repair_request(name: str, repairs: Sequence[Mapping[str, Any]], version: str = "") -> Request:
+    """The request that repairs clips of the data set ``name``; see tasks.RepairParameters."""
+    return Request(name, "repair", {"repairs": json.dumps(list(repairs), ensure_ascii=False), "version": version})
+
+
+def usual_repairs_request(name: str, clips: Iterable[str], kinds: Iterable[str] = ()) -> Request:
+    """The request that gives findings of these ``kinds`` (all where none) in ``clips`` their usual repair."""
+    kinds = tasks.names_of_clips(kinds) if kinds else ""
+    return Request(name, "repair", {"clips": tasks.names_of_clips(clips), "kinds": kinds})

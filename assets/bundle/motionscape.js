@@ -3991,7 +3991,7 @@
       element("div", "job-actions", button("start", id, "job-start for-editors", "Start anyway"), button("cancel", id, "job-cancel", "Cancel"))
     );
   }
-  function update(row7, { stage: stage2, percent: percent3, stopping, held, expected }) {
+  function update(row7, { stage: stage2, percent: percent3, stopping, held: held2, expected }) {
     const progress = within(row7, ".job-progress"), known4 = percent3 !== null;
     progress.classList.toggle("waiting", !known4);
     childrenOf(progress)[0].style.width = (percent3 || 0) + "%";
@@ -4001,7 +4001,7 @@
     if (words4.textContent !== stage2) words4.textContent = stage2;
     const took2 = row7.querySelector(".job-expected");
     if (took2 && took2.textContent !== (expected || "")) took2.textContent = expected || "";
-    row7.classList.toggle("held", Boolean(held));
+    row7.classList.toggle("held", Boolean(held2));
     const number2 = row7.querySelector(".job-percent");
     if (number2) number2.textContent = percent3 ? ` ${percent3} %` : "";
     within(row7, ".job-cancel").disabled = stopping;
@@ -5850,21 +5850,21 @@
       const box4 = svg.getBoundingClientRect();
       zoom4(event.deltaY < 0 ? 1.15 : 1 / 1.15, (event.clientX - box4.left) / box4.width, (event.clientY - box4.top) / box4.height);
     }, { passive: false });
-    let drag = null;
+    let drag2 = null;
     svg.addEventListener("pointerdown", (event) => {
-      if (event.button === 0) drag = { x: event.clientX, y: event.clientY, moved: false };
+      if (event.button === 0) drag2 = { x: event.clientX, y: event.clientY, moved: false };
     });
     svg.addEventListener("pointermove", (event) => {
-      if (!drag || !(event.buttons & 1)) return;
-      const [dx, dy] = [event.clientX - drag.x, event.clientY - drag.y];
-      if (!drag.moved && Math.hypot(dx, dy) < 4) return;
-      if (!drag.moved) svg.setPointerCapture(event.pointerId);
-      drag = { x: event.clientX, y: event.clientY, moved: true };
+      if (!drag2 || !(event.buttons & 1)) return;
+      const [dx, dy] = [event.clientX - drag2.x, event.clientY - drag2.y];
+      if (!drag2.moved && Math.hypot(dx, dy) < 4) return;
+      if (!drag2.moved) svg.setPointerCapture(event.pointerId);
+      drag2 = { x: event.clientX, y: event.clientY, moved: true };
       move6(dx, dy);
     });
     svg.addEventListener("click", (event) => {
-      if (drag?.moved) event.stopPropagation();
-      drag = null;
+      if (drag2?.moved) event.stopPropagation();
+      drag2 = null;
     }, { capture: true });
     svg.addEventListener("dblclick", reset2);
     svg.addEventListener("keydown", (event) => {
@@ -6301,7 +6301,7 @@
     return rig ? [rig, edited.draft[number2]] : null;
   }
   var jointOf = (rig, said2, part2) => part2 in said2.joints ? said2.joints[part2] : rig.joints[part2] ?? null;
-  var untouched = (rigs) => rigs.rigs.map((rig) => ({ changed: false, joints: { ...rig.said }, body: rig.said_body }));
+  var untouched = (rigs) => rigs.rigs.map((rig) => ({ changed: false, joints: { ...rig.suggested, ...rig.said }, body: rig.said_body }));
   function assign(part2, joint) {
     const here3 = current2();
     if (!here3 || !edited.rigs) return;
@@ -6376,6 +6376,12 @@
     kinds2.dataset.kind = "yes";
     kind.append(element("span", "body-name", "Kind of body"), kinds2);
     rows2.append(kind);
+    if (Object.keys(rig.suggested).length && !said2.changed) {
+      const take3 = element("button", "body-take", "Take these suggestions");
+      take3.type = "button";
+      take3.dataset.body = "take";
+      rows2.append(take3);
+    }
     const joints = rig.names.filter((_, j) => !rig.ends[j]).map((name) => [name, name]);
     for (const part2 of edited.rigs?.parts ?? []) {
       const row7 = element("div", `body-part side-${sideOf(part2)}` + (part2 === edited.part ? " chosen" : ""));
@@ -6396,7 +6402,7 @@
     const posture = edited.posture;
     if (posture.front.length !== rig.names.length) return;
     const label = find(BODY_FRAME_LABEL);
-    if (label) label.textContent = posture.frame < 0 ? "Rest pose" : `Frame ${posture.frame} of ${rig.clip}`;
+    if (label) label.textContent = posture.frame < 0 ? "Rest pose" : `Frame ${posture.frame} of ${posture.clip}`;
     const scrolled = box4.querySelector(".body-parts")?.scrollTop ?? 0;
     const focused = closest({ target: document.activeElement }, ".body-part[data-part]");
     const drawings2 = element("div", "body-drawings");
@@ -6407,11 +6413,20 @@
     if (focused) rows2.querySelector(`[data-part="${edited.part}"] select`)?.focus();
   }
   document.addEventListener("click", (event) => {
+    if (dragged) return void (dragged = false);
     const joint = closest(event, ".body-joint");
     if (joint) return assign(edited.part, joint.dataset.joint ?? null);
     const action = closest(event, "[data-body]")?.dataset.body;
     if (action === "import") open2();
     if (action === "export") exportAll();
+    if (action === "take") {
+      const here3 = current2();
+      if (here3) {
+        remember2();
+        here3[1].changed = true;
+        tell2();
+      }
+    }
     if (action === "back") {
       edited.draft = edited.before.pop() ?? edited.draft;
       tell2();
@@ -6443,6 +6458,67 @@
     Object.assign(here3[1], { body: control.value || null, changed: true });
     tell2();
   });
+  var FAR = 5;
+  var NEAR2 = 26;
+  var dragged = false;
+  function jointNear(x, y) {
+    let nearest2 = null;
+    let least = NEAR2;
+    for (const spot of document.querySelectorAll(".body-drawing circle")) {
+      const box4 = spot.getBoundingClientRect();
+      const away = Math.hypot(box4.x + box4.width / 2 - x, box4.y + box4.height / 2 - y);
+      if (away < least) [nearest2, least] = [spot, away];
+    }
+    return nearest2;
+  }
+  function held(event) {
+    const here3 = current2();
+    const joint = closest(event, ".body-joint.known")?.dataset.joint;
+    if (here3 && joint) return edited.rigs?.parts.find((part2) => jointOf(...here3, part2) === joint);
+    return closest(event, "button.body-name") ? closest(event, ".body-part[data-part]")?.dataset.part : void 0;
+  }
+  document.addEventListener("pointerdown", (event) => {
+    dragged = false;
+    const part2 = event.button ? void 0 : held(event);
+    if (part2) drag(part2, event);
+  });
+  function drag(part2, start3) {
+    const label = element("div", "body-dragged", words2(part2));
+    let target2 = null;
+    const move6 = (event) => {
+      if (!label.isConnected) {
+        if (Math.hypot(event.x - start3.x, event.y - start3.y) < FAR) return;
+        document.body.append(label);
+        edited.part = part2;
+        light();
+      }
+      event.preventDefault();
+      label.style.transform = `translate(${event.x + 12}px, ${event.y + 12}px)`;
+      target2?.classList.remove("target");
+      target2 = jointNear(event.x, event.y);
+      target2?.classList.add("target");
+    };
+    const end = (event) => {
+      for (
+        const [kind, listener] of
+        /** @type {const} */
+        [["pointermove", move6], ["pointerup", end], ["pointercancel", end]]
+      ) {
+        document.removeEventListener(
+          kind,
+          /** @type {EventListener} */
+          listener
+        );
+      }
+      dragged = label.isConnected;
+      label.remove();
+      target2?.classList.remove("target");
+      if (dragged && target2 && event.type === "pointerup") assign(part2, target2.getAttribute("data-joint"));
+    };
+    document.addEventListener("pointermove", move6);
+    document.addEventListener("pointerup", end);
+    document.addEventListener("pointercancel", end);
+  }
   function light() {
     const box4 = find(BODY_EDITOR);
     const here3 = current2();
@@ -7371,10 +7447,10 @@
     if (!press || event.pointerId !== press.id) return;
     const { plot, moved: moved2, grip } = press;
     press = null;
-    const dragged2 = at.dragged;
+    const dragged3 = at.dragged;
     at.dragged = null;
     if (grip) return;
-    if (dragged2) return select2(dragged2);
+    if (dragged3) return select2(dragged3);
     if (moved2) return;
     const spot = locate(event);
     if (!spot) return;
@@ -8636,27 +8712,27 @@
   function watch6(list3) {
     if (list3.dataset.watched) return;
     list3.dataset.watched = "yes";
-    let held = null;
+    let held2 = null;
     const place5 = (event) => closest(event, ".walk-chip");
     list3.addEventListener("dragstart", (event) => {
-      held = Number(place5(event)?.dataset.at);
+      held2 = Number(place5(event)?.dataset.at);
       if (!event.dataTransfer) return;
       event.dataTransfer.effectAllowed = "move";
-      event.dataTransfer.setData("text/plain", String(held));
+      event.dataTransfer.setData("text/plain", String(held2));
     });
     list3.addEventListener("dragover", (event) => {
-      if (held === null || !place5(event)) return;
+      if (held2 === null || !place5(event)) return;
       event.preventDefault();
       for (const box4 of allWithin(list3, ".walk-chip")) box4.classList.toggle("over", box4 === place5(event));
     });
     list3.addEventListener("drop", (event) => {
       const to = place5(event);
-      if (held === null || !to) return;
+      if (held2 === null || !to) return;
       event.preventDefault();
-      if (Number(to.dataset.at) !== held) path.actions.write(moved(path.ids, held, Number(to.dataset.at)));
+      if (Number(to.dataset.at) !== held2) path.actions.write(moved(path.ids, held2, Number(to.dataset.at)));
     });
     list3.addEventListener("dragend", () => {
-      held = null;
+      held2 = null;
       for (const box4 of allWithin(list3, ".over")) box4.classList.remove("over");
     });
   }
@@ -10593,7 +10669,7 @@
     return box4;
   }
   function listen2(box4) {
-    let held = null;
+    let held2 = null;
     const place5 = (svg, event) => {
       const { x, y } = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM()?.inverse());
       return [x, y];
@@ -10610,19 +10686,19 @@
         handle2.ownerSVGElement
       );
       const joint = Number(handle2.dataset.joint);
-      held = { svg, joint, view: viewOf2(svg), from: place5(svg, event), start: jointOf2(edited2.posture, joint) };
+      held2 = { svg, joint, view: viewOf2(svg), from: place5(svg, event), start: jointOf2(edited2.posture, joint) };
       edited2.joint = joint;
       svg.setPointerCapture(event.pointerId);
       event.preventDefault();
     });
     box4.addEventListener("pointermove", (event) => {
-      if (!held) return;
-      const { joint, start: start3, from, svg, view: view4 } = held;
+      if (!held2) return;
+      const { joint, start: start3, from, svg, view: view4 } = held2;
       const [x, y] = place5(svg, event), [right, down] = AXES[view4];
       move5(joint, start3.map((v, k) => v + (x - from[0]) * right[k] + (y - from[1]) * down[k]));
     });
     box4.addEventListener("pointerup", () => {
-      held = null;
+      held2 = null;
     });
     box4.addEventListener("keydown", (event) => {
       const handle2 = (
@@ -12359,7 +12435,7 @@
   // search/sources.mjs
   var clipCalled = (name) => now5.clips && now5.clips.clips.find((clip) => clip[0] === name);
   var drawn7 = "";
-  var dragged = null;
+  var dragged2 = null;
   var drawSources = () => {
     const box4 = need(SEARCH_SOURCES);
     const pieces = now5.found && now5.found.pieces || [];
@@ -12374,7 +12450,7 @@
       names();
     }
     pieces.forEach((piece, k) => {
-      if (!dragged || dragged.index !== k) placeRange(childrenOf(box4)[k], piece);
+      if (!dragged2 || dragged2.index !== k) placeRange(childrenOf(box4)[k], piece);
     });
     allWithin(box4, ".search-source").forEach((one, k) => one.classList.toggle("active", k === now5.active && pieces.length > 1));
     drawMotifs2();
@@ -12519,30 +12595,30 @@
     const piece = now5.found.pieces[index];
     const at3 = frameAt2(track, piece, event.clientX);
     const end = targetOf(event).dataset.end;
-    dragged = { index, track, at: at3, piece: { ...piece }, mode: end || "new", moved: false, start: 0, end: 0, id: event.pointerId, label: targetOf(event).dataset.range };
+    dragged2 = { index, track, at: at3, piece: { ...piece }, mode: end || "new", moved: false, start: 0, end: 0, id: event.pointerId, label: targetOf(event).dataset.range };
     track.setPointerCapture(event.pointerId);
     event.preventDefault();
     if (end) targetOf(event).focus();
   });
   document.addEventListener("pointermove", (event) => {
-    if (!dragged || event.pointerId !== dragged.id) return;
-    const { piece, track, mode: mode3 } = dragged;
+    if (!dragged2 || event.pointerId !== dragged2.id) return;
+    const { piece, track, mode: mode3 } = dragged2;
     const frame = frameAt2(track, piece, event.clientX);
-    if (Math.abs(frame - dragged.at) > 0) dragged.moved = true;
-    if (!dragged.moved) return;
+    if (Math.abs(frame - dragged2.at) > 0) dragged2.moved = true;
+    if (!dragged2.moved) return;
     let [start3, end] = [piece.start, piece.end];
     if (mode3 === "start") start3 = Math.min(frame, end - 1);
     else if (mode3 === "end") end = Math.max(frame, start3 + 1);
-    else [start3, end] = [Math.min(frame, dragged.at), Math.max(frame, dragged.at)];
-    dragged.start = start3;
-    dragged.end = Math.max(end, start3 + 1);
-    placeRange(around(track, ".search-source"), { ...piece, start: start3, end: dragged.end });
+    else [start3, end] = [Math.min(frame, dragged2.at), Math.max(frame, dragged2.at)];
+    dragged2.start = start3;
+    dragged2.end = Math.max(end, start3 + 1);
+    placeRange(around(track, ".search-source"), { ...piece, start: start3, end: dragged2.end });
   });
   var release = (event) => {
-    if (!dragged || event.pointerId !== dragged.id) return;
-    const { index, moved: moved2, start: start3, end, label, piece, track } = dragged;
+    if (!dragged2 || event.pointerId !== dragged2.id) return;
+    const { index, moved: moved2, start: start3, end, label, piece, track } = dragged2;
     const least = Math.max(2, Math.round(0.1 * piece.fps));
-    dragged = null;
+    dragged2 = null;
     if (event.type === "pointercancel") return drawSources();
     if (label && !moved2) return setRange(index, Number(label.split("-")[0]), Number(label.split("-")[1]));
     if (!moved2) return seekPiece(index, frameAt2(track, piece, event.clientX));

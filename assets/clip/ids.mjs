@@ -66,6 +66,19 @@
  * @property {number} [at]
  */
 
+/**
+ * A repair that is to be made of a clip of the dataset with this fingerprint.
+ * @typedef {object} ClipRepair
+ * @property {string} dataset
+ * @property {string} version
+ * @property {string} clip
+ * @property {"fill" | "smooth" | "cut" | "turn" | "rescale" | "mirror"} action
+ * @property {number} start
+ * @property {number} end
+ * @property {string} value
+ * @property {number} [at]
+ */
+
 export const CLIP_PICKER = "clip-picker";
 export const CLIP_PREVIOUS = "clip-previous";
 export const CLIP_NEXT = "clip-next";
@@ -90,6 +103,7 @@ export const CLIP_MARKED = /** @type {StoreId<any>} */ ("clip-marked");
 export const CLIP_SOUGHT = /** @type {StoreId<any>} */ ("clip-sought");
 export const CLIP_SEEK = /** @type {StoreId<Moment>} */ ("clip-seek");
 export const CLIP_DOUBTS = "clip-doubts";
+export const CLIP_REPAIR = /** @type {StoreId<ClipRepair>} */ ("clip-repair");
 export const CLIP_GAIT = "clip-gait";
 export const CLIP_GAIT_TABLE = /** @type {StoreId<GaitTable>} */ ("clip-gait-table");
 export const CLIP_GAIT_DRAWN = /** @type {StoreId<any>} */ ("clip-gait-drawn");

@@ -23,8 +23,10 @@ function current() {
 /** The joint of a part, null where it has none. @param {BodyRig} rig @param {BodySaid} said @param {string} part */
 const jointOf = (rig, said, part) => (part in said.joints ? said.joints[part] : rig.joints[part] ?? null);
 
-/** @param {BodyRigs} rigs @returns {BodySaid[]} */
-const untouched = (rigs) => rigs.rigs.map((rig) => ({ changed: false, joints: { ...rig.said }, body: rig.said_body }));
+/** What is said of each rig before anyone changes it; of an animal, what is suggested.
+ * @param {BodyRigs} rigs @returns {BodySaid[]} */
+const untouched = (rigs) =>
+  rigs.rigs.map((rig) => ({ changed: false, joints: { ...rig.suggested, ...rig.said }, body: rig.said_body }));
 
 /** Says that a part is this joint, or none; another part that was this joint has none from now on.
  * @param {string} part @param {string | null} joint */
@@ -113,6 +115,12 @@ function list(rig, said) {
   kinds.dataset.kind = "yes";
   kind.append(element("span", "body-name", "Kind of body"), kinds);
   rows.append(kind);
+  if (Object.keys(rig.suggested).length && !said.changed) {
+    const take = element("button", "body-take", "Take these suggestions");
+    take.type = "button";
+    take.dataset.body = "take";
+    rows.append(take);
+  }
   const joints = rig.names.filter((_, j) => !rig.ends[j]).map((name) => [name, name]);
   for (const part of edited.rigs?.parts ?? []) {
     const row = element("div", `body-part side-${sideOf(part)}` + (part === edited.part ? " chosen" : ""));
@@ -134,7 +142,7 @@ function draw() {
   const posture = edited.posture;
   if (posture.front.length !== rig.names.length) return;
   const label = find(ids.BODY_FRAME_LABEL);
-  if (label) label.textContent = posture.frame < 0 ? "Rest pose" : `Frame ${posture.frame} of ${rig.clip}`;
+  if (label) label.textContent = posture.frame < 0 ? "Rest pose" : `Frame ${posture.frame} of ${posture.clip}`;
   const scrolled = box.querySelector(".body-parts")?.scrollTop ?? 0;
   const focused = closest({ target: document.activeElement }, ".body-part[data-part]");
   const drawings = element("div", "body-drawings");
@@ -146,11 +154,20 @@ function draw() {
 }
 
 document.addEventListener("click", (event) => {
+  if (dragged) return void (dragged = false); // the end of a drag is no click
   const joint = closest(event, ".body-joint");
   if (joint) return assign(edited.part, joint.dataset.joint ?? null);
   const action = closest(event, "[data-body]")?.dataset.body;
   if (action === "import") open();
   if (action === "export") exportAll();
+  if (action === "take") {
+    const here = current();
+    if (here) {
+      remember();
+      here[1].changed = true;
+      tell();
+    }
+  }
   if (action === "back") {
     edited.draft = edited.before.pop() ?? edited.draft;
     tell();
@@ -182,6 +199,72 @@ document.addEventListener("change", (event) => {
   Object.assign(here[1], { body: control.value || null, changed: true });
   tell();
 });
+
+/* Dragging: a part from the list, or from the joint that it is, onto another joint of a drawing. */
+const FAR = 5; // pixels from which a press that moves is a drag
+const NEAR = 26; // pixels within which a joint is taken
+/** Whether the pointer was let go after a drag: the click that follows is none. */
+let dragged = false;
+
+/** The joint next to a place on the screen, null where none is near. @param {number} x @param {number} y */
+function jointNear(x, y) {
+  let nearest = null;
+  let least = NEAR;
+  for (const spot of document.querySelectorAll(".body-drawing circle")) {
+    const box = spot.getBoundingClientRect();
+    const away = Math.hypot(box.x + box.width / 2 - x, box.y + box.height / 2 - y);
+    if (away < least) [nearest, least] = [spot, away];
+  }
+  return nearest;
+}
+
+/** The part that a press takes hold of. @param {Event} event */
+function held(event) {
+  const here = current();
+  const joint = closest(event, ".body-joint.known")?.dataset.joint;
+  if (here && joint) return edited.rigs?.parts.find((part) => jointOf(...here, part) === joint);
+  return closest(event, "button.body-name") ? closest(event, ".body-part[data-part]")?.dataset.part : undefined;
+}
+
+document.addEventListener("pointerdown", (event) => {
+  dragged = false;
+  const part = event.button ? undefined : held(event);
+  if (part) drag(part, event);
+});
+
+/** Follows the pointer until it is let go. @param {string} part @param {PointerEvent} start */
+function drag(part, start) {
+  const label = element("div", "body-dragged", words(part));
+  /** @type {Element | null} */
+  let target = null;
+  /** @param {PointerEvent} event */
+  const move = (event) => {
+    if (!label.isConnected) {
+      if (Math.hypot(event.x - start.x, event.y - start.y) < FAR) return;
+      document.body.append(label);
+      edited.part = part;
+      light();
+    }
+    event.preventDefault();
+    label.style.transform = `translate(${event.x + 12}px, ${event.y + 12}px)`;
+    target?.classList.remove("target");
+    target = jointNear(event.x, event.y);
+    target?.classList.add("target");
+  };
+  /** @param {PointerEvent} event */
+  const end = (event) => {
+    for (const [kind, listener] of /** @type {const} */ ([["pointermove", move], ["pointerup", end], ["pointercancel", end]])) {
+      document.removeEventListener(kind, /** @type {EventListener} */ (listener));
+    }
+    dragged = label.isConnected;
+    label.remove();
+    target?.classList.remove("target");
+    if (dragged && target && event.type === "pointerup") assign(part, target.getAttribute("data-joint"));
+  };
+  document.addEventListener("pointermove", move);
+  document.addEventListener("pointerup", end);
+  document.addEventListener("pointercancel", end);
+}
 
 /** Lights the joint of the chosen part; an open list of joints stays open. */
 function light() {

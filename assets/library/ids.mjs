@@ -20,7 +20,7 @@
 /**
  * What is to be done with the clips that are chosen in the table.
  * @typedef {object} ClipsAction
- * @property {"remove" | "clear" | "reread" | "properties"} action
+ * @property {"remove" | "clear" | "reread" | "repair" | "properties"} action
  * @property {number} [at]
  */
 
@@ -48,6 +48,14 @@
  */
 
 /**
+ * The clips that are to be repaired.
+ * @typedef {object} RepairOf
+ * @property {string} dataset
+ * @property {Array<string>} clips
+ * @property {number} [at]
+ */
+
+/**
  * The data set whose bodies are to be edited.
  * @typedef {object} BodyOf
  * @property {string} dataset
@@ -62,11 +70,10 @@
  * @property {Array<boolean>} ends
  * @property {Record<string, string>} joints
  * @property {Record<string, string | null>} said
+ * @property {Record<string, string>} suggested
  * @property {string} body
  * @property {string | null} said_body
  * @property {string} words
- * @property {string} clip
- * @property {number} frames
  */
 
 /**
@@ -83,6 +90,7 @@
  * Places of all joints in two drawings; frame -1 is the rest pose.
  * @typedef {object} BodyPosture
  * @property {number} rig
+ * @property {string} clip
  * @property {number} frame
  * @property {Array<Array<number>>} front
  * @property {Array<Array<number>>} side
@@ -208,6 +216,12 @@ export const UPLOAD_INTO = /** @type {StoreId<UploadInto>} */ ("upload-into");
 export const UPLOAD_SUGGESTED = /** @type {StoreId<string>} */ ("upload-suggested");
 export const UPLOADED = /** @type {StoreId<string>} */ ("uploaded");
 export const REREAD_DIALOG = "reread-dialog";
+export const REPAIR_OF = /** @type {StoreId<RepairOf>} */ ("repair-of");
+export const REPAIR_DIALOG = "repair-dialog";
+export const REPAIR_WHAT = "repair-what";
+export const REPAIR_KINDS = "repair-kinds";
+export const REPAIR_PROBLEM = "repair-problem";
+export const REPAIR_DO = "repair-do";
 export const REREAD_OF = /** @type {StoreId<Reread>} */ ("reread-of");
 export const PROPERTIES_OF = /** @type {StoreId<PropertiesOf>} */ ("properties-of");
 export const REREAD_NOW = "reread-now";
@@ -224,6 +238,7 @@ export const BODY_DRAFT = /** @type {StoreId<BodyDraft>} */ ("body-draft");
 export const BODY_FILE = /** @type {StoreId<BodyFile>} */ ("body-file");
 export const BODY_FILLED = /** @type {StoreId<BodyFilled>} */ ("body-filled");
 export const BODY_RIG = "body-rig";
+export const BODY_CLIP = "body-clip";
 export const BODY_FRAME = "body-frame";
 export const BODY_FRAME_LABEL = "body-frame-label";
 export const BODY_EDITOR = "body-editor";

@@ -7,7 +7,7 @@ have is left out, so ask ``"left_toe" in anatomy.joints``.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from itertools import pairwise
 from types import MappingProxyType
@@ -45,8 +45,8 @@ class Anatomy:
         partial body, what the parts that are there speak for; of another, the longest way along its bones.
     head_tip: joint index of the crown (the head joint itself, or the last trunk joint, where there is no tip).
     by_name: False where arms and legs had to be told from the tree's shape alone.
-    body: ``"human"``, ``"partial"`` or ``"other"``: an animal, a prop; then ``joints`` has the pelvis only, which is
-        the root. missing: what a person has and a partial body has not, in words.
+    body: ``"human"``, ``"partial"`` or ``"other"``: an animal, a prop; then ``joints`` has the pelvis, which is the
+        root, and what someone said. missing: what a person has and a partial body has not, in words.
     """
 
     skeleton: Skeleton
@@ -91,6 +91,11 @@ def find_anatomy(skeleton: Skeleton, corrections: Mapping[str, str | int | None]
     return _find(skeleton, tuple((name, _joint(skeleton, name, joint)) for name, joint in fixed))
 
 
+def suggested_joints(skeleton: Skeleton) -> dict[str, int]:
+    """Canonical name -> joint index as names and shape would have it, also where they do not make a human body."""
+    return dict(find_anatomy(replace(skeleton, corrections=(), body="partial")).joints)
+
+
 def _joint(skeleton: Skeleton, name: str, joint: str | int | None) -> int | None:
     if name not in CANONICAL:
         raise ParameterError(f"{name!r} is no part of the body; the parts are {', '.join(CANONICAL)}")
@@ -122,15 +127,15 @@ def _find(skeleton: Skeleton, corrections: tuple[tuple[str, int | None], ...]) -
             joints[name] = joint
     joints = {name: joints[name] for name in CANONICAL if name in joints}
     body = skeleton.body or kind_of_body(skeleton, joints, by_name or bool(corrections))
-    if body == "other":
-        joints = {"pelvis": 0}
+    if body == "other":  # only what someone said
+        joints = {"pelvis": 0} | {name: joint for name, joint in corrections if joint is not None}
     tip = _head_tip(skeleton, joints)
     return Anatomy(
         skeleton=skeleton,
         joints=MappingProxyType(joints),
-        posture_joints=_posture_joints(skeleton, joints),
+        posture_joints=_posture_joints(skeleton, joints if body != "other" else {}),
         sides=_sides(skeleton, parsed, joints),
-        body_height=_body_height(skeleton, joints, tip),
+        body_height=_body_height(skeleton, joints, tip) if body != "other" else float(shape.reach(skeleton)[0]),
         head_tip=tip,
         by_name=by_name,
         body=body,

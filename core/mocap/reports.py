@@ -54,3 +54,11 @@ class ImportReport:
     def count(self, verdict: Verdict) -> int:
         """Number of files with this verdict."""
         return sum(file.verdict == verdict for file in self.files)
+
+    def findings_by_clip(self) -> dict[str, tuple[Finding, ...]]:
+        """What was found in each clip that has findings."""
+        found: dict[str, tuple[Finding, ...]] = {}
+        for file in self.files:
+            if file.clip and file.findings:
+                found[file.clip] = (*found.get(file.clip, ()), *file.findings)
+        return found

@@ -110,10 +110,17 @@ def height_doubt(skeleton: Skeleton) -> str:
     height, taken = anatomy.body_height, skeleton.unit
     if anatomy.body == "other" or HEIGHTS[0] <= height <= HEIGHTS[1]:
         return ""
-    others = {
-        UNITS[name][1]: height / taken * UNITS[name][0]
-        for name in _GUESSED
-        if abs(UNITS[name][0] - taken) > 1e-3 * taken and 0.75 < height / taken * UNITS[name][0] < 2.7
-    }
+    others = {UNITS[name][1]: metres for name, metres in other_heights(skeleton).items()}
     also = "".join(f"; in {words} it would be {metres:.2f} m" for words, metres in others.items())
     return f"the body is {height:.2f} m tall in {in_words(taken)}{also}: check the unit"
+
+
+def other_heights(skeleton: Skeleton) -> dict[str, float]:
+    """Units (names of UNITS) other than the skeleton's own in which its body may be a person's -> height in metres."""
+    anatomy, own = find_anatomy(skeleton), skeleton.unit
+    heights = {name: anatomy.body_height / own * UNITS[name][0] for name in _GUESSED if anatomy.body != "other"}
+    return {
+        name: height
+        for name, height in heights.items()
+        if abs(UNITS[name][0] - own) > 1e-3 * own and 0.75 < height < 2.7
+    }

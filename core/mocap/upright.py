@@ -92,11 +92,7 @@ def find_up(clip: Clip) -> str:
     anatomy = find_anatomy(clip.skeleton)
     if anatomy.body == "other":
         return clip.up
-    step = max(1, clip.n_frames // _SAMPLED)
-    tracks = {joint: track[::step] for joint, track in clip.translations.items()}
-    some = replace(
-        clip, root_positions=clip.root_positions[::step], rotations=clip.rotations[::step], translations=tracks
-    )
+    some = _sampled(clip)
     positions = forward_kinematics(some)[0]
     upright = _upright(anatomy, positions.astype(float))
     if upright is None:
@@ -110,6 +106,31 @@ def find_up(clip: Clip) -> str:
     travels = share > _MOSTLY and axis != 1 and np.ptp(positions[:, 0, 1]) > _TRAVEL * anatomy.body_height
     if not agrees and not travels:
         return clip.up
+    return _axis_of_file(clip, axis, sign)
+
+
+def axis_along(clip: Clip) -> str:
+    """The axis, of the file the clip was read from, along which its body lies in most frames, upside down or not;
+    ``clip.up`` where there is no body."""
+    upright = _upright(find_anatomy(clip.skeleton), forward_kinematics(_sampled(clip))[0].astype(float))
+    if upright is None:
+        return clip.up
+    middle = np.median(upright, axis=0)
+    axis = int(np.abs(middle).argmax())
+    return _axis_of_file(clip, axis, int(np.sign(middle[axis])) or 1)
+
+
+def _sampled(clip: Clip) -> Clip:
+    """Some frames of the clip, evenly spread."""
+    step = max(1, clip.n_frames // _SAMPLED)
+    tracks = {joint: track[::step] for joint, track in clip.translations.items()}
+    return replace(
+        clip, root_positions=clip.root_positions[::step], rotations=clip.rotations[::step], translations=tracks
+    )
+
+
+def _axis_of_file(clip: Clip, axis: int, sign: int) -> str:
+    """What the file calls an axis (0 to 2) of the clip, in the direction ``sign`` (1 or -1)."""
     found = quat.rotate(quat.conjugate(np.array(_TO_Y[clip.up])), sign * np.eye(3)[axis])
     k = int(np.abs(found).argmax())
     return ("" if found[k] > 0 else "-") + "xyz"[k]

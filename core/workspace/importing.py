@@ -7,6 +7,7 @@ from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 
+from core.editing.repairs import Repair, repaired
 from core.inspection import inspect_dataset
 from core.mocap.clip import Clip, Label
 from core.mocap.corrections import BodyCorrections, corrections_of
@@ -223,6 +224,25 @@ def store_changed(folder: Path, before: Dataset, change: Change, chosen: Collect
         writer.labels, writer.report = before.labels, _uninspected(before)
     if not changed:
         raise WorkspaceError("Nothing changes: the clips are read in this way already.")
+    _inspect(folder, report)
+
+
+def store_repaired(folder: Path, before: Dataset, repairs: Mapping[str, Sequence[Repair]], report: Report) -> None:
+    """Stores the data set ``before`` with these repairs of its clips, by their names, inspected anew.
+
+    Raises ParameterError for a repair that cannot be made, OSError, Cancelled.
+    """
+    labels = [label for label in before.labels if label.clip not in repairs]
+    with writing_dataset(folder, before.name) as writer:
+        for k, (clip, digest) in enumerate(zip(before.clips, before.digests, strict=True)):
+            report("Repairing clips", k / len(before.clips))
+            if clip.name in repairs:
+                new, own = repaired(clip, before.labels, repairs[clip.name])
+                labels += own
+                writer.add(new)
+            else:
+                writer.add(clip, digest)
+        writer.labels, writer.report = labels, _uninspected(before)
     _inspect(folder, report)
 
 

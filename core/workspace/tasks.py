@@ -63,6 +63,21 @@ class RereadParameters:
 
 
 @dataclass(frozen=True)
+class RepairParameters:
+    """Repairs of clips of a data set.
+
+    repairs: a JSON list of ``{"clip", "action", "start", "end", "value"}``, see core.editing.repairs.Repair. Or clips:
+    a JSON list of names, and kinds: a JSON list of kinds of findings (all where empty); each of these findings gets its
+    usual repair. version: the fingerprint of the data set whose frames are meant, any where empty.
+    """
+
+    repairs: str = ""
+    clips: str = ""
+    kinds: str = ""
+    version: str = ""
+
+
+@dataclass(frozen=True)
 class RemoveParameters:
     """Clips that are removed from a data set: their names as a JSON list."""
 
@@ -123,6 +138,29 @@ def reread_clips(workspace: Workspace, name: str, values: RereadParameters, repo
     how = reading(values.unit or None, values.up or None, values.fps, _corrections(values.body))
     change = Change(how, guess_up=values.up == "auto", guess_unit=values.unit == "auto")
     workspace.change_reading(name, change, _names(values.clips) if values.clips else None, report)
+
+
+def repair_clips(workspace: Workspace, name: str, values: RepairParameters, report: Report) -> None:
+    """Repairs clips of the data set ``name``; raises as Workspace.repair, and where it is not what was meant."""
+    from core.editing.repairs import Repair, usual_repairs
+
+    dataset = workspace.open(name)
+    if values.version and values.version != dataset.fingerprint:
+        raise WorkspaceError(f"{name} has changed meanwhile; look at it again and choose once more.")
+    repairs: dict[str, list[Repair]] = {}
+    if values.repairs:
+        try:
+            for entry in json.loads(values.repairs):
+                frames = int(entry.get("start") or 0), int(entry.get("end") or 0)
+                repair = Repair(str(entry["action"]), *frames, str(entry.get("value") or ""))
+                repairs.setdefault(str(entry["clip"]), []).append(repair)
+        except (ValueError, TypeError, KeyError, AttributeError):
+            raise WorkspaceError("Which repairs are meant is not clear; choose them again.") from None
+    else:
+        findings, kinds = dataset.report.findings_by_clip(), _names(values.kinds) if values.kinds else ()
+        for clip in set(_names(values.clips)).intersection(findings, dataset.names):
+            repairs[clip] = usual_repairs(dataset.clip(clip), findings[clip], kinds)
+    workspace.repair(name, {clip: what for clip, what in repairs.items() if what}, report)
 
 
 def _corrections(text: str) -> BodyCorrections | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
@@ -29,6 +29,7 @@ from core.workspace.users import Users
 from core.workspace.views import Views
 
 if TYPE_CHECKING:
+    from core.editing.repairs import Repair
     from core.mocap.clip import Label
     from core.mocap.corrections import BodyCorrections
     from core.mocap.dataset import Dataset, ImportReport
@@ -163,6 +164,19 @@ class Workspace:
         if unknown := sorted(chosen.difference(before.names)):
             raise WorkspaceError(f"There is no clip {unknown[0][:80]!r} in {name!r}.")
         return self._change(info, lambda folder, _: _importing().store_changed(folder, before, change, chosen, report))
+
+    def repair(self, name: str, repairs: Mapping[str, Sequence[Repair]], report: Report = silent) -> ImportReport:
+        """Repairs clips of the data set ``name``; ``repairs``: for each clip what is done, see core.editing.repairs.
+
+        Labels move with their frames; :meth:`revert` undoes it. Raises WorkspaceError for an unknown clip or where
+        there is nothing to do, ParameterError for a repair that cannot be made.
+        """
+        info, before = self.info(name), self.open(name)
+        if unknown := sorted(repairs.keys() - set(before.names)):
+            raise WorkspaceError(f"There is no clip {unknown[0][:80]!r} in {name!r}.")
+        if not any(repairs.values()):
+            raise WorkspaceError("There is nothing to repair.")
+        return self._change(info, lambda folder, _: _importing().store_repaired(folder, before, repairs, report))
 
     def bodies(self, name: str) -> BodyCorrections:
         """Which joint of which rig of the data set ``name`` is which part of the body, one entry a rig.

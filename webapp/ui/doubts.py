@@ -43,8 +43,4 @@ def counted(findings: Iterable[Finding]) -> str:
 
 def findings_by_clip(dataset: Dataset) -> dict[str, tuple[Finding, ...]]:
     """What was found in each clip of a data set that has findings."""
-    found: dict[str, tuple[Finding, ...]] = {}
-    for file in dataset.report.files:
-        if file.clip and file.findings:
-            found[file.clip] = (*found.get(file.clip, ()), *file.findings)
-    return found
+    return dataset.report.findings_by_clip()

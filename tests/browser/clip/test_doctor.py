@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import expect
 
 from core.mocap.dataset import Dataset
-from tests.browser.app import address, demo_workspace, show, wait_for_link, workspace
+from tests.browser.app import PATIENCE, address, demo_workspace, show, wait_for_link, wait_until, workspace
 from tests.browser.clip.test_clip import drawn, place
 from tests.webapp.generated import walk
 
@@ -46,6 +46,29 @@ def test_a_doubt_is_listed_marked_and_played(show, odd):
     )
     page.mouse.click(*place(page, middle / odd.fps, row))
     wait_for_link(page, start=str(first), end=str(last))
+
+
+def test_repairs_of_one_doubt_and_of_several_clips_are_undone(show, workspace, odd):
+    page = show("/clip?dataset=odd&clip=jumpy")
+    drawn(page, "jumpy")
+    doubts = page.locator("#clip-doubts")
+    before = workspace.open("odd").fingerprint
+    doubts.get_by_role("button", name="Smooth").click()
+    undo = page.get_by_role("button", name="Undo")
+    expect(undo).to_be_visible(timeout=PATIENCE)
+    expect(doubts.locator(".doubt-kind", has_text="jump")).to_have_count(0)
+    undo.click()
+    wait_until(page, lambda: workspace.open("odd").fingerprint == before)
+    expect(doubts.locator(".doubt-kind", has_text="jump")).to_have_count(1)
+    page = show("/library?dataset=odd")
+    page.locator("#clips-table .ag-header-select-all").click()
+    page.get_by_role("button", name="Repair", exact=True).click()
+    dialog = page.get_by_role("dialog", name="Repair what was found")
+    expect(dialog).to_contain_text("Jump: 1 smoothed")
+    dialog.get_by_role("button", name="Repair", exact=True).click()
+    wait_until(page, lambda: "jump" not in {f.kind for f in workspace.report("odd").findings_by_clip()["jumpy"]})
+    page.get_by_role("button", name="Undo").click()
+    wait_until(page, lambda: workspace.open("odd").fingerprint == before)
 
 
 def test_the_library_counts_doubts_sorts_and_filters(show, odd):

@@ -20,6 +20,15 @@ def joints(workspace, clip: str) -> dict[str, str]:
     return {part: skeleton.names[joint] for part, joint in find_anatomy(skeleton).joints.items()}
 
 
+def drag(page, start: str, end: str) -> None:
+    """Drags what the first selector finds to what the second one finds in the front view."""
+    page.locator(start).first.hover()
+    page.mouse.down()
+    box = page.locator(end).first.bounding_box()
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2, steps=4)
+    page.mouse.up()
+
+
 def test_a_body_is_corrected_for_all_clips_of_its_rig(show, workspace, tmp_path):
     workspace.add_dataset("walks", Dataset("walks", (walk("a", 1.0), walk("b", 2.0))))
     before = joints(workspace, "a")
@@ -41,6 +50,15 @@ def test_a_body_is_corrected_for_all_clips_of_its_rig(show, workspace, tmp_path)
     expect(row.locator("select")).to_have_value("")
     page.get_by_role("button", name="Start over").click()
     expect(row.locator("select")).to_have_value(before["neck"])
+    drag(page, ".body-part[data-part=neck] button", f"circle[data-joint='{before['left_elbow']}']")
+    expect(row.locator("select")).to_have_value(before["left_elbow"])
+    expect(page.locator(".body-part[data-part=left_elbow] select")).to_have_value("")
+    drag(page, f"circle[data-joint='{before['left_elbow']}']", f"circle[data-joint='{before['neck']}']")
+    expect(row.locator("select")).to_have_value(before["neck"])
+    page.get_by_role("button", name="Start over").click()
+    page.click("#body-clip")
+    page.get_by_role("option", name="b", exact=True).locator("visible=true").click()
+    expect(page.locator("#body-frame-label")).to_have_text("Frame 0 of b")
     row.locator("select").select_option("")
     with page.expect_download() as download:
         page.get_by_role("button", name="Export").click()

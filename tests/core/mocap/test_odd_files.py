@@ -151,7 +151,7 @@ def test_too_many_damaged_rows_are_refused(tmp_path):
     with pytest.raises(RecordingError, match="more than 20% of the frames are damaged, the first is frame 30: 'nan'"):
         _read(tmp_path, HEAD + ROWS.rstrip("\n") + "\n" + nothing * 50)
     lead_in = _read(tmp_path, HEAD + nothing * 30 + ROWS.rstrip("\n") + ("\n" + rows[1]) * 100)  # lost in the beginning
-    assert [(f.start, f.end) for f in lead_in.findings if f.kind == "filled"][0] == (0, 30)
+    assert next((f.start, f.end) for f in lead_in.findings if f.kind == "filled") == (0, 30)
 
 
 @pytest.mark.parametrize("end", [-3, -12, -40])

@@ -32,6 +32,7 @@ def register(app: Dash, workspace: Workspace) -> None:
     _draw(app, workspace)
     _browser(app)
     editing.register(app, workspace)
+    doctor.register(app, workspace)
     table.register(app)
 
 
@@ -116,7 +117,7 @@ def _controls(app: Dash, workspace: Workspace) -> None:
         curves = curves_of(workspace, shown)
         if curves is None:
             return None, None, None
-        doubts = doctor.panel(_findings(workspace, shown), curves.clip)
+        doubts = doctor.panel(_findings(workspace, shown), curves.clip, workspace.open(shown["dataset"]))
         return layout.facts(curves), doubts, gait_table(curves.gait, curves.clip.name, curves.clip.fps)
 
     @app.callback(

@@ -58,6 +58,7 @@ def page() -> Component:
             dcc.Store(id=names.CLIP_DRAWN),
             dcc.Store(id=names.CLIP_MARKED),
             dcc.Store(id=names.CLIP_SOUGHT),
+            dcc.Store(id=names.CLIP_REPAIR),  # a repair that someone chose beside a doubt
             dcc.Store(id=names.CLIP_SEEK),  # {"clip", "frame"}: someone chose a moment in a list
             *editing.dialogs(),
             *table.dialogs(),

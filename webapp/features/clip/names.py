@@ -71,6 +71,19 @@ class ClipEdit(TypedDict):
     at: NotRequired[float]
 
 
+class ClipRepair(TypedDict):
+    """A repair that is to be made of a clip of the dataset with this fingerprint."""
+
+    dataset: Name
+    version: str
+    clip: Name
+    action: Literal["fill", "smooth", "cut", "turn", "rescale", "mirror"]
+    start: int
+    end: int
+    value: str
+    at: NotRequired[float]
+
+
 CLIP_PICKER = Id("clip-picker")
 CLIP_PREVIOUS = Id("clip-previous")
 CLIP_NEXT = Id("clip-next")
@@ -98,6 +111,7 @@ CLIP_SOUGHT = Store("clip-sought", Any)
 CLIP_SEEK = Store("clip-seek", Moment)
 
 CLIP_DOUBTS = Id("clip-doubts")
+CLIP_REPAIR = Store("clip-repair", ClipRepair)
 CLIP_GAIT = Id("clip-gait")
 CLIP_GAIT_TABLE = Store("clip-gait-table", GaitTable)
 CLIP_GAIT_DRAWN = Store("clip-gait-drawn", Any)

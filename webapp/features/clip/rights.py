@@ -19,5 +19,5 @@ RIGHTS = Rights(
         "table.open_dialog",
         "table.update",
     ),
-    changes=("editing.do",),
+    changes=("doctor.repair", "editing.do"),
 )

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from core.errors import FormatError
-from core.mocap.anatomy import SIDES, find_anatomy
+from core.mocap.anatomy import SIDES, find_anatomy, suggested_joints
 from core.mocap.clip import Clip
 from core.mocap.corrections import BodyCorrections, RigCorrection, from_json
 from core.mocap.dataset import Dataset
@@ -39,28 +39,40 @@ def edited_rigs(dataset: Dataset) -> list[EditedRig]:
 def rig_entry(rig: EditedRig) -> dict[str, Any]:
     """A rig for the browser: its joints, which part of the body each is, and what someone said about it."""
     skeleton, anatomy = rig.skeleton, find_anatomy(rig.skeleton)
-    n, clip = len(rig.clips), rig.clips[0]
+    n = len(rig.clips)
     return {
         "names": list(skeleton.names),
         "parents": [int(parent) for parent in skeleton.parents],
         "ends": [bool(end) for end in skeleton.end_sites],
         "joints": {part: skeleton.names[joint] for part, joint in anatomy.joints.items()},
         "said": dict(skeleton.corrections),
+        "suggested": suggestions(skeleton),
         "body": anatomy.body,
         "said_body": skeleton.body,
         "words": f"{skeleton.names[0]}, {skeleton.n_joints} joints, {n:,} clip{'s' if n != 1 else ''}",
-        "clip": clip.name,
-        "frames": clip.n_frames,
     }
 
 
-def posture(rig: EditedRig, frame: int) -> dict[str, list[list[float]]]:
-    """A frame of the rig's first clip from the front and from the left: places of all joints in a drawing.
+def suggestions(skeleton: Skeleton) -> dict[str, str]:
+    """Part of the body -> joint to begin with, for what is no human and was said nothing about; else nothing."""
+    if find_anatomy(skeleton).body != "other" or skeleton.is_corrected:
+        return {}
+    found = suggested_joints(skeleton)
+    return {part: skeleton.names[j] for part, j in found.items() if list(found.values()).count(j) == 1}
+
+
+def clip_of(rig: EditedRig, name: str | None) -> Clip:
+    """The clip of the rig with this name; its first where there is none."""
+    return next((clip for clip in rig.clips if clip.name == name), rig.clips[0])
+
+
+def posture(clip: Clip, frame: int) -> dict[str, list[list[float]]]:
+    """A frame of a clip from the front and from the left: places of all joints in a drawing.
 
     frame: REST for the rest pose. The drawing is WIDTH by HEIGHT, y downwards; both views have one scale.
     """
-    positions = _positions(rig, frame)
-    left = _left(rig.skeleton, positions)
+    positions = _positions(clip, frame)
+    left = _left(clip.skeleton, positions)
     forward = np.array([-left[2], 0.0, left[0]])  # Y up, right-handed
     views = [np.stack([positions @ across, -positions[:, 1]], axis=1) for across in (left, -forward)]
     size = np.max([np.ptp(view, axis=0) for view in views], axis=0)
@@ -70,16 +82,15 @@ def posture(rig: EditedRig, frame: int) -> dict[str, list[list[float]]]:
     return {name: np.round(view, 2).tolist() for name, view in zip(("front", "side"), placed, strict=True)}
 
 
-def _positions(rig: EditedRig, frame: int) -> np.ndarray:
+def _positions(clip: Clip, frame: int) -> np.ndarray:
     """``(n_joints, 3)`` of a frame, in metres."""
     if frame > REST:
-        clip = rig.clips[0]
         k = min(frame, clip.n_frames - 1)
         return np.asarray(forward_kinematics(clip.cut(k, k + 1))[0][0], float)
-    places = np.zeros((rig.skeleton.n_joints, 3))
-    for joint, parent in enumerate(rig.skeleton.parents):
+    places = np.zeros((clip.skeleton.n_joints, 3))
+    for joint, parent in enumerate(clip.skeleton.parents):
         if parent >= 0:
-            places[joint] = places[parent] + rig.skeleton.offsets[joint]
+            places[joint] = places[parent] + clip.skeleton.offsets[joint]
     return places
 
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import json
+from typing import Any
 
 import dash_mantine_components as dmc
-from dash import Dash, Input, Output, State, dcc, html, no_update, set_props
+from dash import Dash, Input, Output, State, dcc, html, no_update
 from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
@@ -13,17 +14,16 @@ from core import requests
 from core.errors import MotionscapeError, ParameterError
 from core.mocap.anatomy import CANONICAL
 from core.mocap.corrections import FORMAT, to_json
+from core.mocap.dataset import Dataset
 from core.workspace import Workspace, WorkspaceError
-from webapp.features.library import bodies, names
-from webapp.jobs import changes
+from webapp.features.library import bodies, dialogs, names
 from webapp.shell.attributes import attributes
-from webapp.shell.messages import notice
-from webapp.shell.names import DATASET, NOTICES
 
 HINT = (
-    "Choose a part of the body in the list, then the joint that it is: in its row, or by a click in the drawing. "
-    "A correction counts for all clips of the rig."
+    "Drag a part of the body from the list onto its joint in a drawing, or from joint to joint there; or choose a "
+    "part, then its joint, in its row or by a click. A correction counts for all clips of the rig."
 )
+_LISTED = 2000  # clips of a rig that can be chosen
 
 
 def dialog() -> Component:
@@ -44,6 +44,16 @@ def dialog() -> Component:
                         label="Rig",
                         data=[],
                         allowDeselect=False,
+                        comboboxProps={"shadow": "md"},
+                    ),
+                    dmc.Select(
+                        id=names.BODY_CLIP,
+                        label="Clip",
+                        data=[],
+                        allowDeselect=False,
+                        searchable=True,
+                        limit=100,
+                        nothingFoundMessage="No clip of this name",
                         comboboxProps={"shadow": "md"},
                     ),
                     html.Div(
@@ -96,46 +106,45 @@ def register(app: Dash, workspace: Workspace) -> None:
     )
 
 
+def _fill(dataset: Dataset, asked: dict[str, Any]) -> list[Any]:
+    entries = [bodies.rig_entry(rig) for rig in bodies.edited_rigs(dataset)]
+    shown = {"dataset": dataset.name, "parts": list(CANONICAL), "format": FORMAT, "rigs": entries}
+    choices = [{"value": str(k), "label": entry["words"]} for k, entry in enumerate(entries)]
+    return [shown | {"at": asked.get("at")}, choices, "0", None]
+
+
 def _open(app: Dash, workspace: Workspace) -> None:
-    @app.callback(
-        Output(names.BODY_DIALOG, "opened"),
+    filled = [
         Output(names.BODY_RIGS, "data"),
         Output(names.BODY_RIG, "data"),
         Output(names.BODY_RIG, "value"),
         Output(names.BODY_PROBLEM, "children"),
-        Input(names.BODY_OF, "data"),
-        prevent_initial_call=True,
-    )
-    def open_editor(of):
-        if not of:
-            return (no_update,) * 5
-        try:
-            rigs = bodies.edited_rigs(workspace.open(of["dataset"]))
-        except WorkspaceError as error:
-            set_props(NOTICES, {"sendNotifications": [notice("That did not work", str(error), "red")]})
-            return (no_update,) * 5
-        entries = [bodies.rig_entry(rig) for rig in rigs]
-        shown = {"dataset": of["dataset"], "parts": list(CANONICAL), "format": FORMAT, "rigs": entries}
-        choices = [{"value": str(k), "label": entry["words"]} for k, entry in enumerate(entries)]
-        return True, shown | {"at": of.get("at")}, choices, "0", None
+    ]
+    dialogs.opens(app, workspace, names.BODY_DIALOG, names.BODY_OF, filled, _fill)
 
     @app.callback(
         Output(names.BODY_POSTURE, "data"),
         Output(names.BODY_FRAME, "max"),
+        Output(names.BODY_CLIP, "data"),
+        Output(names.BODY_CLIP, "value"),
         Input(names.BODY_RIGS, "data"),
         Input(names.BODY_RIG, "value"),
+        Input(names.BODY_CLIP, "value"),
         Input(names.BODY_FRAME, "value"),
         prevent_initial_call=True,
     )
-    def show_posture(shown, rig, frame):
+    def show_posture(shown, rig, clip, frame):
         try:
             rigs = bodies.edited_rigs(workspace.open(shown["dataset"]))
         except (WorkspaceError, TypeError):
-            return no_update, no_update
+            return (no_update,) * 4
         number = int(rig or 0) if int(rig or 0) < len(rigs) else 0
-        last = rigs[number].clips[0].n_frames - 1
+        chosen = bodies.clip_of(rigs[number], clip)
+        last = chosen.n_frames - 1
         frame = min(int(frame or 0), last)
-        return {"rig": number, "frame": frame, **bodies.posture(rigs[number], frame)}, last
+        names_of_clips = [one.name for one in rigs[number].clips[:_LISTED]]
+        drawn = {"rig": number, "clip": chosen.name, "frame": frame, **bodies.posture(chosen, frame)}
+        return drawn, last, names_of_clips, chosen.name
 
 
 def _save(app: Dash, workspace: Workspace) -> None:
@@ -155,25 +164,20 @@ def _save(app: Dash, workspace: Workspace) -> None:
         except MotionscapeError as error:
             return no_update, str(error)
 
-    @app.callback(
-        Output(names.BODY_DIALOG, "opened", allow_duplicate=True),
-        Output(names.BODY_PROBLEM, "children", allow_duplicate=True),
-        Input(names.BODY_SAVE, "n_clicks"),
-        State(names.BODY_DRAFT, "data"),
-        State(names.BODY_OF, "data"),
-        prevent_initial_call=True,
+    dialogs.starts(
+        app,
+        workspace,
+        names.BODY_DIALOG,
+        names.BODY_SAVE,
+        names.BODY_PROBLEM,
+        names.BODY_OF,
+        [State(names.BODY_DRAFT, "data")],
+        _request,
     )
-    def save_bodies(_clicks, draft, of):
-        if not of:
-            return no_update, no_update
-        try:
-            rigs = bodies.edited_rigs(workspace.open(of["dataset"]))
-            corrections = bodies.drafted(rigs, (draft or {}).get("rigs") or ())
-            if not corrections.rigs:
-                raise ParameterError("Nothing was changed.")
-            text = json.dumps(to_json(corrections), ensure_ascii=False)
-            changes.start(workspace, requests.reread_request(of["dataset"], body=text))
-        except MotionscapeError as error:
-            return no_update, str(error)
-        set_props(DATASET, {"data": of["dataset"]})
-        return False, None
+
+
+def _request(dataset: Dataset, _asked: dict[str, Any], draft: dict[str, Any] | None) -> requests.Request:
+    corrections = bodies.drafted(bodies.edited_rigs(dataset), (draft or {}).get("rigs") or ())
+    if not corrections.rigs:
+        raise ParameterError("Nothing was changed.")
+    return requests.reread_request(dataset.name, body=json.dumps(to_json(corrections), ensure_ascii=False))

@@ -12,7 +12,7 @@ from dash.development.base_component import Component
 from core import analyses, requests
 from core.workspace import Workspace, WorkspaceError
 from webapp import jobs
-from webapp.features.library import adding, body_editor, cards, feature_files, layout, names, reading
+from webapp.features.library import adding, body_editor, cards, feature_files, layout, names, reading, repairs
 from webapp.features.library.figures import tables
 from webapp.jobs import changes
 from webapp.jobs.names import JOB_POKE
@@ -29,6 +29,7 @@ def register(app: Dash, workspace: Workspace) -> None:
     _choose_clips(app, workspace)
     adding.register(app, workspace)
     reading.register(app, workspace)
+    repairs.register(app, workspace)
     body_editor.register(app, workspace)
     feature_files.register(app, workspace)
 
@@ -198,6 +199,9 @@ def _choose_clips(app: Dash, workspace: Workspace) -> None:
         if (request or {}).get("action") == "properties" and rows:
             chosen = {"dataset": name, "clips": [row["clip"] for row in rows], "at": time.time()}
             set_props(names.PROPERTIES_OF, {"data": chosen})
+            return no_update
+        if (request or {}).get("action") == "repair" and rows:
+            repairs.open_for(name, [row["clip"] for row in rows])
             return no_update
         if (request or {}).get("action") == "remove" and rows:
             try:

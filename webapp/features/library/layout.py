@@ -12,7 +12,7 @@ from dash.development.base_component import Component
 from core.mocap.reports import ImportReport
 from core.workspace import DatasetInfo
 from core.workspace.datasets import is_version
-from webapp.features.library import adding, body_editor, names, reading
+from webapp.features.library import adding, body_editor, names, reading, repairs
 from webapp.features.library.cards import duration
 from webapp.jobs.names import UNDO
 from webapp.shell.attributes import attributes
@@ -44,13 +44,15 @@ def page() -> Component:
             dcc.Store(id=names.DETAIL_SHOWN),
             adding.dialog(limits),
             reading.dialog(),
+            repairs.dialog(),
             body_editor.dialog(),
             _rename_dialog(),
             dmc.Modal(id=names.TRASH_DIALOG, title="Trash", size="lg", children=html.Div(id=names.TRASH_LIST)),
             dcc.Store(id=names.DATASET_ACTION),  # {"action": "rename" | "trash" | "empty", "dataset"}
-            dcc.Store(id=names.CLIPS_ACTION),  # {"action": "remove" | "reread" | "clear"}
+            dcc.Store(id=names.CLIPS_ACTION),  # {"action": "remove" | "reread" | "repair" | "properties" | "clear"}
             dcc.Store(id=names.REREAD_OF),  # {"dataset": name, "clips": [names]}: open the dialog for them
             dcc.Store(id=names.PROPERTIES_OF),  # {"dataset": name, "clips": [names]}: open the dialog for them
+            dcc.Store(id=names.REPAIR_OF),  # {"dataset": name, "clips": [names]}: open the dialog for them
             dcc.Store(id=names.BODY_OF),  # {"dataset": name}: open the editor of its bodies
             dcc.Store(id=names.UPLOAD_INTO),  # {"dataset": name}: open the dialog for it
             dcc.Store(id=names.UPLOAD, data={}),  # written by assets/library/upload.mjs
@@ -134,6 +136,13 @@ def clips_chosen(chosen: int) -> Component | None:
                 size="compact-sm",
                 variant="default",
                 **sends(names.CLIPS_ACTION, {"action": "properties"}, every_time=True),
+            ),
+            dmc.Button(
+                "Repair",
+                className="for-editors",
+                size="compact-sm",
+                variant="default",
+                **sends(names.CLIPS_ACTION, {"action": "repair"}, every_time=True),
             ),
             dmc.Button(
                 "Clear",

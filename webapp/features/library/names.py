@@ -24,7 +24,7 @@ class DatasetAction(TypedDict):
 class ClipsAction(TypedDict):
     """What is to be done with the clips that are chosen in the table."""
 
-    action: Literal["remove", "clear", "reread", "properties"]
+    action: Literal["remove", "clear", "reread", "repair", "properties"]
     at: NotRequired[float]
 
 
@@ -51,6 +51,14 @@ class PropertiesOf(TypedDict):
     at: NotRequired[float]
 
 
+class RepairOf(TypedDict):
+    """The clips that are to be repaired."""
+
+    dataset: Name
+    clips: list[str]
+    at: NotRequired[float]
+
+
 class BodyOf(TypedDict):
     """The data set whose bodies are to be edited."""
 
@@ -66,11 +74,10 @@ class BodyRig(TypedDict):
     ends: list[bool]
     joints: dict[str, str]
     said: dict[str, str | None]
+    suggested: dict[str, str]
     body: str
     said_body: str | None
     words: str
-    clip: Name
-    frames: int
 
 
 class BodyRigs(TypedDict):
@@ -87,6 +94,7 @@ class BodyPosture(TypedDict):
     """Places of all joints in two drawings; frame -1 is the rest pose."""
 
     rig: int
+    clip: Name
     frame: int
     front: list[list[float]]
     side: list[list[float]]
@@ -219,6 +227,13 @@ UPLOAD_SUGGESTED = Store("upload-suggested", Name)  # a name for the upload; "" 
 UPLOADED = Store("uploaded", Name)  # the token whose import was started
 
 REREAD_DIALOG = Id("reread-dialog")
+REPAIR_OF = Store("repair-of", RepairOf)
+REPAIR_DIALOG = Id("repair-dialog")
+REPAIR_WHAT = Id("repair-what")
+REPAIR_KINDS = Id("repair-kinds")
+REPAIR_PROBLEM = Id("repair-problem")
+REPAIR_DO = Id("repair-do")
+
 REREAD_OF = Store("reread-of", Reread)
 PROPERTIES_OF = Store("properties-of", PropertiesOf)
 REREAD_NOW = Id("reread-now")
@@ -236,6 +251,7 @@ BODY_DRAFT = Store("body-draft", BodyDraft)
 BODY_FILE = Store("body-file", BodyFile)
 BODY_FILLED = Store("body-filled", BodyFilled)
 BODY_RIG = Id("body-rig")
+BODY_CLIP = Id("body-clip")
 BODY_FRAME = Id("body-frame")
 BODY_FRAME_LABEL = Id("body-frame-label")
 BODY_EDITOR = Id("body-editor")

@@ -7,19 +7,16 @@ from collections.abc import Collection, Iterable
 from typing import Any
 
 import dash_mantine_components as dmc
-from dash import Dash, Input, Output, State, html, no_update, set_props
+from dash import Dash, Output, State, html, set_props
 from dash.development.base_component import Component
 
 from core import analyses, requests
-from core.errors import MotionscapeError, ParameterError
+from core.errors import ParameterError
 from core.mocap.dataset import Dataset
 from core.mocap.units import UNITS, in_words
-from core.workspace import Workspace, WorkspaceError
+from core.workspace import Workspace
 from core.workspace.tasks import names_of_clips
-from webapp.features.library import names
-from webapp.jobs import changes
-from webapp.shell.messages import notice
-from webapp.shell.names import DATASET, NOTICES
+from webapp.features.library import dialogs, names
 
 AUTO, KEEP = "auto", "keep"
 _UNITS = ("m", "cm", "mm", "dm", "in", "ft")
@@ -144,45 +141,23 @@ def open_for(dataset: str, clips: Collection[str] = ()) -> None:
     set_props(names.REREAD_OF, {"data": {"dataset": dataset, "clips": list(clips)}})
 
 
+def _fill(dataset: Dataset, asked: dict[str, Any]) -> list[Any]:
+    return [read_now(dataset, asked.get("clips") or ()), KEEP, KEEP, "", None]
+
+
 def register(app: Dash, workspace: Workspace) -> None:
     """The callbacks of the dialog."""
-
-    @app.callback(
-        Output(names.REREAD_DIALOG, "opened"),
-        Output(names.REREAD_NOW, "children"),
-        Output(names.REREAD_UNIT, "value"),
-        Output(names.REREAD_UP, "value"),
-        Output(names.REREAD_FPS, "value"),
-        Output(names.REREAD_PROBLEM, "children"),
-        Input(names.REREAD_OF, "data"),
-        prevent_initial_call=True,
+    chosen = [(names.REREAD_UNIT, "value"), (names.REREAD_UP, "value"), (names.REREAD_FPS, "value")]
+    filled = [Output(names.REREAD_NOW, "children"), *(Output(*one) for one in chosen)]
+    filled.append(Output(names.REREAD_PROBLEM, "children"))
+    dialogs.opens(app, workspace, names.REREAD_DIALOG, names.REREAD_OF, filled, _fill)
+    dialogs.starts(
+        app,
+        workspace,
+        names.REREAD_DIALOG,
+        names.REREAD_DO,
+        names.REREAD_PROBLEM,
+        names.REREAD_OF,
+        [State(*one) for one in chosen],
+        lambda dataset, asked, *said: request_for(dataset.name, asked.get("clips") or (), *said),
     )
-    def open_dialog(of):
-        if not of:
-            return (no_update,) * 6
-        try:
-            now = read_now(workspace.open(of["dataset"]), of.get("clips") or ())
-        except WorkspaceError as error:
-            set_props(NOTICES, {"sendNotifications": [notice("That did not work", str(error), "red")]})
-            return (no_update,) * 6
-        return True, now, KEEP, KEEP, "", None
-
-    @app.callback(
-        Output(names.REREAD_DIALOG, "opened", allow_duplicate=True),
-        Output(names.REREAD_PROBLEM, "children", allow_duplicate=True),
-        Input(names.REREAD_DO, "n_clicks"),
-        State(names.REREAD_OF, "data"),
-        State(names.REREAD_UNIT, "value"),
-        State(names.REREAD_UP, "value"),
-        State(names.REREAD_FPS, "value"),
-        prevent_initial_call=True,
-    )
-    def read_again(_clicks, of, unit, up, fps):
-        if not of:
-            return no_update, no_update
-        try:
-            changes.start(workspace, request_for(of["dataset"], of.get("clips") or (), unit, up, fps))
-        except MotionscapeError as error:
-            return no_update, str(error)
-        set_props(DATASET, {"data": of["dataset"]})
-        return False, None

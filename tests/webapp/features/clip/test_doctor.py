@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 
+from core.mocap.dataset import Dataset
 from core.mocap.reports import Finding
 from tests.core.editing.figures import going
 from webapp.features.clip import doctor
@@ -29,10 +30,14 @@ def test_doubts_play_with_half_a_second_around():
     half = round(clip.fps / 2)
     assert doctor.around(FOUND[0], clip) == (99 - half, 101 + half)
     assert doctor.around(FOUND[2], clip) == (0, 21 + half) and doctor.around(FOUND[1], clip) is None
-    (listed,) = doctor.panel(FOUND, clip)
-    assert [row["start"] for row in sent(listed)] == [0, 99 - half]
+    dataset = Dataset("d", (clip,))
+    (listed,) = doctor.panel(FOUND, clip, dataset)
+    assert [row["start"] for row in sent(listed) if "action" not in row] == [0, 99 - half]
     assert len(listed.children) == 3 and "whole clip" in str(listed.children[0])
-    assert "Nothing odd" in str(doctor.panel((), clip))
+    repairs = [(row["action"], row["start"], row["end"]) for row in sent(listed) if "action" in row]
+    assert repairs == [("mirror", 0, 0), ("cut", 0, 21), ("smooth", 0, 21), ("smooth", 99, 101), ("cut", 100, 180)]
+    assert {row["version"] for row in sent(listed) if "action" in row} == {dataset.fingerprint}
+    assert "Nothing odd" in str(doctor.panel((), clip, dataset))
 
 
 def test_doubts_are_marked_on_the_time_line():
