@@ -35,9 +35,22 @@ def register(app: Dash, workspace: Workspace) -> None:
 
 
 def _show(app: Dash, workspace: Workspace) -> None:
-    @app.callback(Output(names.DATASET_CARDS, "children"), Input(REVISION, "data"), Input(DATASET, "data"))
-    def show_cards(_revision, chosen):
-        return cards.dataset_cards(workspace.datasets(), chosen)
+    @app.callback(
+        Output(names.DATASET_CARDS, "children"),
+        Output(names.CARD(ALL), "className"),
+        Output(names.CARD_OPEN(ALL), "children"),
+        Output(names.CARD_OPEN(ALL), "aria-current"),
+        Input(REVISION, "data"),
+        Input(DATASET, "data"),
+        State(names.CARD(ALL), "id"),
+    )
+    def show_cards(_revision, chosen, shown):
+        there = workspace.datasets()
+        if not there or [card["dataset"] for card in shown] != [info.name for info in there]:
+            return cards.dataset_cards(there, chosen), *([no_update] * len(shown) for _ in range(3))
+        mine = [info.name == chosen for info in there]  # only what is in the cards changes: an open menu stays open
+        facts = [cards.card_facts(info) for info in there]
+        return no_update, list(map(cards.card_class, mine)), facts, list(map(cards.current, mine))
 
     @app.callback(
         Output(names.DATASET_DETAIL, "children"),

@@ -45,6 +45,37 @@ def dataset_cards(datasets: Sequence[DatasetInfo], chosen: str | None) -> Compon
 
 
 def _card(info: DatasetInfo, chosen: bool) -> Component:
+    return html.Div(
+        id=names.CARD(info.name),
+        className=card_class(chosen),
+        role="listitem",
+        **attributes(data_dataset=info.name),
+        children=[
+            html.Button(
+                id=names.CARD_OPEN(info.name),
+                className="dataset-open",
+                title=info.name,
+                children=card_facts(info),
+                **sends(DATASET_CHOICE, {"dataset": info.name}, every_time=True),
+                **attributes(aria_current=current(chosen)),
+            ),
+            _card_menu(info.name),
+        ],
+    )
+
+
+def card_class(chosen: bool) -> str:
+    """The class of a card."""
+    return "card dataset-card" + (" chosen" if chosen else "")
+
+
+def current(chosen: bool) -> str:
+    """Whether a card is the chosen one, for those who cannot see it."""
+    return "true" if chosen else "false"
+
+
+def card_facts(info: DatasetInfo) -> list[Component]:
+    """Name, size and doubts of a data set."""
     facts = f"{info.clips:,} clip{'s' if info.clips != 1 else ''} · {duration(info.seconds)}"
     pills = []
     if info.errors:
@@ -56,25 +87,11 @@ def _card(info: DatasetInfo, chosen: bool) -> Component:
     if info.labels:
         words = f"{info.labels:,} labels" if info.labels > 1 else "1 label"
         pills.append(html.Span(words, className="verdict verdict-plain"))
-    return html.Div(
-        className="card dataset-card" + (" chosen" if chosen else ""),
-        role="listitem",
-        **attributes(data_dataset=info.name),
-        children=[
-            html.Button(
-                className="dataset-open",
-                title=info.name,
-                children=[
-                    html.Span(info.name, className="dataset-name ellipsis"),
-                    html.Span(facts, className="muted number"),
-                    html.Span(pills, className="dataset-doubts"),
-                ],
-                **sends(DATASET_CHOICE, {"dataset": info.name}, every_time=True),
-                **attributes(aria_current="true" if chosen else "false"),
-            ),
-            _card_menu(info.name),
-        ],
-    )
+    return [
+        html.Span(info.name, className="dataset-name ellipsis"),
+        html.Span(facts, className="muted number"),
+        html.Span(pills, className="dataset-doubts"),
+    ]
 
 
 def _card_menu(name: str) -> Component:

@@ -184,6 +184,8 @@ DETAIL_SHOWN = Store("detail-shown", Name)  # the data set of the detail
 DATASET_TABS = Id("dataset-tabs")
 DATASET_ACTION = Store("dataset-action", DatasetAction)
 DEMO = Pattern("demo", "at")
+CARD = Pattern("dataset-card", "dataset")
+CARD_OPEN = Pattern("dataset-open", "dataset")
 ADD = Pattern("add", "at")
 
 CLIPS_TABLE = Id("clips-table")
