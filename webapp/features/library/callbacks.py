@@ -37,20 +37,30 @@ def register(app: Dash, workspace: Workspace) -> None:
 def _show(app: Dash, workspace: Workspace) -> None:
     @app.callback(
         Output(names.DATASET_CARDS, "children"),
+        Input(REVISION, "data"),
+        State(DATASET, "data"),
+        State(names.CARD(ALL), "id"),
+    )
+    def show_cards(_revision, chosen, shown):
+        there = workspace.datasets()
+        if there and [card["dataset"] for card in shown] == [info.name for info in there]:
+            return no_update  # what is in the cards changes below, so that an open menu stays open
+        return cards.dataset_cards(there, chosen)
+
+    @app.callback(
         Output(names.CARD(ALL), "className"),
         Output(names.CARD_OPEN(ALL), "children"),
         Output(names.CARD_OPEN(ALL), "aria-current"),
         Input(REVISION, "data"),
         Input(DATASET, "data"),
-        State(names.CARD(ALL), "id"),
+        Input(names.CARD(ALL), "id"),
     )
-    def show_cards(_revision, chosen, shown):
-        there = workspace.datasets()
-        if not there or [card["dataset"] for card in shown] != [info.name for info in there]:
-            return cards.dataset_cards(there, chosen), *([no_update] * len(shown) for _ in range(3))
-        mine = [info.name == chosen for info in there]  # only what is in the cards changes: an open menu stays open
-        facts = [cards.card_facts(info) for info in there]
-        return no_update, list(map(cards.card_class, mine)), facts, list(map(cards.current, mine))
+    def show_facts(_revision, chosen, shown):
+        there = {info.name: info for info in workspace.datasets()}
+        cards_of = [there.get(card["dataset"]) for card in shown]
+        mine = [card["dataset"] == chosen for card in shown]
+        facts = [cards.card_facts(info) if info else no_update for info in cards_of]
+        return list(map(cards.card_class, mine)), facts, list(map(cards.current, mine))
 
     @app.callback(
         Output(names.DATASET_DETAIL, "children"),

@@ -13,6 +13,7 @@ RIGHTS = Rights(
         "callbacks.show_cards",
         "callbacks.show_chosen",
         "callbacks.show_detail",
+        "callbacks.show_facts",
         "callbacks.show_trash",
         "dialogs.open_dialog",
         "property_routes.properties_file",
