@@ -10,10 +10,12 @@ from __future__ import annotations
 
 import gzip
 import io
+import json
 import os
 import random
 import resource
 import signal
+import struct
 import sys
 import tempfile
 import time
@@ -22,12 +24,16 @@ from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
+
 from core.errors import MotionscapeError
 from core.inspection import inspect_file
 from core.mocap.asfamc import read_amc, read_asf
 from core.mocap.bvh import read_bvh_clips
 from core.mocap.corrections import read_corrections
 from core.mocap.labels import read_labels
+from core.mocap.readers import is_recording, read_clips
+from core.mocap.reading import Reading, settled
 from core.progress import silent
 from core.workspace.archives import unpack_archives
 
@@ -82,6 +88,16 @@ ASF = """:version 1.10
 """
 AMC = "#!OML\n:FULLY-SPECIFIED\n:DEGREES\n" + "".join(f"{k}\nroot 0 17 {k} 0 1 0\nfemur -10 5\n" for k in range(1, 13))
 LABELS = "clip,start_frame,end_frame,action\nwalk,0,10,walk\nwalk,10,20,stop\n"
+TRC = (
+    "PathFileType\t4\t(X/Y/Z)\ta.trc\nDataRate\tCameraRate\tNumFrames\tNumMarkers\tUnits\n60\t60\t12\t2\tmm\n"
+    "Frame#\tTime\tLASI\t\t\tRASI\t\t\n\t\tX1\tY1\tZ1\tX2\tY2\tZ2\n\n"
+) + "".join(f"{k}\t{k / 60:.3f}\t1{k}.5\t2\t900\t\t\t\n" for k in range(12))
+_AXES = [f"{name}_{axis}" for name in ("hips", "l_knee", "r_knee", "head") for axis in "xyz"]
+POINTS_CSV = f"time,{','.join(_AXES)}\n" + "".join(f"{k / 30:.4f}{f',{k}.5,1e-1,-2' * 4}\n" for k in range(12))
+TIDY_CSV = "frame,joint,x,y,z\n" + "".join(f"{k},{j},{k},0.5,1\n" for k in range(9) for j in ("head", "hips", "knee"))
+NUMBERED = "".join(f"{4 * k} " + " ".join(f"{(j + k) / 7:.4f}" for j in range(60)) + "\n" for k in range(12))
+POINTS_JSON = json.dumps([{"joints": {j: [k, 0.5, 1] for j in ("head", "hips", "knee")}} for k in range(9)])
+ARRAY_JSON = json.dumps({"fps": 30, "joints": [[[k, j, 1] for j in range(17)] for k in range(9)]})
 BODY = '{"format": "motionscape/body/1", "rigs": [{"rig": ["a", "b"], "body": null, "joints": {"head": "b"}}]}'
 _ODD_NUMBERS = b"nan inf -inf 1e400 -1.#IND 0x1A 1,5 99999999999999999999 -1 0 1e-320 null 5-2".split()
 _KEYWORDS = b"{ } MOTION HIERARCHY ROOT JOINT End Site OFFSET CHANNELS Frames: Frame Time: EndSite # //".split()
@@ -171,8 +187,15 @@ class Readers:
             ".asf": (read_asf, [ASF.encode()]),
             ".amc": (lambda path: read_amc(path, self.skeleton), [AMC.encode()]),
             "_inspected.bvh": (inspect_file, [BVH.encode()]),
-            ".csv": (read_labels, [LABELS.encode()]),
-            ".json": (read_corrections, [BODY.encode()]),
+            "_labels.csv": (read_labels, [LABELS.encode()]),
+            "_body.json": (read_corrections, [BODY.encode()]),
+            ".trc": (read_any, [TRC.encode()]),
+            ".csv": (read_any, [POINTS_CSV.encode(), TIDY_CSV.encode()]),
+            ".c3d": (read_any, [_c3d(), _c3d(">")]),
+            ".txt": (read_any, [NUMBERED.encode()]),
+            ".json": (read_any, [POINTS_JSON.encode(), ARRAY_JSON.encode()]),
+            ".npy": (read_any, [_npy()]),
+            ".npz": (read_any, [_npz()]),
             ".zip": (self.unpack, [_zip(), _zip("gähen.bvh")]),
         }
 
@@ -184,9 +207,41 @@ class Readers:
 
     def add_shared(self, data: Path) -> None:
         """The shared odd files as seeds, where they are there and small."""
-        for path in sorted(p for name in ("wild", "malformed") for p in (data / name).rglob("*") if p.is_file()):
-            if path.suffix in (".bvh", ".asf", ".amc") and path.stat().st_size < LARGE:
+        for path in sorted(
+            p for name in ("wild", "malformed", "formats") for p in (data / name).rglob("*") if p.is_file()
+        ):
+            if path.suffix in self.by_format and path.stat().st_size < LARGE:
                 self.by_format[path.suffix][1].append(path.read_bytes())
+
+
+def read_any(path: Path) -> object:
+    """A file of any format as an import reads it, whatever its beginning looks like."""
+    is_recording(path)
+    return [settled(clip, Reading()) for clip in read_clips(path, Reading())]
+
+
+def _c3d(order: str = "<") -> bytes:
+    """Six frames of three points, in integers."""
+    labels, count = b"LASIRASISACR", 3
+    parameters = struct.pack("bb", 5, -1) + b"POINT" + struct.pack(f"{order}h", 3) + b"\0"
+    body = struct.pack("bB", -1, 2) + bytes([4, count]) + labels + b"\0"
+    parameters += struct.pack("bb", 6, 1) + b"LABELS" + struct.pack(f"{order}h", len(body) + 2) + body
+    head = struct.pack(f"{order}BBHHHHHf", 2, 80, count, 0, 1, 6, 10, 0.1) + struct.pack(f"{order}HHf", 3, 0, 50.0)
+    block = bytes([1, 80, 1, 84 if order == "<" else 86]) + parameters
+    data = b"".join(struct.pack(f"{order}4h", k, 100 * j, 900, 0) for k in range(6) for j in range(count))
+    return head.ljust(512, b"\0") + block.ljust(512, b"\0") + data
+
+
+def _npy() -> bytes:
+    file = io.BytesIO()
+    np.save(file, np.random.default_rng(0).normal(size=(6, 17, 3)).astype(np.float32))
+    return file.getvalue()
+
+
+def _npz() -> bytes:
+    file = io.BytesIO()
+    np.savez(file, joints=np.random.default_rng(0).normal(size=(6, 22, 3)), fps=30)
+    return file.getvalue()
 
 
 def _zip(name: str = "walks/walk.bvh") -> bytes:

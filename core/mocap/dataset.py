@@ -14,13 +14,13 @@ from joblib import Parallel, delayed
 
 from core.errors import ParameterError
 from core.mocap.asfamc import DEFAULT_FPS, AsfSkeleton, read_amc, read_asf
-from core.mocap.bvh import read_bvh_clips
 from core.mocap.clip import Clip, Label
 from core.mocap.corrections import BodyCorrections, read_corrections
 from core.mocap.errors import RecordingError
 from core.mocap.label_files import find_label_files, find_labels
 from core.mocap.labels import fit_labels, read_labels
 from core.mocap.other_files import in_words
+from core.mocap.readers import read_clips
 from core.mocap.reading import Change, Reading, read_again, settled
 from core.mocap.recordings import Recording, Source, find_left_out, find_recordings, find_skeleton, name_recordings
 from core.mocap.reports import FileReport, ImportReport, Verdict
@@ -258,7 +258,7 @@ def _read(
         return asf
     try:
         if asf is None:
-            clips = read_bvh_clips(recording.path, fps=how.fps)
+            clips = read_clips(recording.path, how)
         else:
             clips = (read_amc(recording.path, asf, how.fps or DEFAULT_FPS),)
         return tuple(settled(clip, how) for clip in clips)

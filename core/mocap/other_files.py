@@ -10,6 +10,7 @@ from core.mocap.text import recording_format
 
 _BLENDER = "open it in Blender and export BVH"
 _OPENSIM = "export BVH, or joint angles as BVH, with the program that wrote it"
+_ARRAYS = "no joints or poses are recognised in it; save joints as an array (frames, joints, 3)"
 # How a file's name ends -> what the format is called, and how to come to BVH.
 _MOTION = {
     ".fbx": ("FBX", _BLENDER),
@@ -28,13 +29,11 @@ _MOTION = {
     ".vpd": ("VPD", "open it in Blender with the MMD Tools add-on, on its model, and export BVH"),
     ".pmx": ("PMX", "it is a model without motion"),
     ".pmd": ("PMD", "it is a model without motion"),
-    ".c3d": ("C3D", "it holds markers; solve a skeleton in Motive, Vicon or Mokka and export BVH"),
-    ".trc": ("TRC", "it holds markers; solve a skeleton with the program that recorded it and export BVH"),
     ".trb": ("TRB", "it holds markers; solve a skeleton with the program that recorded it and export BVH"),
     ".mot": ("OpenSim MOT", _OPENSIM),
     ".sto": ("OpenSim STO", _OPENSIM),
-    ".npz": ("NumPy arrays", "convert the poses to BVH, for SMPL and AMASS with smpl2bvh"),
-    ".npy": ("NumPy array", "convert the joints to BVH with the tools of the dataset it is from"),
+    ".npz": ("NumPy arrays", _ARRAYS),
+    ".npy": ("NumPy array", _ARRAYS),
     ".pkl": ("pickle", "it may run code when opened and is never read; convert the poses to BVH with smpl2bvh"),
     ".pickle": ("pickle", "it may run code when opened and is never read; convert the poses to BVH with smpl2bvh"),
     ".pt": ("PyTorch file", "it may run code when opened and is never read; convert the poses to BVH"),
@@ -52,7 +51,6 @@ _MOTION = {
     ".tak": ("Motive take", "export BVH from Motive"),
     ".mvn": ("Xsens MVN", "export BVH from MVN"),
     ".mvnx": ("Xsens MVNX", "export BVH from MVN"),
-    ".json": ("JSON", "convert the poses to BVH with the tools they come from"),
     ".zip": ("zip", "unpack it, or drop it on the Library page"),
     ".7z": ("7z", "unpack it"),
     ".rar": ("rar", "unpack it"),

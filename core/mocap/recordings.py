@@ -12,9 +12,9 @@ from pathlib import Path
 from core.mocap.errors import RecordingError
 from core.mocap.files import files_below
 from core.mocap.other_files import LeftOut, in_words, left_out_files, what_it_is
+from core.mocap.readers import FORMATS, NAMED, is_first, is_recording
 from core.mocap.text import recording_format
 
-FORMATS = (".bvh", ".amc")
 NEEDS_SKELETON = "one of them, or one skeleton given for all"  # whoever shows the message says how to give one
 Source = str | os.PathLike[str] | Sequence[str | os.PathLike[str]]
 
@@ -29,7 +29,7 @@ class Recording:
 
 
 def find_recordings(source: Source) -> list[Path]:
-    """Recordings (.bvh, .bvh.gz, .amc, .amc.gz) of a folder and all below it, or of several; a file stands for itself.
+    """Recordings (core.mocap.readers) of a folder and all below it, or of several; a file stands for itself.
 
     Sorted by path; hidden files and folders, and files of other kinds, are left out (:func:`find_left_out`). Raises
     RecordingError where a path does not exist, or there is no recording at all.
@@ -79,7 +79,7 @@ def find_left_out(source: Source) -> tuple[LeftOut, ...]:
     """What of ``source`` is not read, by format; hidden files are not looked at."""
     sources = [source] if isinstance(source, str | os.PathLike) else list(source)
     files = [file for one in map(Path, sources) for file in (files_below(one) if one.is_dir() else [one])]
-    return left_out_files(dict.fromkeys(files), FORMATS)
+    return left_out_files(dict.fromkeys(file for file in files if not is_recording(file)), ())
 
 
 def _find(source: Source) -> list[tuple[Path, Path]]:
@@ -90,22 +90,20 @@ def _find(source: Source) -> list[tuple[Path, Path]]:
         if not one.exists():
             raise RecordingError(one, "there is no such file or folder")
         for path in sorted(filter(is_recording, files_below(one) if one.is_dir() else [one])):
-            found.setdefault(path, path.parent.relative_to(one) if one.is_dir() else Path())
+            if is_first(path) or not one.is_dir():
+                found.setdefault(path, path.parent.relative_to(one) if one.is_dir() else Path())
     if not found:
         one = Path(sources[0])
         others = in_words(find_left_out(source))
         if one.is_dir() or len(sources) > 1:
             words = "no recordings in this folder" if len(sources) == 1 else "no recordings among these"
             found_words = f"{words} ({others})" if others else words
-            raise RecordingError(one, found_words, "files .bvh, .bvh.gz, .amc or .amc.gz")
+            raise RecordingError(one, found_words, f"files of {NAMED}")
+        if recording_format(one)[1] in FORMATS:  # it may be none, but its reader says why
+            return [(one, Path())]
         what = f"not a recording: {what_it_is(one)}" if what_it_is(one) else "not a recording"
-        raise RecordingError(one, what, "a file .bvh, .bvh.gz, .amc or .amc.gz, or a folder")
+        raise RecordingError(one, what, f"a file of {NAMED}, or a folder")
     return list(found.items())
-
-
-def is_recording(path: Path) -> bool:
-    """Whether a file is a recording, by its name."""
-    return recording_format(path)[1] in FORMATS
 
 
 def find_skeleton(path: Path, skeleton: str | Path | None = None) -> Path:

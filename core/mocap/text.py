@@ -53,6 +53,16 @@ def read_bytes(path: str | Path, notes: list[str] | None = None) -> bytes:
     return data
 
 
+def read_binary(path: str | Path) -> bytes:
+    """Content of a file or of its ``.gz``. Raises RecordingError where there is none, or it cannot be unpacked."""
+    data = _unpacked(Path(path))
+    if not data:
+        raise RecordingError(path, "the file is empty")
+    if data.startswith(b"version https://git-lfs"):
+        raise RecordingError(path, "a Git LFS pointer stands in place of the recording", "the data; run 'git lfs pull'")
+    return data
+
+
 def _wide_encoding(data: bytes) -> str:
     """Name of the two-byte encoding of a text, told by its byte-order mark or by every other byte being 0."""
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
@@ -82,7 +92,7 @@ def _unpacked(path: Path) -> bytes:
             raise
         raise RecordingError(path, f"cannot be read ({getattr(error, 'strerror', None) or error})") from None
     if data is None or len(data) > MAX_BYTES:
-        raise RecordingError(path, "more than 2 GB of text", "a shorter recording; cut it into several files")
+        raise RecordingError(path, "more than 2 GB", "a shorter recording; cut it into several files")
     return data
 
 

@@ -14,7 +14,7 @@ from core.mocap.kinematics import forward_kinematics
 
 AXES = ("y", "z", "x", "-z", "-x", "-y")
 _HALF = np.sqrt(0.5)
-_TO_Y = {  # quaternions that turn an axis to Y
+TO_Y = {  # quaternions that turn an axis to Y
     "y": (1.0, 0.0, 0.0, 0.0),
     "z": (_HALF, -_HALF, 0.0, 0.0),
     "-z": (_HALF, _HALF, 0.0, 0.0),
@@ -47,12 +47,12 @@ def turned(clip: Clip, up: str) -> Clip:
     """
     if up == clip.up:
         return clip
-    as_filed = _turned(clip, quat.conjugate(np.array(_TO_Y[clip.up])), clip.rest_turned)
+    as_filed = _turned(clip, quat.conjugate(np.array(TO_Y[clip.up])), clip.rest_turned)
     anatomy = find_anatomy(clip.skeleton)
     rest = _upright(anatomy, _resting(as_filed))
-    axis = quat.rotate(quat.conjugate(np.array(_TO_Y[up])), np.array([0.0, 1.0, 0.0]))
+    axis = quat.rotate(quat.conjugate(np.array(TO_Y[up])), np.array([0.0, 1.0, 0.0]))
     with_rest = rest is not None and bool(rest[0] @ axis > _AT_REST)
-    return replace(_turned(as_filed, np.array(_TO_Y[up]), with_rest), up=up, rest_turned=with_rest and up != "y")
+    return replace(_turned(as_filed, np.array(TO_Y[up]), with_rest), up=up, rest_turned=with_rest and up != "y")
 
 
 def _turned(clip: Clip, turn: np.ndarray, with_rest: bool) -> Clip:
@@ -131,7 +131,7 @@ def _sampled(clip: Clip) -> Clip:
 
 def _axis_of_file(clip: Clip, axis: int, sign: int) -> str:
     """What the file calls an axis (0 to 2) of the clip, in the direction ``sign`` (1 or -1)."""
-    found = quat.rotate(quat.conjugate(np.array(_TO_Y[clip.up])), sign * np.eye(3)[axis])
+    found = quat.rotate(quat.conjugate(np.array(TO_Y[clip.up])), sign * np.eye(3)[axis])
     k = int(np.abs(found).argmax())
     return ("" if found[k] > 0 else "-") + "xyz"[k]
 

@@ -24,8 +24,9 @@ from core.mocap.files import files_below
 from core.mocap.label_files import find_labels, take_labels
 from core.mocap.labels import read_labels
 from core.mocap.other_files import LeftOut, in_words
+from core.mocap.readers import is_recording
 from core.mocap.reading import Change, Reading, read_again
-from core.mocap.recordings import FORMATS, find_left_out
+from core.mocap.recordings import find_left_out
 from core.mocap.reports import Verdict
 from core.mocap.storage import load_dataset, save_dataset, writing_dataset
 from core.mocap.text import recording_format
@@ -197,7 +198,7 @@ def add_labels(before: Dataset, what: Recordings) -> tuple[tuple[Label, ...], Im
 
 def holds_recordings(folder: Path) -> bool:
     """Whether there is a recording in a folder or below it."""
-    return any(recording_format(path)[1] in FORMATS for path in files_below(folder))
+    return any(map(is_recording, files_below(folder)))
 
 
 def only_skeleton(folder: Path) -> Path | None:

@@ -8,10 +8,11 @@ from dataclasses import dataclass
 
 from flask import Blueprint, Response, jsonify, request
 
+from core.mocap.readers import FORMATS, NAMED
 from core.workspace import Workspace, WorkspaceError
 from core.workspace.uploads import MAX_BYTES, MAX_FILES
 
-SUFFIXES = (".bvh", ".bvh.gz", ".amc", ".amc.gz", ".asf", ".asf.gz", ".csv", ".zip")
+SUFFIXES = (*(f"{ending}{packed}" for ending in (*FORMATS, ".asf") for packed in ("", ".gz")), ".zip")
 HEADER = "X-Motionscape"  # pages of another origin cannot send this header without permission
 _CHUNK = 1 << 18
 _DRAIN = 1 << 24
@@ -35,7 +36,7 @@ class Limits:
     def sentence(self) -> str:
         """The limits in words, for the people who upload."""
         sizes = f"{megabytes(self.file_bytes)} a file and {megabytes(self.total_bytes)} altogether"
-        kinds = "BVH, or AMC with its ASF, as they are, gzipped or all in a zip; labels as CSV"
+        kinds = f"{NAMED}, as they are, gzipped or all in a zip; labels as CSV"
         return f"{kinds} (columns clip, start_frame, end_frame, action). Up to {self.files:,} files, {sizes}."
 
 

@@ -11,7 +11,8 @@ import pytest
 from core.mocap.dataset import open_dataset
 from core.mocap.errors import RecordingError
 from core.mocap.other_files import in_words, left_out_files, what_it_is
-from core.mocap.recordings import FORMATS, find_left_out
+from core.mocap.readers import FORMATS
+from core.mocap.recordings import find_left_out
 from core.progress import silent
 from core.workspace import Workspace, WorkspaceError
 from core.workspace.archives import unpack_archives
@@ -34,8 +35,8 @@ def test_files_are_named_by_format_with_the_way_to_convert_them(folder):
     assert words.startswith("3 FBX (a.fbx, b.FBX, c.fbx), 1 VMD (dance.vmd), 1 other file (notes.txt) left out: ")
     assert "FBX: open it in Blender and export BVH" in words and "VMD: " in words and "hidden" not in words
     assert in_words(()) == "" and find_left_out(folder / "walk.bvh") == ()
-    many = left_out_files([f"{k}.c3d.gz" for k in range(9)], FORMATS)
-    assert in_words(many).startswith("9 C3D (0.c3d.gz, 1.c3d.gz, 2.c3d.gz, ...) left out")
+    many = left_out_files([f"{k}.abc.gz" for k in range(9)], FORMATS)
+    assert in_words(many).startswith("9 Alembic (0.abc.gz, 1.abc.gz, 2.abc.gz, ...) left out")
     assert "this is pickle" in what_it_is("a.pkl") and what_it_is("a.xyz") == ""
 
 

@@ -44,7 +44,7 @@ def test_files_arrive_with_their_folders(client, token, workspace):
     assert (folder / "walks" / "a.bvh").read_bytes() == b"one"
 
 
-@pytest.mark.parametrize("name", ["a.exe", "a.bvh.exe", "a", "notes.txt", "a.tar.gz"])
+@pytest.mark.parametrize("name", ["a.exe", "a.bvh.exe", "a", "notes.md", "a.tar.gz"])
 def test_other_kinds_of_files_are_refused(client, token, name):
     answer = put(client, token, name)
     assert answer.status_code == 415 and ".bvh" in answer.json["error"]

@@ -63,7 +63,7 @@ def import_(arguments: Namespace) -> int:
 
 def _first_with_recordings(paths: Iterable[Path]) -> Path:
     """The path that a dataset is named after: the first that is a recording or a folder, else the first."""
-    from core.mocap.recordings import is_recording
+    from core.mocap.readers import is_recording
 
     paths = [path.expanduser().resolve() for path in paths]
     return next((path for path in paths if path.is_dir() or is_recording(path)), paths[0])
@@ -82,7 +82,7 @@ def inspect(arguments: Namespace) -> int:
     left = _left_out(arguments.paths)
     if not verdicts:
         also = f" ({in_words(left)})" if left else ""
-        raise WorkspaceError(f"no recordings (.bvh, .amc, .asf) in {', '.join(map(str, arguments.paths))}{also}")
+        raise WorkspaceError(f"no recordings in {', '.join(map(str, arguments.paths))}{also}")
     if arguments.json:
         entries = [_entry(file, facts) for file, facts in verdicts]
         others = [{"format": group.format, "files": group.files, "advice": group.advice} for group in left]
@@ -172,8 +172,6 @@ def line_of(file: Any) -> str:
 
 
 def _stem(path: Path) -> str:
-    name = path.name
-    for suffix in (".gz", ".bvh", ".amc", ".asf"):
-        if name.lower().endswith(suffix):
-            name = name[: -len(suffix)]
-    return name
+    from core.mocap.text import recording_format
+
+    return recording_format(path)[0]

@@ -1,0 +1,65 @@
+"""The readers of all formats, and which files they are for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import lru_cache
+from pathlib import Path
+
+from core.mocap.bvh import read_bvh_clips
+from core.mocap.c3d import read_c3d
+from core.mocap.clip import Clip
+from core.mocap.points import reading as points
+from core.mocap.points.json_files import frame_files, is_frame_file
+from core.mocap.reading import Reading
+from core.mocap.text import recording_format
+
+Reader = Callable[[Path, str, Reading], tuple[Clip, ...]]
+
+
+def _bvh(path: Path, _ending: str, how: Reading) -> tuple[Clip, ...]:
+    return read_bvh_clips(path, fps=how.fps)
+
+
+def _points(path: Path, ending: str, how: Reading) -> tuple[Clip, ...]:
+    return points.read_points(path, ending, how.fps)
+
+
+def _c3d(path: Path, _ending: str, how: Reading) -> tuple[Clip, ...]:
+    return read_c3d(path, how.fps)
+
+
+READERS: dict[str, Reader] = {".bvh": _bvh, ".c3d": _c3d, **dict.fromkeys(points.FORMATS, _points)}
+"""How a file's name ends -> its reader. AMC files, which need a skeleton beside them, have their own way."""
+FORMATS = (*READERS, ".amc")
+_MAYBE = points.MAYBE  # endings that many other files have
+NAMED = "BVH, ASF/AMC, C3D, TRC, CSV, NPY, NPZ or JSON"
+"""The formats in words, for messages."""
+
+
+def is_recording(path: str | Path) -> bool:
+    """Whether a file is a recording: by its name and, where that may be anything, by how it begins."""
+    ending = recording_format(path)[1]
+    if ending not in _MAYBE:
+        return ending in FORMATS
+    try:
+        facts = Path(path).stat()
+    except OSError:
+        return False
+    return _begins_as_one(str(path), ending, facts.st_mtime_ns, facts.st_size)
+
+
+@lru_cache(maxsize=4096)
+def _begins_as_one(path: str, ending: str, _changed: int, size: int) -> bool:
+    return size > 0 and points.holds_points(Path(path), ending)
+
+
+def is_first(path: Path) -> bool:
+    """Whether a file stands for its recording: of takes with one file a frame, the first alone does."""
+    return not is_frame_file(path) or frame_files(path)[0].name == path.name
+
+
+def read_clips(path: Path, how: Reading) -> tuple[Clip, ...]:
+    """The clips of a file of any format but AMC, as its reader gives them. Raises RecordingError."""
+    ending = recording_format(path)[1]
+    return READERS[ending](path, ending, how)
