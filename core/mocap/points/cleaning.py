@@ -103,6 +103,6 @@ def upward(line: np.ndarray) -> str:
 
 
 def median_of(values: np.ndarray) -> float:
-    """Median of the numbers that are none of NaN and infinite; 0 where all are."""
+    """Median of the numbers ``(n,)`` that are none of NaN and infinite; 0 where all are."""
     finite = values[np.isfinite(values)]
     return float(np.median(finite)) if finite.size else 0.0
