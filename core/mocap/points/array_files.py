@@ -37,7 +37,10 @@ HUMANML3D, _HUMANML3D_JOINTS, _HUMANML3D_FPS = 263, 22, 20.0
 
 
 def read_arrays(path: str | Path) -> dict[str, np.ndarray]:
-    """The arrays ``(n, ...)`` of an ``.npz``, or the one of an ``.npy`` under "". Raises RecordingError; pickles are refused."""
+    """The arrays ``(n, ...)`` of an ``.npz``, or the one of an ``.npy`` under "".
+
+    Raises RecordingError; pickles are refused.
+    """
     try:
         _check_sizes(Path(path))
         loaded: Any = np.load(path, allow_pickle=False)
@@ -113,7 +116,10 @@ def _check_header(path: Path, head: bytes) -> None:
 
 
 def points_of_arrays(path: str | Path, arrays: dict[str, np.ndarray]) -> list[tuple[Points, bool]]:
-    """Points of arrays such as ``(n_frames, n_points, 3)``, one for each person, and whether they have names. Raises RecordingError."""
+    """Points of arrays such as ``(n_frames, n_points, 3)``, one for each person, and whether they have names.
+
+    Raises RecordingError.
+    """
     fps, said = _rate(arrays)
     stem = recording_format(path)[0]
     name, found = _chosen(path, arrays)

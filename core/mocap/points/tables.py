@@ -113,7 +113,7 @@ def _careful(path: str | Path, data: bytes, first: int, divider: str, columns: i
 
 
 def rate_of(times: np.ndarray) -> float | None:
-    """Frames per second of times ``(n,)`` in seconds (or milliseconds), from the median step; None where they do not rise."""
+    """Frames per second of times ``(n,)`` in seconds or milliseconds, by the median step; None where none rise."""
     times = times[np.isfinite(times)]
     if len(times) < 2:
         return None
