@@ -134,7 +134,7 @@ METHODS: dict[str, Method] = {
     ),
     "search": _method(
         "Search index",
-        4,
+        5,
         "core.retrieval.search",
         "SearchParameters",
         "build_search_index",
@@ -143,7 +143,7 @@ METHODS: dict[str, Method] = {
     ),
     "ranking": _method(
         "Rankings by several engines",
-        3,
+        4,
         "core.rankings",
         "RankingParameters",
         "rank_dataset",

@@ -7,25 +7,21 @@ warping.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
-from core.arrays import Float32Array, Float64Array, Int8Array, Int64Array
+from core.arrays import Float32Array
 from core.compiled import njit
 from core.retrieval.chance import chances, usual_distance
 from core.retrieval.compose import Composed
 from core.retrieval.descriptors import N_COLUMNS
 from core.retrieval.frames import FrameStore
 from core.retrieval.metric import Metric
-from core.retrieval.path_length import at_shares, path_lengths
 from core.retrieval.trajectories import path_distances
+from core.retrieval.windows import TEMPOS, Windows, find_windows
 
-KEYS = 8  # frames of the query that the coarse look compares
-TEMPOS = (0.7, 0.84, 1.0, 1.19, 1.41)  # lengths of windows, in lengths of the query
-STRIDE = 4  # at most so many frames between two that the coarse look sees
-POOL = 256  # windows that are compared by the metric, at least
+POOL = 128  # windows that are compared by the metric, at least
 COPY = 0.3  # cost a frame of warping postures onto postures below which a window is the query again, or nearly so
 _SHRUNK = 0.6  # share of a window below which warping may not shorten it
 _REFINED = 150  # frames of the query that warping looks at, at most
@@ -41,31 +37,19 @@ class Place(NamedTuple):
     within: tuple[int, int] | None
 
 
-@dataclass
-class _Windows:
-    """Stretches ``[start, end)`` of the store, ``(k,)`` each, with the clip each lies in."""
-
-    clip: np.ndarray
-    start: np.ndarray
-    end: np.ndarray
-
-    def take(self, which: np.ndarray) -> _Windows:
-        return _Windows(self.clip[which], self.start[which], self.end[which])
-
-
 def locate(store: FrameStore, query: Composed, among: np.ndarray, top: int, root_path: float = 0.0) -> list[Place]:
     """At most ``top`` stretches of the clips numbered ``(k,)``, best first; none lies over most of another."""
     metric = Metric(query.weights)
     query_motion = metric.motions(store, query.codes, np.array([0]), np.array([len(query.codes)]))
 
-    def apart(windows: _Windows) -> np.ndarray:
+    def apart(windows: Windows) -> np.ndarray:
         distance = metric.distances(query_motion, metric.motions(store, store.codes, windows.start, windows.end))
         if root_path > 0:
             paths = path_distances(query.codes, store.codes, windows.start, windows.end, store.fps)
             distance = (1 - root_path) * distance + root_path * paths
         return distance
 
-    windows = _coarse(store, query, metric, among, max(POOL, 8 * top))
+    windows = find_windows(store, query, metric, among, max(POOL, 6 * top))
     distances = apart(windows)
     best = np.argsort(distances, kind="stable")[: 3 * top + 10]
     windows, distances = windows.take(best), distances[best]
@@ -82,129 +66,7 @@ def locate(store: FrameStore, query: Composed, among: np.ndarray, top: int, root
     return [_place(store, windows, k, scores[k], parts.get(k)) for k in kept]
 
 
-def _coarse(store: FrameStore, query: Composed, metric: Metric, among: np.ndarray, most: int) -> _Windows:
-    """The ``most`` best windows that are the best of their neighbourhood."""
-    n = len(query.codes)
-    stride = max(1, min(STRIDE, n // KEYS))
-    keys, times = _keys(query, metric)
-    frames = store.starts[among + 1] - store.starts[among]
-    offsets = np.concatenate([[0], np.cumsum(-(-frames // stride))])
-    table = _table(store.codes, store.starts, among, offsets, keys, metric.scales, np.float32(metric.cap), stride)
-    score, length = _score_windows(table, frames, offsets, times, n, np.array(TEMPOS), stride)
-    minima = _minima(score, offsets, max(1, n // (3 * stride)))
-    if len(minima) > most:
-        minima = minima[np.argpartition(score[minima], most)[:most]]
-    place = np.searchsorted(offsets, minima, side="right") - 1
-    clip = among[place]
-    start = store.starts[clip] + (minima - offsets[place]) * stride
-    return _Windows(clip, start, np.minimum(start + length[minima], store.starts[clip + 1]))
-
-
-def _keys(query: Composed, metric: Metric) -> tuple[np.ndarray, np.ndarray]:
-    """Its frames at equal steps of its way ``(KEYS, width)`` as codes, and their times (0 to 1) ``(KEYS,)``."""
-    values = query.codes.astype(np.float32)
-    lengths = path_lengths((values * metric.scales)[:, metric.columns[: metric.way]])
-    shares = (np.arange(KEYS) + 0.5) / KEYS
-    times = np.interp(shares * lengths[-1], lengths, np.arange(len(lengths)) / max(len(lengths) - 1, 1))
-    return at_shares(values, lengths, shares).astype(np.float32), times
-
-
-@njit(nogil=True, fastmath=True)
-def _table(
-    codes: Int8Array,
-    starts: Int64Array,
-    among: Int64Array,
-    offsets: Int64Array,
-    keys: Float32Array,
-    scales: Float32Array,
-    cap: np.float32,
-    stride: int,
-) -> Float32Array:
-    """How far every coarse frame of the clips is from every key: ``(n_keys, total)``, 0 to 1."""
-    n_keys, used, block = len(keys), np.flatnonzero(scales), 64
-    table = np.empty((n_keys, offsets[-1]), np.float32)
-    mine, far = np.zeros((len(used), block), np.float32), np.empty(block, np.float32)
-    for c in range(len(among)):
-        first, coarse = starts[among[c]], offsets[c + 1] - offsets[c]
-        for low in range(0, coarse, block):  # a block of frames at a time, side by side: no sums across
-            many = min(block, coarse - low)
-            for i in range(many):
-                frame = codes[first + (low + i) * stride]
-                for u in range(len(used)):
-                    mine[u, i] = np.float32(frame[used[u]]) * scales[used[u]]
-            for k in range(n_keys):
-                for i in range(block):
-                    far[i] = np.float32(0.0)
-                for u in range(len(used)):
-                    key, theirs = keys[k, used[u]] * scales[used[u]], mine[u]
-                    for i in range(block):
-                        apart = theirs[i] - key
-                        far[i] += apart * apart
-                row = table[k, offsets[c] + low : offsets[c] + low + many]
-                for i in range(many):
-                    row[i] = min(np.float32(1.0), np.sqrt(far[i]) / cap)
-    return table
-
-
-@njit(nogil=True, fastmath=True)
-def _score_windows(
-    table: Float32Array,
-    frames: Int64Array,
-    offsets: Int64Array,
-    times: Float64Array,
-    n: int,
-    tempos: Float64Array,
-    stride: int,
-) -> tuple[Float32Array, Int64Array]:
-    """Per coarse frame of the clips the mean distance of the best window that starts there, and its length."""
-    n_keys, total = table.shape
-    score = np.full(total, np.float32(2.0))
-    length = np.zeros(total, np.int64)
-    longest = 1
-    for c in range(len(frames)):
-        longest = max(longest, offsets[c + 1] - offsets[c])
-    sums = np.empty(longest, np.float32)
-    for c in range(len(frames)):
-        at, coarse = offsets[c], offsets[c + 1] - offsets[c]
-        for tempo in tempos:
-            window = max(1, round(tempo * n))
-            if window > frames[c]:
-                if tempo > tempos[0]:
-                    continue
-                window = frames[c]  # a clip shorter than every window is one itself
-            count = (frames[c] - window) // stride + 1
-            sums[:count] = 0.0
-            for k in range(n_keys):
-                shift = at + min(int(times[k] * (window - 1) / stride + 0.5), coarse - count)
-                row = table[k, shift : shift + count]
-                for i in range(count):
-                    sums[i] += row[i]
-            for i in range(count):
-                if sums[i] / n_keys < score[at + i]:
-                    score[at + i] = sums[i] / n_keys
-                    length[at + i] = window
-    return score, length
-
-
-@njit(nogil=True)
-def _minima(score: Float32Array, offsets: Int64Array, reach: int) -> Int64Array:
-    """Indices of windows that are no worse than those up to ``reach`` away in the same clip."""
-    minima = []
-    for c in range(len(offsets) - 1):
-        for i in range(offsets[c], offsets[c + 1]):
-            if score[i] > 1.5:
-                continue
-            best = True
-            for j in range(max(offsets[c], i - reach), min(offsets[c + 1], i + reach + 1)):
-                if score[j] < score[i] or (score[j] == score[i] and j < i):
-                    best = False
-                    break
-            if best:
-                minima.append(i)
-    return np.array(minima, np.int64)
-
-
-def _refine(store: FrameStore, query: Composed, metric: Metric, windows: _Windows) -> tuple[_Windows, np.ndarray]:
+def _refine(store: FrameStore, query: Composed, metric: Metric, windows: Windows) -> tuple[Windows, np.ndarray]:
     """The windows with the ends that dynamic time warping gives them, looked for a quarter of their length around, and
 
     what the warping costs a frame of the query, ``(k,)`` from 0 to 1.
@@ -222,7 +84,7 @@ def _refine(store: FrameStore, query: Composed, metric: Metric, windows: _Window
         found = low + first * step, min(high, low + (last - 1) * step + 1)
         if found[1] - found[0] >= _SHRUNK * (end[k] - start[k]):  # who stands still warps onto a single frame
             start[k], end[k] = found
-    return _Windows(windows.clip, start, end), cost / len(query_values)
+    return Windows(windows.clip, start, end), cost / len(query_values)
 
 
 def warped_stretch(query: np.ndarray, frames: np.ndarray, cap: float) -> tuple[int, int, float]:
@@ -268,7 +130,7 @@ def _warped_stretch(query: Float32Array, frames: Float32Array, cap: np.float32) 
     return begun[last], last + 1, cost[last]
 
 
-def _apart(windows: _Windows, distances: np.ndarray, top: int) -> list[int]:
+def _apart(windows: Windows, distances: np.ndarray, top: int) -> list[int]:
     """Indices of the best windows of which none shares more than half of the shorter one with a better one."""
     kept: list[int] = []
     for k in np.argsort(distances, kind="stable"):
@@ -284,7 +146,7 @@ def _apart(windows: _Windows, distances: np.ndarray, top: int) -> list[int]:
     return kept
 
 
-def _part(store: FrameStore, query: Composed, metric: Metric, window: _Windows) -> tuple[tuple[int, int], np.ndarray]:
+def _part(store: FrameStore, query: Composed, metric: Metric, window: Windows) -> tuple[tuple[int, int], np.ndarray]:
     """The frames of the query that a window is like, and the distance of the window to them, ``(1,)``."""
     frames = store.codes[window.start[0] : window.end[0]].astype(np.float32) * metric.scales
     start, end, _ = warped_stretch(frames, query.codes.astype(np.float32) * metric.scales, metric.cap)
@@ -292,7 +154,7 @@ def _part(store: FrameStore, query: Composed, metric: Metric, window: _Windows) 
     return (start, end), metric.distances(part, metric.motions(store, store.codes, window.start, window.end))
 
 
-def _place(store: FrameStore, windows: _Windows, k: int, score: float, within: tuple[int, int] | None) -> Place:
+def _place(store: FrameStore, windows: Windows, k: int, score: float, within: tuple[int, int] | None) -> Place:
     clip = int(windows.clip[k])
     first = int(store.starts[clip])
     return Place(clip, int(windows.start[k]) - first, int(windows.end[k]) - first, float(score), within)

@@ -31,7 +31,7 @@ POSTURE_CAP = 0.75  # distance from which postures are simply different, in dist
 
 _SLOW = 0.25  # m/s: speeds above it are compared by their ratio
 _TRAVEL_CAP, _SIZE_CAP = 2.0, 2.0  # differences from which travel and the logarithm of the size are simply different
-_SMALL = 0.15  # size below which a motion is no smaller: what is left is noise
+SMALL = 0.15  # size below which a motion is no smaller: what is left is noise
 _IDLE = 0.1  # way per second of an arm that hardly moves
 
 
@@ -105,7 +105,7 @@ class Metric:
             values[..., way:] = np.clip(values[..., way:], -fastest, fastest)
         postures = values[..., :way]
         mean = postures.mean(1, keepdims=True)
-        size = np.sqrt(((postures - mean) ** 2).sum(2).mean(1) + _SMALL**2)
+        size = np.sqrt(((postures - mean) ** 2).sum(2).mean(1) + SMALL**2)
         postures -= self.centre * mean
         postures /= size[:, None, None]
         return Motions(values, self._travel_of(means[:, way:]), np.log(size), self._side_of(steps * store.fps))

@@ -21,6 +21,9 @@ THRESHOLDS: Mapping[int, float] = {4: 0.5, 3: 0.3, 2: 0.2, 1: 0.1}
 TRAVELLING = ("lower_body", "whole_body")
 """Nodes that may see the root's velocity and turning as well: the legs carry it."""
 
+USUAL, SMALL = 0.4, 0.15
+"""Sizes of motions (distance of frames from their mean): of a usual one, and below which there is mostly noise."""
+
 _TRAVEL = np.arange(N_COLUMNS, N_COLUMNS + 4)
 _FASTEST = 3.0  # m/s and rad/s: how fast hardly matters beyond
 _AXES = 8  # principal axes of a node: more make patterns no better and segmentation slower
@@ -32,7 +35,8 @@ _FOR_PATTERNS = 40_000  # segments that the patterns are learned from; all other
 class PatternSettings:
     """How lists of patterns are made.
 
-    centring: share of the average posture of the ``around`` seconds before and after a frame that is taken off it.
+    centring: share of the average posture of the ``around`` seconds before and after a frame that is taken off it, and
+    arms: that of the arms. evenness: power of the size of the motion in that time by which it is divided.
     max_error: of adaptive k-means, see core.retrieval.patterns; most: patterns of a node; first_k: its first k.
     travel: whether the nodes of TRAVELLING also see how the root travels. smooth: whether frames are averaged with
     their neighbours first, so that jitter makes no segments. fps: of the frames. r: factor on R, see THRESHOLDS. shape:
@@ -41,6 +45,8 @@ class PatternSettings:
 
     centring: float
     max_error: float
+    arms: float = 0.0
+    evenness: float = 0.0
     seed: int = 0
     around: float = 4.0
     travel: bool = False
@@ -242,16 +248,33 @@ def node_columns(node: str, codes: np.ndarray, has: Sequence[str], settings: Pat
     if settings.smooth:
         values = smoothed(values, fps)
     if settings.centring > 0:
-        values = centred(values, settings.centring, round(settings.around * fps))
+        shares = [settings.arms if leaf.endswith("arm") else settings.centring for leaf in leaves]
+        sizes = [BLOCKS[leaf].stop - BLOCKS[leaf].start for leaf in leaves]
+        values = centred(values, np.repeat(shares, sizes), round(settings.around * fps), settings.evenness, len(leaves))
     if settings.travel and node in TRAVELLING:
         values = np.concatenate([values, np.clip(codes[:, _TRAVEL] * UNITS[_TRAVEL], -_FASTEST, _FASTEST)], axis=1)
     return values
 
 
-def centred(values: np.ndarray, share: float, around: int) -> np.ndarray:
-    """``values`` (n, c) less ``share`` of their mean over the ``around`` frames either side: ``(n, c)`` float32."""
+def centred(
+    values: np.ndarray, shares: np.ndarray | float, around: int, evenness: float = 0.0, leaves: int = 1
+) -> np.ndarray:
+    """``values`` (n, c) less ``shares`` (c,) of their mean over the ``around`` frames either side: ``(n, c)`` float32.
+
+    What is left is divided by the size of the motion in those frames (a leaf's, where there are ``leaves``), in USUAL,
+    to the power ``evenness``.
+    """
+    mean = _moving_mean(values, around)
+    rest: np.ndarray = values - shares * mean
+    if evenness > 0:
+        size = np.sqrt(_moving_mean((values - mean) ** 2, around).sum(1) / leaves + SMALL**2) / USUAL
+        rest /= size[:, None] ** evenness
+    return rest.astype(np.float32)
+
+
+def _moving_mean(values: np.ndarray, around: int) -> np.ndarray:
     sums = np.concatenate([np.zeros((1, values.shape[1])), np.cumsum(values, axis=0, dtype=np.float64)])
     at = np.arange(len(values))
     first, last = np.maximum(at - around, 0), np.minimum(at + around + 1, len(values))
-    rest: np.ndarray = values - share * (sums[last] - sums[first]) / (last - first)[:, None]
-    return rest.astype(np.float32)
+    mean: np.ndarray = (sums[last] - sums[first]) / (last - first)[:, None]
+    return mean

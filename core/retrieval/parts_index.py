@@ -45,7 +45,7 @@ class Matching:
     children hand on. min_con_num, max_tolerance: of Algorithm 2, which ``printed`` takes (core.retrieval.printed).
     """
 
-    tolerance: float = 0.4
+    tolerance: float = 0.2
     gap: float = 0.2
     alpha: float = 0.5
     min_con_num: int = printed.MIN_CON_NUM
@@ -67,7 +67,8 @@ class Parts:
     """The paper's engine with its repairs (docs/methods/search_parts.md)."""
 
     least = 0.0
-    CENTRING, TRAVEL, SMOOTH, SHAPE = 0.7, True, True, 0.5
+    CENTRING, ARMS, EVENNESS = 1.0, 0.75, 0.8
+    TRAVEL, SMOOTH, SHAPE = True, True, 0.5
 
     def __init__(
         self, store: FrameStore, nodes: Mapping[str, NodeIndex], settings: PatternSettings, matching: Matching
@@ -86,6 +87,8 @@ class Parts:
         settings = PatternSettings(
             cls.CENTRING,
             parameters.pattern_error,
+            cls.ARMS,
+            cls.EVENNESS,
             parameters.seed,
             travel=cls.TRAVEL,
             smooth=cls.SMOOTH,
@@ -265,7 +268,8 @@ class Parts:
 class Printed(Parts):
     """The paper's engine as printed, for comparison. Its hits are whole clips."""
 
-    CENTRING, TRAVEL, SMOOTH, SHAPE = 0.0, False, False, 1.0
+    CENTRING, ARMS, EVENNESS = 0.0, 0.0, 0.0
+    TRAVEL, SMOOTH, SHAPE = False, False, 1.0
 
     def rank_intervals(
         self, query: Query, weights: Mapping[str, float], *, among: np.ndarray, top: int, root_path: float

@@ -16,6 +16,7 @@ from webapp.shell import settings
 from webapp.shell.names import DATASET, REVISION, VIEW
 
 PAGE = "search"
+LONGEST = 5.0  # seconds of the clip whose query is timed, at most
 HINT = (
     "What the index of each engine holds, with the settings of this page. The engines of the 2009 paper cut every part "
     "of the body into segments and learn patterns from them; the other engine keeps postures alone. Choose an engine "
@@ -51,11 +52,14 @@ def register(app: Dash, workspace: Workspace) -> None:
 def indexes_of(workspace: Workspace, dataset: str, view: Mapping[str, str] | None) -> dict[str, Storage | None]:
     """Engine -> the figures of its index with a view's other settings, None where it has not been built."""
     found: dict[str, Storage | None] = {}
+    clips = workspace.open(dataset).clips
+    clip = clips[len(clips) // 2] if clips else None
+    query = clip and clip.cut(0, min(clip.n_frames, round(LONGEST * clip.fps)))
     for method in ENGINES:
         wanted = settings.in_link(PAGE, {**settings.request_of(PAGE, dataset, view).parameters, "method": method})
         others = {k: text for k, text in (view or {}).items() if k not in settings.keys(PAGE)}
         index = settings.result_of(workspace, PAGE, dataset, others | wanted)
-        found[method] = storage_of(index) if index is not None else None
+        found[method] = storage_of(index, query) if index is not None else None
     return found
 
 

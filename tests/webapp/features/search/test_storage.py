@@ -51,6 +51,7 @@ def test_every_engine_has_a_row_and_those_with_patterns_a_table(workspace):
     assert indexes["printed"] is None and indexes["bounded-edit"].nodes == () and indexes["parts"].library > 0
     shown = str(storage.result(workspace, "demo", {"look": "indexes", "search-method": "parts"}))
     assert "not built" in shown and "Bounded edit" in shown and size(indexes["parts"].maps) in shown
+    assert indexes["parts"].query > 0 and f"{indexes['parts'].query * 1e3:.0f} ms" not in ("0 ms", "")
     for row in indexes["parts"].nodes:
         assert f"{row.mean_frames:.1f} ± {row.deviation:.1f}" in shown and f"{row.patterns:,}" in shown
 

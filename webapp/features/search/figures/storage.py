@@ -42,16 +42,17 @@ def nodes_tables(indexes: Indexes, engines: Mapping[str, str]) -> list[Component
 
 def storage_table(indexes: Indexes, engines: Mapping[str, str]) -> Component:
     """Time and sizes, a row for each engine."""
-    head = ["Engine", "Clips", "Built in", "Pattern library", "Index lists", "Dissimilarity maps", "Postures"]
+    head = ["Engine", "Clips", "Built in", "Pattern library", "Index lists", "Dissimilarity maps", "Postures", "A query"]
     rows = [[engines.get(name, name), *_cells(index)] for name, index in indexes.items()]
     return table("Time and sizes of the indexes", head, rows)
 
 
 def _cells(index: Storage | None) -> list[str]:
     if index is None:
-        return ["not built", *([NOTHING] * (1 + len(_SIZES)))]
+        return ["not built", *([NOTHING] * (2 + len(_SIZES)))]
     sizes = [size(getattr(index, name)) if getattr(index, name) else NOTHING for name in _SIZES]
-    return [f"{index.clips:,}", f"{index.seconds:.1f} s", *sizes]
+    query = NOTHING if index.query is None else f"{index.query * 1e3:.0f} ms"
+    return [f"{index.clips:,}", f"{index.seconds:.1f} s", *sizes, query]
 
 
 def size(count: int) -> str:
