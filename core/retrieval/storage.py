@@ -42,7 +42,8 @@ def storage_of(index: SearchIndex, clip: Clip | None = None) -> Storage:
     library, lists, maps = (sum(column) for column in zip(*sizes, strict=True))
     nodes = tuple(node.report() for node in getattr(index.engine, "nodes", {}).values())
     seconds = float(sum(index.seconds.values()))
-    return Storage(seconds, len(index.clips), frames, library, lists, maps, index.engine.store.fps, nodes, clip and _seconds_of(index, clip))
+    query = _seconds_of(index, clip) if clip else None
+    return Storage(seconds, len(index.clips), frames, library, lists, maps, index.engine.store.fps, nodes, query)
 
 
 def _seconds_of(index: SearchIndex, clip: Clip) -> float:

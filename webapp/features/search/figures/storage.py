@@ -42,7 +42,7 @@ def nodes_tables(indexes: Indexes, engines: Mapping[str, str]) -> list[Component
 
 def storage_table(indexes: Indexes, engines: Mapping[str, str]) -> Component:
     """Time and sizes, a row for each engine."""
-    head = ["Engine", "Clips", "Built in", "Pattern library", "Index lists", "Dissimilarity maps", "Postures", "A query"]
+    head = ["Engine", "Clips", "Built in", "Pattern library", "Index lists", "Dissimilarity maps", "Postures", "Query"]
     rows = [[engines.get(name, name), *_cells(index)] for name, index in indexes.items()]
     return table("Time and sizes of the indexes", head, rows)
 
