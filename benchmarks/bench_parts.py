@@ -80,8 +80,8 @@ def main() -> str:
             "## Search: body parts on collections not chosen on",
             "",
             f"XSTYLE mAP of `parts`, whole clips, at most {MOST} of a collection. Left out: evenness, tolerance and "
-            f"alpha are chosen on all other collections, of {len(points)} points, as those that lose least where they lose "
-            f"most against the best point for that collection. The choice on all: {said(best)}. "
+            f"alpha are chosen on all other collections, of {len(points)} points, as those that lose least where they "
+            f"lose most against the best point for that collection. The choice on all: {said(best)}. "
             "`python -m benchmarks parts`",
             "",
             "| collection | left out | chosen on the others | as shipped |",
