@@ -195,7 +195,7 @@ class Readers:
             ".txt": (read_any, [NUMBERED.encode()]),
             ".json": (read_any, [POINTS_JSON.encode(), ARRAY_JSON.encode()]),
             ".npy": (read_any, [_npy()]),
-            ".npz": (read_any, [_npz()]),
+            ".npz": (read_any, [_npz(), _poses()]),
             ".zip": (self.unpack, [_zip(), _zip("gähen.bvh")]),
         }
 
@@ -241,6 +241,12 @@ def _npy() -> bytes:
 def _npz() -> bytes:
     file = io.BytesIO()
     np.savez(file, joints=np.random.default_rng(0).normal(size=(6, 22, 3)), fps=30)
+    return file.getvalue()
+
+
+def _poses() -> bytes:
+    file = io.BytesIO()
+    np.savez(file, poses=np.zeros((6, 72)), trans=np.zeros((6, 3)), mocap_framerate=60)
     return file.getvalue()
 
 

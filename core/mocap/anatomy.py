@@ -16,7 +16,7 @@ import numpy as np
 
 from core.errors import ParameterError
 from core.mocap import anatomy_shape as shape
-from core.mocap.anatomy_names import CHOOSING_ORDER, LIMB_NAMES, TRUNK_NAMES, ParsedName, parse_name
+from core.mocap.anatomy_names import CHOOSING_ORDER, LIMB_NAMES, TRUNK_NAMES, ParsedName, parse_name, with_thigh
 from core.mocap.body_kinds import ARM, LEG, BodyKind, kind_of_body, missing_parts
 from core.mocap.skeleton import Skeleton
 
@@ -155,6 +155,7 @@ def _limb_by_name(skeleton: Skeleton, parsed: list[ParsedName], side: str, limb:
     for j, (joint_side, part) in helpers_last:
         if joint_side == side and not skeleton.end_sites[j]:
             first.setdefault(part, j)
+    first = with_thigh(first)
     joints: dict[str, int] = {}
     for part in CHOOSING_ORDER[limb]:
         name = next((n for n in LIMB_NAMES[limb][part] if n in first and first[n] not in joints.values()), None)

@@ -36,6 +36,17 @@ _KNOWN = {name for limb in LIMB_NAMES.values() for names in limb.values() for na
 }
 
 
+_THIGHS, _SHINS = LIMB_NAMES["leg"]["hip"], LIMB_NAMES["leg"]["knee"][:-1]
+
+
+def with_thigh(first: dict[str, int]) -> dict[str, int]:
+    """Parts of one side -> joints, in which a ``leg`` above a shin is the thigh where nothing else is (``LeftLeg``,
+    ``LeftShin``, as in SOMA)."""
+    if "leg" in first and any(name in first for name in _SHINS) and not any(name in first for name in _THIGHS):
+        return {"thigh" if name == "leg" else name: joint for name, joint in first.items()}
+    return first
+
+
 class ParsedName(NamedTuple):
     """A joint name taken apart: side (``left``, ``right`` or ``centre``) and part in small letters, digits dropped."""
 

@@ -62,11 +62,12 @@ class _Numbers:
 
     def reals(self, data: bytes) -> np.ndarray:
         """Four-byte reals as float64."""
-        if not self._dec:
-            return np.frombuffer(data, self.order + "f4").astype(float)
-        words = np.frombuffer(data, "<u2").reshape(-1, 2).astype(np.uint32)
-        with np.errstate(invalid="ignore"):
-            return ((words[:, 0] << 16) | words[:, 1]).view(np.float32).astype(float) / 4  # VAX: exponent is 2 more
+        with np.errstate(invalid="ignore", over="ignore"):
+            if not self._dec:
+                return np.frombuffer(data, self.order + "f4").astype(float)
+            words = np.frombuffer(data, "<u2").reshape(-1, 2).astype(np.uint32)
+            # the numbers of a VAX: the halves exchanged, and an exponent that is 2 more
+            return ((words[:, 0] << 16) | words[:, 1]).view(np.float32).astype(float) / 4
 
     def integers(self, data: bytes) -> np.ndarray:
         """Signed numbers of two bytes."""

@@ -10,6 +10,10 @@ from core.mocap.text import recording_format
 
 _BLENDER = "open it in Blender and export BVH"
 _OPENSIM = "export BVH, or joint angles as BVH, with the program that wrote it"
+_PICKLE = (
+    "it may run code when opened and is never read; where you trust it, load it in Python and save its arrays with "
+    "numpy.savez('take.npz', poses=..., trans=..., mocap_framerate=60)"
+)
 _ARRAYS = "no joints or poses are recognised in it; save joints as an array (frames, joints, 3)"
 # How a file's name ends -> what the format is called, and how to come to BVH.
 _MOTION = {
@@ -34,8 +38,8 @@ _MOTION = {
     ".sto": ("OpenSim STO", _OPENSIM),
     ".npz": ("NumPy arrays", _ARRAYS),
     ".npy": ("NumPy array", _ARRAYS),
-    ".pkl": ("pickle", "it may run code when opened and is never read; convert the poses to BVH with smpl2bvh"),
-    ".pickle": ("pickle", "it may run code when opened and is never read; convert the poses to BVH with smpl2bvh"),
+    ".pkl": ("pickle", _PICKLE),
+    ".pickle": ("pickle", _PICKLE),
     ".pt": ("PyTorch file", "it may run code when opened and is never read; convert the poses to BVH"),
     ".mat": ("MATLAB file", "convert the poses to BVH"),
     ".h5": ("HDF5", "convert the poses to BVH"),

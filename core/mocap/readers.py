@@ -10,8 +10,10 @@ from core.mocap.bvh import read_bvh_clips
 from core.mocap.c3d import read_c3d
 from core.mocap.clip import Clip
 from core.mocap.points import reading as points
+from core.mocap.points.array_files import read_arrays
 from core.mocap.points.json_files import frame_files, is_frame_file
 from core.mocap.reading import Reading
+from core.mocap.smpl import holds_poses, read_poses
 from core.mocap.text import recording_format
 
 Reader = Callable[[Path, str, Reading], tuple[Clip, ...]]
@@ -25,11 +27,16 @@ def _points(path: Path, ending: str, how: Reading) -> tuple[Clip, ...]:
     return points.read_points(path, ending, how.fps)
 
 
+def _npz(path: Path, ending: str, how: Reading) -> tuple[Clip, ...]:
+    arrays = read_arrays(path)
+    return (read_poses(path, arrays, how.fps),) if holds_poses(set(arrays)) else _points(path, ending, how)
+
+
 def _c3d(path: Path, _ending: str, how: Reading) -> tuple[Clip, ...]:
     return read_c3d(path, how.fps)
 
 
-READERS: dict[str, Reader] = {".bvh": _bvh, ".c3d": _c3d, **dict.fromkeys(points.FORMATS, _points)}
+READERS: dict[str, Reader] = {".bvh": _bvh, ".c3d": _c3d, **dict.fromkeys(points.FORMATS, _points), ".npz": _npz}
 """How a file's name ends -> its reader. AMC files, which need a skeleton beside them, have their own way."""
 FORMATS = (*READERS, ".amc")
 _MAYBE = points.MAYBE  # endings that many other files have

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from core.errors import ParameterError
-from core.mocap.anatomy_names import CHOOSING_ORDER, LIMB_NAMES, parse_name
+from core.mocap.anatomy_names import CHOOSING_ORDER, LIMB_NAMES, parse_name, with_thigh
 from core.mocap.points.cleaning import median_of
 from core.mocap.points.presets import PRESETS, SIDES, Preset
 
@@ -99,6 +99,7 @@ def parts_by_name(names: Sequence[str], values: np.ndarray) -> Parts:
         for k, (joint_side, part) in enumerate(parsed):
             if joint_side == side:
                 first.setdefault(part, k)
+        first = with_thigh(first)
         for limb, order in CHOOSING_ORDER.items():
             taken: set[int] = set()
             for part in order:

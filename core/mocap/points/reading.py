@@ -23,6 +23,7 @@ FORMATS = (".trc", ".csv", ".tsv", ".txt", ".json", ".npy", ".npz")
 MAYBE = (".csv", ".tsv", ".txt", ".json", ".npy", ".npz")
 """Endings that say nothing by themselves: such a file is a recording where its beginning is one."""
 _LOOKED_AT = 1 << 18  # bytes
+_POSES = {"poses", "smpl_poses", "pose_body", "full_pose", "body_pose", "posed_joints", "global_rot_mats"}
 _TABLES = (".csv", ".tsv", ".txt")
 
 
@@ -114,7 +115,7 @@ def _npz_fits(path: Path) -> bool:
     """By the names of its arrays: features that this product exports, for example, are no recording."""
     with zipfile.ZipFile(path) as archive:
         names = {name.removesuffix(".npy").lower() for name in archive.namelist()}
-    if names & {"poses", "posed_joints", "pose_body", "global_rot_mats", "local_rot_mats"}:
+    if names & _POSES:
         return True
     if names & {"columns", "splits", "weights", "betas_only"}:
         return False
