@@ -15,7 +15,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -156,13 +156,18 @@ def _cut(clip: Clip) -> Iterator[Clip]:
 class Progress:
     """A report that notes for how long what it shows, the stage and whole percents, stood at one value.
 
-    standing: seconds of the longest stand; stood_at: where that was.
+    clock: processor time, which does not grow while others have the machine. standing: share of all of the longest
+    stand; stood_at: where that was.
     """
 
+    clock: Callable[[], float] = time.process_time
     standing: float = 0.0
     stood_at: str = ""
     _shown: str = ""
-    _since: float = field(default_factory=time.perf_counter)
+
+    def __post_init__(self) -> None:
+        self._began = self._since = self.clock()
+        self._longest = 0.0
 
     def __call__(self, stage: str, fraction: float) -> None:
         """As core.progress.Report."""
@@ -173,10 +178,10 @@ class Progress:
 
     def end(self) -> None:
         """The last stand is over."""
-        now = time.perf_counter()
-        if now - self._since > self.standing:
-            self.standing, self.stood_at = now - self._since, self._shown
-        self._since = now
+        now = self.clock()
+        if now - self._since > self._longest:
+            self._longest, self.stood_at = now - self._since, self._shown
+        self._since, self.standing = now, self._longest / max(now - self._began, 1e-9)
 
 
 def measure(method: str, name: str) -> None:
@@ -196,7 +201,7 @@ def measure(method: str, name: str) -> None:
         "frames": dataset.n_frames,
         "own_megabytes": peak.bytes / 1e6,
         "megabytes": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024,
-        "standing": progress.standing / seconds,
+        "standing": progress.standing,
         "stood_at": progress.stood_at,
     }
     print(json.dumps(found))

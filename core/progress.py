@@ -21,6 +21,19 @@ def silent(stage: str, fraction: float) -> None:
     """A report that does nothing. ``fraction`` runs from 0 to 1 within ``stage``."""
 
 
+Progress = Callable[[float], None]
+"""Hears how much of one stage is done, from 0 to 1."""
+
+
+def unheard(fraction: float) -> None:
+    """A progress that nobody hears."""
+
+
+def part_of(progress: Progress, start: float, end: float) -> Progress:
+    """The progress of a part of a stage, which goes from ``start`` to ``end`` of it."""
+    return lambda fraction: progress(start + (end - start) * fraction)
+
+
 @contextmanager
 def timed(stage: str, seconds: dict[str, float]) -> Iterator[None]:
     """Records in ``seconds`` how long the block took."""

@@ -6264,6 +6264,7 @@
   });
 
   // library/ids.mjs
+  var REPORT_TABLE = "report-table";
   var DROP_ZONE = "drop-zone";
   var UPLOAD_BAR = "upload-bar";
   var UPLOAD_PROGRESS = "upload-progress";
@@ -6634,6 +6635,10 @@
     },
     /** @param {string | null} shown @param {any[] | null} rows */
     filter(shown8, rows2) {
+      if (!rows2) {
+        gridApi(REPORT_TABLE).then((api) => api?.purgeInfiniteCache?.());
+        return clientside.no_update;
+      }
       if (!shown8 || shown8 === "all") return rows2 || [];
       return (rows2 || []).filter((row7) => shown8 === "added" ? row7.added : row7.verdict === shown8);
     }
@@ -9125,6 +9130,10 @@
   var SEARCH_NAMED = "search-named";
   var SEARCH_SHORTEST = "search-shortest";
   var SEARCH_LONGEST = "search-longest";
+  var SEARCH_TYPED = (
+    /** @type {StoreId<string>} */
+    "search-typed"
+  );
   var SEARCH_UPLOAD = (
     /** @type {StoreId<Upload>} */
     "search-upload"
@@ -12439,7 +12448,7 @@
   var drawSources = () => {
     const box4 = need(SEARCH_SOURCES);
     const pieces = now5.found && now5.found.pieces || [];
-    const mark3 = JSON.stringify([now5.clips && [now5.clips.dataset, now5.clips.version, now5.clips.clips.length], pieces.map((p) => [p.dataset, p.clip, p.version, p.gives, p.labels.length, shownOf(p)])]);
+    const mark3 = JSON.stringify([now5.clips && [now5.clips.dataset, now5.clips.version, Boolean(now5.clips.clips.length)], pieces.map((p) => [p.dataset, p.clip, p.version, p.gives, p.labels.length, shownOf(p)])]);
     if (mark3 !== drawn7 || !box4.firstChild) {
       const focus2 = document.activeElement && box4.contains(document.activeElement) ? [closest({ target: document.activeElement }, ".search-source")?.dataset.index, document.activeElement.className] : null;
       drawn7 = mark3;
@@ -12552,6 +12561,7 @@
     }
   });
   document.addEventListener("input", (event) => {
+    if (hasClass(event, "search-clip")) setStore(SEARCH_TYPED, targetOf(event).value);
     if (hasClass(event, "search-clip") && /** @type {InputEvent} */
     event.inputType === void 0 && clipCalled(targetOf(event).value)) {
       takeClip(Number(around(targetOf(event), ".search-source").dataset.index), targetOf(event).value);

@@ -1,8 +1,9 @@
 /* The Library's table of clips: names open the Clip page, boxes choose clips, a click elsewhere plays (shell/selecting.mjs). */
 import { changeView, clientside, openPage, register, setStore } from "../shared/dash.mjs";
 import { allWithin, closest } from "../shared/dom.mjs";
-import { cellRenderers, reactElement } from "../shared/grid.mjs";
+import { cellRenderers, gridApi, reactElement } from "../shared/grid.mjs";
 import { SELECTION } from "../shared/ids.mjs";
+import { REPORT_TABLE } from "./ids.mjs";
 /** @import { View, ViewKey } from "../shared/types.d.ts" */
 
 /** @type {Record<string, string>} */
@@ -69,6 +70,10 @@ register("library", {
   },
   /** @param {string | null} shown @param {any[] | null} rows */
   filter(shown, rows) {
+    if (!rows) { // they stay on the server, which is asked anew
+      gridApi(REPORT_TABLE).then((api) => api?.purgeInfiniteCache?.());
+      return clientside.no_update;
+    }
     if (!shown || shown === "all") return rows || [];
     return (rows || []).filter((row) => shown === "added" ? row.added : row.verdict === shown);
   },

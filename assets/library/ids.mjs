@@ -20,8 +20,15 @@
 /**
  * What is to be done with the clips that are chosen in the table.
  * @typedef {object} ClipsAction
- * @property {"remove" | "clear" | "reread" | "repair" | "properties"} action
+ * @property {"remove" | "clear" | "reread" | "repair" | "properties" | "all"} action
  * @property {number} [at]
+ */
+
+/**
+ * All clips of a data set are chosen that the filters of their table, AG Grid's own, leave.
+ * @typedef {object} ClipsAll
+ * @property {string} dataset
+ * @property {Record<string, any>} filter
  */
 
 /**
@@ -181,6 +188,7 @@ export const DATASET_TABS = "dataset-tabs";
 export const DATASET_ACTION = /** @type {StoreId<DatasetAction>} */ ("dataset-action");
 export const CLIPS_TABLE = "clips-table";
 export const CLIPS_CHOSEN = "clips-chosen";
+export const CLIPS_ALL = /** @type {StoreId<ClipsAll>} */ ("clips-all");
 export const CLIPS_ACTION = /** @type {StoreId<ClipsAction>} */ ("clips-action");
 export const CLIPS_MARKED = /** @type {StoreId<any>} */ ("clips-marked");
 export const REPORT_TABLE = "report-table";

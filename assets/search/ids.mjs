@@ -36,12 +36,11 @@
  */
 
 /**
- * The clips and labels there are to choose from.
+ * The clips and actions there are to choose from.
  * @typedef {object} Clips
  * @property {string} dataset
  * @property {string} version
- * @property {Array<[string, number, number]>} clips
- * @property {Record<string, Array<[number, number, string]>>} labels
+ * @property {Array<[string, number]>} clips
  * @property {Array<string>} actions
  */
 
@@ -263,6 +262,7 @@ export const SEARCH_ENGINES = /** @type {StoreId<Array<Choice>>} */ ("search-eng
 export const SEARCH_PRESETS = /** @type {StoreId<Record<string, Record<string, number>>>} */ ("search-presets");
 export const SEARCH_PARTS = /** @type {StoreId<Body>} */ ("search-parts");
 export const SEARCH_CLIPS = /** @type {StoreId<Clips>} */ ("search-clips");
+export const SEARCH_TYPED = /** @type {StoreId<string>} */ ("search-typed");
 export const SEARCH_MOTIFS = /** @type {StoreId<Array<MotifChoice>>} */ ("search-motifs");
 export const SEARCH_FOUND = /** @type {StoreId<Found>} */ ("search-found");
 export const SEARCH_DRAWN = /** @type {StoreId<any>} */ ("search-drawn");

@@ -1,5 +1,5 @@
 /* Where the query comes from: changes of its pieces, and ranges that are dragged on their pictures. */
-import { notify } from "../shared/dash.mjs";
+import { notify, setStore } from "../shared/dash.mjs";
 import { allWithin, around, childrenOf, closest, element, find, hasClass, need, targetOf } from "../shared/dom.mjs";
 import { player } from "../stage/player.mjs";
 import { drawBody } from "./body.mjs";
@@ -19,7 +19,7 @@ let dragged = null; // {index, start, end, mode, at}: while one drags
 export const drawSources = () => {
   const box = need(ids.SEARCH_SOURCES);
   const pieces = (now.found && now.found.pieces) || [];
-  const mark = JSON.stringify([now.clips && [now.clips.dataset, now.clips.version, now.clips.clips.length], pieces.map((p) =>
+  const mark = JSON.stringify([now.clips && [now.clips.dataset, now.clips.version, Boolean(now.clips.clips.length)], pieces.map((p) =>
     [p.dataset, p.clip, p.version, p.gives, p.labels.length, shownOf(p)])]);
   if (mark !== drawn || !box.firstChild) {
     const focus = document.activeElement && box.contains(document.activeElement)
@@ -147,6 +147,7 @@ document.addEventListener("change", (event) => {
 });
 
 document.addEventListener("input", (event) => { // a choice from the list needs no Enter
+  if (hasClass(event, "search-clip")) setStore(ids.SEARCH_TYPED, targetOf(event).value); // of thousands of clips some are offered
   if (hasClass(event, "search-clip") && /** @type {InputEvent} */ (event).inputType === undefined && clipCalled(targetOf(event).value)) {
     takeClip(Number(around(targetOf(event), ".search-source").dataset.index), targetOf(event).value);
   }

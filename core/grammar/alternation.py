@@ -12,6 +12,7 @@ from core.grammar.cuts import best_cuts
 from core.grammar.medoids import seed_medoids, swap_medoids
 from core.grammar.objective import Clustering, clustering_of, span_distances
 from core.grammar.pose_space import PoseSpace
+from core.progress import Progress, part_of, unheard
 
 _LITTLE = 1e-3  # the search stops at a turn that lowers the cost by a smaller share
 _MOST = 1500  # segments whose distances to one another are looked at; beyond, a sample of them
@@ -30,12 +31,17 @@ def even_cuts(space: PoseSpace, length: float, limits: tuple[int, int]) -> np.nd
 
 
 def cut_by_medoids(
-    space: PoseSpace, medoids: np.ndarray, limits: tuple[int, int], price: float = 0.0, only_from: int = 0
+    space: PoseSpace,
+    medoids: np.ndarray,
+    limits: tuple[int, int],
+    price: float = 0.0,
+    only_from: int = 0,
+    progress: Progress = unheard,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Spans ``(n, 2)`` that have the least E' for given medoids, and the medoid of each ``(n,)``.
 
     medoids: ``(k, 2)`` spans; limits: poses of the shortest and the longest segment; price: of a segment, in pose
-    distance times poses; only_from: the first clip that is cut.
+    distance times poses; only_from: the first clip that is cut; progress: hears how much of it is done.
     """
     models = [x[start:end] for x in space.versions for start, end in medoids]
     spans, labels = [], []
@@ -43,6 +49,7 @@ def cut_by_medoids(
         cuts, nearest, _ = best_cuts(space.values[start:end], models, *limits, price)
         spans.append(start + np.stack([cuts[:-1], cuts[1:]], axis=1))
         labels.append(nearest % len(medoids))
+        progress(end / space.n)
     return np.concatenate(spans), np.concatenate(labels)
 
 
@@ -58,13 +65,14 @@ def alternate(
     turns: int = 10,
     price: float = 0.0,
     surplus: Sequence[float] = (),
+    progress: Progress = unheard,
 ) -> tuple[Clustering, float]:
     """The best clustering into ``k`` groups seen in at most ``turns`` turns from ``spans``, and its cost 1 / F.
 
     spans: ``(n, 2)``. A turn chooses medoids that no swap improves (starting from the groups ``labels (n,)`` of the
     spans, from a random choice where None), and cuts anew. surplus: turns before these with so many times ``k`` groups,
     of which each time those go that are missed least: it keeps rare motions from being swallowed before the cuts have
-    found them. Raises ValueError where there are fewer than ``k`` spans.
+    found them. progress: hears how much of the turns is done. Raises ValueError where there are fewer than ``k`` spans.
     """
     begin = spans, labels
     for share in surplus:
@@ -76,14 +84,16 @@ def alternate(
     best: Clustering | None = None
     least = np.inf
     for turn in range(turns):
-        clustering = clustering_of(spans, *_choose(space, spans, labels, k, weight, rng))
+        heard = part_of(progress, turn / turns, (turn + 0.5) / turns)
+        clustering = clustering_of(spans, *_choose(space, spans, labels, k, weight, rng, heard))
         cost = _cost(space, clustering, weight, price)
         before, least = least, min(cost, least)
         if cost == least:
             best = clustering
         if cost > (1 - _LITTLE) * before or turn == turns - 1:
             break
-        spans, labels = cut_by_medoids(space, spans[clustering.medoids], limits, price)
+        heard = part_of(progress, (turn + 0.5) / turns, (turn + 1) / turns)
+        spans, labels = cut_by_medoids(space, spans[clustering.medoids], limits, price, progress=heard)
         if len(spans) < k:
             break
     assert best is not None  # there is at least one turn
@@ -125,6 +135,7 @@ def _choose(
     k: int,
     weight: float,
     rng: np.random.Generator,
+    progress: Progress = unheard,
 ) -> tuple[np.ndarray, np.ndarray]:
     """Indices ``(k,)`` of the spans that serve best as medoids, and the distances ``(n, k)`` of all spans to them."""
     if len(spans) < k:
@@ -133,6 +144,7 @@ def _choose(
     if len(spans) > max(_MOST, 2 * k):
         sample = np.sort(rng.choice(len(spans), max(_MOST, 2 * k), replace=False))
     distances = span_distances(space, spans[sample])
+    progress(0.3)
     lengths = (spans[:, 1] - spans[:, 0])[sample].astype(np.float64)
     weights = (1 - weight) * lengths / lengths.sum() / space.largest
     prices = weight * lengths / space.n
@@ -141,6 +153,7 @@ def _choose(
     else:
         medoids = _central(distances, weights, prices, labels[sample], k)
     medoids = swap_medoids(distances, weights, prices, medoids)
+    progress(0.6)
     if len(sample) == len(spans):
         return medoids, distances[:, medoids]
     return sample[medoids], span_distances(space, spans, spans[sample[medoids]])

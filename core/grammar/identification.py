@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import asdict, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,7 @@ from core.grammar.pose_space import PoseSpace, pose_space
 from core.grammar.terminals import Terminals
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
-from core.progress import Report, silent, timed
+from core.progress import Progress, Report, part_of, silent, timed, unheard
 
 _ROUGH_FPS = 6.0  # results are recombined at about this rate; the search begins at half of it
 _SURPLUS = (2.0, 1.6, 1.3)  # times as many groups as asked for, in the first turns
@@ -105,11 +106,14 @@ def _alternation(space: PoseSpace, parameters: TerminalParameters, report: Repor
     part, rows = thin.sampled(round(enough * thin.fps), round(_PIECE_SECONDS * thin.fps), rng)
     coarse = part.thinned(2)
     beginnings = [part.unthinned(_models(one), 2, coarse) for one in _beginnings(coarse, parameters, report)]
-    refined = [_refined(part, medoids, parameters, turns=1) for medoids in beginnings]
+    refined = []
+    for k, medoids in enumerate(beginnings):
+        report("recombination", 0.3 * k / len(beginnings))
+        refined.append(_refined(part, medoids, parameters, turns=1))
     best = _models(_recombined(part, parameters, refined, report))
-    report("fine search", 0.0)
     medoids = np.stack([rows[best[:, 0]], rows[best[:, 1] - 1] + 1], axis=1)
-    return _refined(space, space.unthinned(medoids, step, thin), parameters, turns=_FINE_TURNS)[0]
+    fine = partial(report, "fine search")
+    return _refined(space, space.unthinned(medoids, step, thin), parameters, _FINE_TURNS, fine)[0]
 
 
 def _models(found: Clustering) -> np.ndarray:
@@ -119,16 +123,18 @@ def _models(found: Clustering) -> np.ndarray:
 
 
 def _refined(
-    space: PoseSpace, medoids: np.ndarray, parameters: TerminalParameters, turns: int
+    space: PoseSpace, medoids: np.ndarray, parameters: TerminalParameters, turns: int, progress: Progress = unheard
 ) -> tuple[Clustering, float]:
     """The clustering that medoids ``(k, 2)`` found at a lower rate lead to at the rate of ``space``; its cost."""
     k, limits = parameters.n_terminals, limits_of(parameters, space.fps)
     labels: np.ndarray | None
-    spans, labels = cut_by_medoids(space, medoids, limits)
+    cut = 1 / (turns + 1)
+    spans, labels = cut_by_medoids(space, medoids, limits, progress=part_of(progress, 0, cut))
     if len(spans) < k:
         spans, labels = even_cuts(space, limits[0], limits), None
     rng = np.random.default_rng(parameters.seed)
-    return alternate(space, k, parameters.weight, limits, rng, spans=spans, labels=labels, turns=turns)
+    left = part_of(progress, cut, 1)
+    return alternate(space, k, parameters.weight, limits, rng, spans=spans, labels=labels, turns=turns, progress=left)
 
 
 def _beginnings(space: PoseSpace, parameters: TerminalParameters, report: Report) -> list[Clustering]:
@@ -150,7 +156,7 @@ def _recombined(
     """The best clustering after ``crossings`` recombinations; a better child takes the place of its worst parent."""
     rng, limits = np.random.default_rng(parameters.seed), limits_of(parameters, space.fps)
     for crossing in range(parameters.crossings if len(found) > 1 else 0):
-        report("recombination", crossing / parameters.crossings)
+        report("recombination", 0.3 + 0.7 * crossing / parameters.crossings)
         parents = rng.choice(len(found), min(_PARENTS, len(found)), replace=False)
         chosen = [found[i][0] for i in parents]
         child = recombine(space, chosen, parameters.n_terminals, parameters.weight, limits, rng)

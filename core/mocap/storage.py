@@ -7,6 +7,7 @@ memory. Nothing is pickled.
 from __future__ import annotations
 
 import json
+import math
 import os
 import shutil
 from collections.abc import Iterable, Iterator, Mapping
@@ -164,7 +165,7 @@ def _clip(entry: Mapping[str, Any], skeletons: list[Skeleton], numbers: np.ndarr
     at = entry["start"]
     parts = []
     for shape in ((n, 3), (n, skeleton.n_joints, 4), *[(n, 3)] * len(entry["translated"])):
-        size = int(np.prod(shape))
+        size = math.prod(shape)
         parts.append(numbers[at : at + size].reshape(shape))  # raises ValueError where the file is too short
         at += size
     return Clip(

@@ -10,7 +10,7 @@ import os
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 from queue import Empty, LifoQueue, SimpleQueue
-from threading import Event, Thread
+from threading import Event, Lock, Thread, get_ident
 from typing import Any, NamedTuple
 
 from core.mocap.dataset import Dataset
@@ -21,6 +21,8 @@ from core.motifs.stages import STAGES, Stage, Work, made
 from core.progress import Cancelled, Report, silent
 
 _LOOK = 0.1  # seconds between two looks at whether the sweep has been cancelled
+# of the time of an analysis, the others 1
+_SHARES = {"poses": 2.0, "quantisation": 3.0, "matching": 8.0, "discovery": 8.0, "alignment": 2.0}
 
 
 class Point(NamedTuple):
@@ -105,17 +107,21 @@ class _Tree:
     def __init__(self, dataset: Dataset, points: Sequence[MotifParameters], stages: Sequence[Stage]):
         self._points, self._stages = points, stages
         self._waiting: LifoQueue[_Node | None] = LifoQueue()
-        self._ready: SimpleQueue[tuple[list[int], MotifGraph] | BaseException | None] = SimpleQueue()
-        self._over = Event()
+        self._ready: SimpleQueue[tuple[list[int], MotifGraph] | BaseException] = SimpleQueue()
+        self._over, self._counting = Event(), Lock()
         keys = [tuple(stage.key(point) for stage in stages) for point in points]
-        self._n_nodes = sum(len({key[: depth + 1] for key in keys}) for depth in range(len(stages)))
-        self._n_done = 0
+        self._n_nodes = sum(
+            _SHARES.get(stage.name, 1.0) * len({key[: depth + 1] for key in keys}) for depth, stage in enumerate(stages)
+        )
+        self._n_done = 0.0
+        self._begun: dict[int, float] = {}  # what the stages that are being done add, by thread
         self._push(0, list(range(len(points))), Work(dataset=dataset))
 
     @property
     def fraction(self) -> float:
-        """Share of all stages that are done."""
-        return self._n_done / self._n_nodes
+        """Share of all stages that is done, by the time that they usually take."""
+        with self._counting:
+            return min((self._n_done + sum(tuple(self._begun.values()))) / self._n_nodes, 1.0)
 
     def work(self) -> None:
         """Does stages until it is told to stop; for a thread."""
@@ -133,9 +139,7 @@ class _Tree:
             return
         if isinstance(item, BaseException):
             raise item
-        self._n_done += 1
-        if item is not None:
-            yield from ((k, item[1]) for k in item[0])
+        yield from ((k, item[1]) for k in item[0])
 
     def stop(self, n_threads: int) -> None:
         """Has ``n_threads`` threads leave as soon as their kernels end."""
@@ -144,10 +148,22 @@ class _Tree:
             self._waiting.put(None)
 
     def _do(self, node: _Node) -> None:
-        work = self._stages[node.depth].after(node.work, self._points[node.points[0]], self._look)
+        stage, thread = self._stages[node.depth], get_ident()
+        share, furthest = _SHARES.get(stage.name, 1.0), 0.0
+
+        def look(_stage: str, fraction: float) -> None:
+            nonlocal furthest
+            if self._over.is_set():
+                raise Cancelled
+            furthest = max(furthest, fraction)  # a stage may report several times from 0 to 1
+            self._begun[thread] = share * furthest
+
+        work = stage.after(node.work, self._points[node.points[0]], look)
+        with self._counting:
+            self._begun[thread] = 0.0
+            self._n_done += share
         if node.depth + 1 < len(self._stages):
             self._push(node.depth + 1, node.points, work)
-            self._ready.put(None)
         else:
             self._ready.put((node.points, replace(made(work.graph), seconds=dict(work.seconds))))
 
@@ -157,7 +173,3 @@ class _Tree:
             groups.setdefault(self._stages[depth].key(self._points[k]), []).append(k)
         for group in reversed(groups.values()):
             self._waiting.put(_Node(depth, group, work))
-
-    def _look(self, stage: str, fraction: float) -> None:
-        if self._over.is_set():
-            raise Cancelled

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import asdict, dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -104,6 +105,7 @@ def build_motion_map(
     with timed("postures", seconds):
         postures = postures_of(dataset, analysis_fps=parameters.analysis_fps, report=report)
     with timed("samples", seconds):
+        report("samples", 0.0)
         threshold = threshold_for(postures.vectors, parameters.samples, seed=parameters.seed)
         kept = reduce_samples(postures.vectors, threshold, report)
         samples = postures.vectors[kept]
@@ -119,7 +121,8 @@ def build_motion_map(
     with timed("regions", seconds):
         regions = find_regions(weights)
     with timed("runs", seconds):
-        nodes, distances = best_nodes(postures.vectors, weights)
+        report("runs", 0.0)
+        nodes, distances = best_nodes(postures.vectors, weights, partial(report, "runs"))
         runs = runs_of(nodes, distances, postures.clip_starts, postures.velocity)
         quantisation, topographic = errors(samples, weights)
     return MotionMap(

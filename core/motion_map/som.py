@@ -15,7 +15,7 @@ from threadpoolctl import threadpool_limits
 
 from core.arrays import Float32Array, Int64Array
 from core.compiled import njit
-from core.progress import Report, silent
+from core.progress import Progress, Report, silent, unheard
 
 FIRST_RATE, LAST_RATE = 0.8, 0.01  # the paper's learning rates
 PASSES = 1000  # the paper's n_L, read as passes over all samples: its 17 minutes rule out 1000 single steps
@@ -110,12 +110,13 @@ def _gauss(n: int, sigma: float) -> np.ndarray:
     return np.exp(-((steps[:, None] - steps) ** 2) / (2 * sigma * sigma)).astype(np.float32)
 
 
-def best_nodes(samples: np.ndarray, weights: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def best_nodes(samples: np.ndarray, weights: np.ndarray, progress: Progress = unheard) -> tuple[np.ndarray, np.ndarray]:
     """Index ``(n,)`` of the nearest node (row-major in the grid) and the distance ``(n,)`` to its model vector."""
     index, squared = np.empty(len(samples), np.int64), np.empty(len(samples), np.float32)
     for rows, apart in _blocks(samples, weights):
         index[rows] = np.argmin(apart, axis=1)
         squared[rows] = np.take_along_axis(apart, index[rows, None], axis=1)[:, 0]
+        progress(rows.stop / len(samples))
     squared += np.einsum("nd,nd->n", samples, samples, dtype=np.float32)
     return index, np.sqrt(np.maximum(squared, 0))
 

@@ -41,6 +41,7 @@ STAGES = {  # words for the stages that computations report
     "postures": "computing postures",
     "samples": "choosing different postures",
     "map": "adapting the map",
+    "runs": "placing the recordings",
     "random starts": "looking for actions",
     "recombination": "combining what was found",
     "genetic search": "looking for actions",

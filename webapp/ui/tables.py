@@ -74,13 +74,16 @@ MOTIF_COLUMNS = [
 
 
 def grid(
-    table_id: str, columns: list[dict], rows: list[Row], label: str, *, row_height: int = 46, **options: Any
+    table_id: str, columns: list[dict], rows: list[Row] | None, label: str, *, row_height: int = 46, **options: Any
 ) -> html.Div:
-    """A table whose rows a click or Enter chooses (assets/shell/selecting.mjs). ``options``: more of AG Grid's own."""
+    """A table whose rows a click or Enter chooses (assets/shell/selecting.mjs). ``options``: more of AG Grid's own.
+
+    rows: None where they stay on the server (see long_tables).
+    """
     table = dag.AgGrid(
         id=table_id,
         columnDefs=columns,
-        rowData=rows,
+        **({"rowModelType": "infinite"} if rows is None else {"rowData": rows}),
         defaultColDef={
             "sortable": True,
             "resizable": True,

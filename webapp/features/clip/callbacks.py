@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from itertools import islice
 from typing import Any
 
 from dash import Dash, Input, Output, Patch, State, ctx, no_update, set_props
@@ -22,6 +23,7 @@ from webapp.shell.names import DATASET, MOTIF_METHOD, REVISION, SELECTION, THEME
 from webapp.shell.results import find_edge, find_motif
 from webapp.ui.charts import tall
 from webapp.ui.doubts import findings_by_clip
+from webapp.ui.long_tables import LONG, OFFERED
 from webapp.ui.timeline import motif_colour, motif_name
 
 
@@ -46,6 +48,17 @@ def clip_of(dataset: Dataset, graph: MotifGraph | None, selection: Mapping[str, 
         return motif.segments[number if 0 <= number < len(motif.segments) else motif.medoid].clip
     edge = find_edge(graph, selection["edge"]) if graph and "edge" in selection else None
     return edge.transitions[0].clip if edge is not None and edge.transitions else None
+
+
+def offered(all_names: Sequence[str], clip: str | None, typed: str = "") -> list[str]:
+    """The clips to choose from, in order: all, or of thousands those beside ``clip`` and those that have ``typed``."""
+    if len(all_names) <= LONG:
+        return list(all_names)
+    at = all_names.index(clip) if clip in all_names else 0
+    near = range(max(0, at - OFFERED // 2), min(len(all_names), at + OFFERED // 2 + 1))
+    asked = typed.lower()
+    found = islice((k for k, name in enumerate(all_names) if asked in name.lower()), OFFERED if asked else 0)
+    return [all_names[k] for k in sorted({*near, *found})]
 
 
 def _choose(app: Dash, workspace: Workspace) -> None:
@@ -78,11 +91,28 @@ def _choose(app: Dash, workspace: Workspace) -> None:
             if not selection:
                 set_props(SELECTION, {"data": {"clip": clip}})
         if clip not in dataset.names:
-            return None, list(dataset.names), None, layout.nothing(dataset, clip), "hidden"
+            return None, offered(dataset.names, None), None, layout.nothing(dataset, clip), "hidden"
         recording = dataset.clip(clip)
         shown: dict[str, Any] = {"dataset": dataset.name, "version": dataset.fingerprint, "clip": clip}
         shown |= {"fps": recording.fps, "frames": recording.n_frames}
-        return (shown if shown != before else no_update), list(dataset.names), clip, None, ""
+        return (shown if shown != before else no_update), offered(dataset.names, clip), clip, None, ""
+
+    @app.callback(
+        Output(names.CLIP_PICKER, "data", allow_duplicate=True),
+        Input(names.CLIP_PICKER, "searchValue"),
+        State(names.CLIP_SHOWN, "data"),
+        State(DATASET, "data"),
+        prevent_initial_call=True,
+    )
+    def find_clips(typed, shown, name):
+        try:
+            all_names = workspace.open(name).names if name else ()
+        except WorkspaceError:
+            return no_update
+        if len(all_names) <= LONG:
+            return no_update  # the list has them all
+        clip = (shown or {}).get("clip")
+        return offered(all_names, clip, "" if typed == clip else str(typed or ""))
 
     @app.callback(
         Output(names.CLIP_PREVIOUS, "disabled"),

@@ -8,6 +8,7 @@ RIGHTS = Rights(
         "callbacks.choose",
         "callbacks.draw",
         "callbacks.ends",
+        "callbacks.find_clips",
         "callbacks.mark_path",
         "callbacks.show_controls",
         "callbacks.show_facts",

@@ -12,13 +12,24 @@ from dash.development.base_component import Component
 from core import analyses, requests
 from core.workspace import Workspace, WorkspaceError
 from webapp import jobs
-from webapp.features.library import adding, body_editor, cards, feature_files, layout, names, reading, repairs
+from webapp.features.library import (
+    adding,
+    body_editor,
+    cards,
+    feature_files,
+    layout,
+    long_lists,
+    names,
+    reading,
+    repairs,
+)
 from webapp.features.library.figures import tables
 from webapp.jobs import changes
 from webapp.jobs.names import JOB_POKE
 from webapp.shell.feature import Values
 from webapp.shell.messages import empty_state, notice
 from webapp.shell.names import DATASET, JOB_STARTED, NOTICES, REVISION, SELECTION, VIEW
+from webapp.ui.long_tables import OPTIONS
 from webapp.ui.tables import grid
 
 
@@ -30,6 +41,7 @@ def register(app: Dash, workspace: Workspace) -> None:
     adding.register(app, workspace)
     reading.register(app, workspace)
     repairs.register(app, workspace)
+    long_lists.register(app, workspace)
     body_editor.register(app, workspace)
     feature_files.register(app, workspace)
 
@@ -125,13 +137,19 @@ def detail(workspace: Workspace, name: str | None, view: Mapping[str, str] | Non
     except WorkspaceError as error:
         return empty_state("warning", "This dataset cannot be shown", str(error))
     tab, files = _shown_parts(view)
-    shown = {
-        "clips": grid(
-            names.CLIPS_TABLE, tables.clip_columns(dataset), tables.clip_rows(dataset), "Clips", **tables.CHOICE
-        ),
-        "report": grid(names.REPORT_TABLE, tables.REPORT_COLUMNS, [], "Import report"),
-        "rows": dcc.Store(id=names.REPORT_ROWS, data=tables.report_rows(dataset.report.files)),
-    }
+    columns, report_columns = tables.clip_columns(dataset), tables.REPORT_COLUMNS
+    if long_lists.is_long(workspace, name):
+        shown = {
+            "clips": grid(names.CLIPS_TABLE, tables.long_columns(columns), None, "Clips", **tables.LONG_CHOICE),
+            "report": grid(names.REPORT_TABLE, tables.long_columns(report_columns), None, "Import report", **OPTIONS),
+            "rows": dcc.Store(id=names.REPORT_ROWS),
+        }
+    else:
+        shown = {
+            "clips": grid(names.CLIPS_TABLE, columns, tables.clip_rows(dataset), "Clips", **tables.CHOICE),
+            "report": grid(names.REPORT_TABLE, report_columns, [], "Import report"),
+            "rows": dcc.Store(id=names.REPORT_ROWS, data=tables.report_rows(dataset.report.files)),
+        }
     return layout.detail(name, shown, dataset.report, tab, files)
 
 
@@ -204,36 +222,55 @@ def perform(workspace: Workspace, request: Mapping[str, object]) -> None:
 
 
 def _choose_clips(app: Dash, workspace: Workspace) -> None:
-    @app.callback(Output(names.CLIPS_CHOSEN, "children"), Input(names.CLIPS_TABLE, "selectedRows"))
-    def show_chosen(rows):
-        return layout.clips_chosen(len(rows or ()))
+    @app.callback(
+        Output(names.CLIPS_CHOSEN, "children"),
+        Output(names.CLIPS_ALL, "data"),
+        Input(names.CLIPS_TABLE, "selectedRows"),
+        Input(names.CLIPS_ALL, "data"),
+        Input(names.CLIPS_TABLE, "filterModel"),
+        State(DATASET, "data"),
+    )
+    def show_chosen(rows, every, filters, name):
+        if not long_lists.is_long(workspace, name):
+            return layout.clips_chosen(len(rows or ())), no_update
+        here = len(long_lists.clips_of(workspace, name).order(filters))
+        if every and (every.get("dataset") != name or (every.get("filter") or {}) != (filters or {})):
+            return layout.clips_chosen(len(rows or ()), here), None  # other clips match now
+        return layout.clips_chosen(here if every else len(rows or ()), here), no_update
 
     @app.callback(
         Output(names.CLIPS_TABLE, "selectedRows"),
         Input(names.CLIPS_ACTION, "data"),
         State(names.CLIPS_TABLE, "selectedRows"),
+        State(names.CLIPS_ALL, "data"),
+        State(names.CLIPS_TABLE, "filterModel"),
         State(DATASET, "data"),
         prevent_initial_call=True,
     )
-    def act_on_clips(request, rows, name):
-        if (request or {}).get("action") == "reread" and rows:
-            reading.open_for(name, [row["clip"] for row in rows])
+    def act_on_clips(request, rows, every, filters, name):
+        action = (request or {}).get("action")
+        if action == "all":
+            set_props(names.CLIPS_ALL, {"data": {"dataset": name, "filter": filters or {}}})
             return no_update
-        if (request or {}).get("action") == "properties" and rows:
-            chosen = {"dataset": name, "clips": [row["clip"] for row in rows], "at": time.time()}
-            set_props(names.PROPERTIES_OF, {"data": chosen})
-            return no_update
-        if (request or {}).get("action") == "repair" and rows:
-            repairs.open_for(name, [row["clip"] for row in rows])
-            return no_update
-        if (request or {}).get("action") == "remove" and rows:
-            try:
-                if len(rows) == workspace.info(name).clips:
-                    raise WorkspaceError("These are all its clips; delete the dataset instead.")
-                changes.start(workspace, requests.remove_request(name, [row["clip"] for row in rows]))
-            except WorkspaceError as error:
-                _notify(notice("That did not work", str(error), "red"))
+        try:
+            clips = long_lists.chosen_names(workspace, name, rows, every)
+            if action == "reread" and clips:
+                reading.open_for(name, clips)
                 return no_update
+            if action == "repair" and clips:
+                repairs.open_for(name, clips)
+                return no_update
+            if action == "properties" and clips:
+                set_props(names.PROPERTIES_OF, {"data": {"dataset": name, "clips": clips, "at": time.time()}})
+                return no_update
+            if action == "remove" and clips:
+                if len(clips) == workspace.info(name).clips:
+                    raise WorkspaceError("These are all its clips; delete the dataset instead.")
+                changes.start(workspace, requests.remove_request(name, clips))
+        except WorkspaceError as error:
+            _notify(notice("That did not work", str(error), "red"))
+            return no_update
+        set_props(names.CLIPS_ALL, {"data": None})
         return []
 
 

@@ -81,7 +81,11 @@ def detail(name: str, tables: dict[str, Component], report: ImportReport, tab: s
                     html.Div(id=names.CLIPS_CHOSEN, className="clips-chosen"),
                 ]
             ),
-            dmc.TabsPanel([tables["clips"], dcc.Store(id=names.CLIPS_MARKED)], value="clips", pt="sm"),
+            dmc.TabsPanel(
+                [tables["clips"], dcc.Store(id=names.CLIPS_MARKED), dcc.Store(id=names.CLIPS_ALL)],
+                value="clips",
+                pt="sm",
+            ),
             dmc.TabsPanel(
                 [
                     dmc.SegmentedControl(id=names.REPORT_FILTER, data=chips, value=chosen, size="xs", mb="xs"),
@@ -106,8 +110,13 @@ def report_chips(report: ImportReport) -> list[dict[str, str]]:
     return [{"value": key, "label": f"{label} {counts[key]:,}"} for key, label in choices]
 
 
-def clips_chosen(chosen: int) -> Component | None:
-    """Buttons for the chosen clips; None where none is chosen."""
+def clips_chosen(chosen: int, matching: int | None = None) -> Component | None:
+    """Buttons for the chosen clips; None where none is chosen.
+
+    matching: how many clips a long table shows, which has no box for choosing all.
+    """
+    if not chosen and matching:
+        return _choose_all(matching)
     if not chosen:
         return None
     words = f"{chosen:,} clip{'s' if chosen != 1 else ''} chosen"
@@ -151,6 +160,18 @@ def clips_chosen(chosen: int) -> Component | None:
                 color="gray",
                 **sends(names.CLIPS_ACTION, {"action": "clear"}, every_time=True),
             ),
+        ],
+        gap=8,
+        wrap="nowrap",
+    )
+
+
+def _choose_all(matching: int) -> Component:
+    action = sends(names.CLIPS_ACTION, {"action": "all"}, every_time=True)
+    return dmc.Group(
+        [
+            html.Span(f"{matching:,} clip{'s' if matching != 1 else ''}", className="muted number", role="status"),
+            dmc.Button("Choose all", size="compact-sm", variant="subtle", **action),
         ],
         gap=8,
         wrap="nowrap",

@@ -24,8 +24,15 @@ class DatasetAction(TypedDict):
 class ClipsAction(TypedDict):
     """What is to be done with the clips that are chosen in the table."""
 
-    action: Literal["remove", "clear", "reread", "repair", "properties"]
+    action: Literal["remove", "clear", "reread", "repair", "properties", "all"]
     at: NotRequired[float]
+
+
+class ClipsAll(TypedDict):
+    """All clips of a data set are chosen that the filters of their table, AG Grid's own, leave."""
+
+    dataset: Name
+    filter: dict[str, Any]
 
 
 class UploadInto(TypedDict):
@@ -190,6 +197,7 @@ ADD = Pattern("add", "at")
 
 CLIPS_TABLE = Id("clips-table")
 CLIPS_CHOSEN = Id("clips-chosen")
+CLIPS_ALL = Store("clips-all", ClipsAll)
 CLIPS_ACTION = Store("clips-action", ClipsAction)
 CLIPS_MARKED = Store("clips-marked", Any)
 

@@ -16,6 +16,8 @@ RIGHTS = Rights(
         "callbacks.show_facts",
         "callbacks.show_trash",
         "dialogs.open_dialog",
+        "long_lists.rows_of_clips",
+        "long_lists.rows_of_files",
         "property_routes.properties_file",
         "property_routes.show_properties",
         "routes.bvh",

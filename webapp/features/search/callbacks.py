@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from itertools import islice
 from typing import Any
 from urllib.parse import urlencode
 
 import dash_mantine_components as dmc
-from dash import Dash, Input, Output, State, no_update, set_props
+from dash import Dash, Input, Output, State, ctx, no_update, set_props
 from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
 from core.errors import MotionscapeError
+from core.mocap.clip import Clip
 from core.mocap.dataset import Dataset
 from core.workspace import Workspace, WorkspaceError
 from webapp.features.search import names, recipes, searching, uploaded
@@ -36,6 +38,7 @@ from webapp.shell.names import (
     VIEW_CHANGE,
 )
 from webapp.ui import method_page
+from webapp.ui.long_tables import LONG, OFFERED
 from webapp.ui.tables import labels_by_clip
 from webapp.ui.views import register_switch
 
@@ -51,22 +54,25 @@ def register(app: Dash, workspace: Workspace) -> None:
 
 
 def _choices(app: Dash, workspace: Workspace) -> None:
-    @app.callback(Output(names.SEARCH_CLIPS, "data"), Input(DATASET, "data"), Input(REVISION, "data"))
-    def list_clips(name, _revision):
+    @app.callback(
+        Output(names.SEARCH_CLIPS, "data"),
+        Input(DATASET, "data"),
+        Input(REVISION, "data"),
+        Input(names.SEARCH_TYPED, "data"),
+    )
+    def list_clips(name, _revision, typed):
         try:
             dataset = workspace.open(name) if name else None
         except WorkspaceError:
             dataset = None
         if dataset is None:
             return None
-        labels: dict[str, list] = {}
-        for label in dataset.labels:
-            labels.setdefault(label.clip, []).append([label.start, label.end, label.action])
+        if ctx.triggered_id == names.SEARCH_TYPED and len(dataset.clips) <= LONG:
+            return no_update  # the browser has them all
         return {
             "dataset": dataset.name,
             "version": dataset.fingerprint,
-            "clips": [[clip.name, clip.n_frames, clip.fps] for clip in dataset.clips],
-            "labels": labels,
+            "clips": [[clip.name, clip.n_frames] for clip in offered_clips(dataset, typed)],
             "actions": sorted({label.action for label in dataset.labels}),
         }
 
@@ -127,6 +133,14 @@ def _search(app: Dash, workspace: Workspace) -> None:
         State(names.METHOD.result_key, "data"),
         State(SELECTION, "data"),
     )
+
+
+def offered_clips(dataset: Dataset, typed: str | None) -> Sequence[Clip]:
+    """The clips one may choose from: all, or of thousands some whose names have what was ``typed``."""
+    if len(dataset.clips) <= LONG:
+        return dataset.clips
+    asked = str(typed or "").lower()
+    return list(islice((clip for clip in dataset.clips if asked in clip.name.lower()), OFFERED))
 
 
 def found_data(workspace: Workspace, dataset: Dataset, view: Mapping[str, str] | None) -> dict[str, Any]:

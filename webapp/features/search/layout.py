@@ -151,7 +151,8 @@ def _stores() -> list[Component]:
     return [
         dcc.Store(id=names.SEARCH_PRESETS, data={name: dict(weights) for name, weights in PRESETS.items()}),
         dcc.Store(id=names.SEARCH_PARTS, data=body()),
-        dcc.Store(id=names.SEARCH_CLIPS),  # the clips and labels there are to choose from
+        dcc.Store(id=names.SEARCH_CLIPS),  # the clips and actions there are to choose from
+        dcc.Store(id=names.SEARCH_TYPED),
         dcc.Store(id=names.SEARCH_MOTIFS),  # the motifs there are
         dcc.Store(id=names.SEARCH_FOUND),  # the query and its hits; drawn by assets/search/search.mjs
         dcc.Store(id=names.SEARCH_DRAWN),

@@ -44,12 +44,11 @@ class Body(TypedDict):
 
 
 class Clips(TypedDict):
-    """The clips and labels there are to choose from."""
+    """The clips and actions there are to choose from."""
 
     dataset: Name
     version: str
-    clips: list[tuple[str, int, float]]  # name, frames, frames per second
-    labels: dict[str, list[tuple[int, int, str]]]  # clip -> start, end, action
+    clips: list[tuple[str, int]]  # name, frames; of thousands those that have what was typed
     actions: list[str]
 
 
@@ -265,6 +264,7 @@ SEARCH_ENGINES = Store("search-engines", list[Choice])
 SEARCH_PRESETS = Store("search-presets", dict[str, dict[str, float]])
 SEARCH_PARTS = Store("search-parts", Body)
 SEARCH_CLIPS = Store("search-clips", Clips)
+SEARCH_TYPED = Store("search-typed", str)  # a part of the name of a clip that is looked for
 SEARCH_MOTIFS = Store("search-motifs", list[MotifChoice])
 SEARCH_FOUND = Store("search-found", Found)
 SEARCH_DRAWN = Store("search-drawn", Any)

@@ -243,3 +243,14 @@ def test_what_an_edit_means_for_results(tmp_path, dataset):
     workspace.add_dataset("walks", dataset)
     assert "nothing else changes" in editing.effect(workspace, "walks", editing.HERE)
     assert "stay as they are" in editing.effect(workspace, "walks", editing.NEW)
+
+
+def test_of_thousands_of_clips_those_near_the_shown_one_and_those_sought_are_offered():
+    names = [f"take {k:05d}" for k in range(5000)]
+    shown = callbacks.offered(names, "take 03000")
+    at = shown.index("take 03000")
+    assert len(shown) < 500 and shown[at - 1 : at + 2] == names[2999:3002]
+    assert callbacks.offered(names, names[0])[0] == names[0] and callbacks.offered(names, names[-1])[-1] == names[-1]
+    sought = callbacks.offered(names, "take 03000", "0471")
+    assert {"take 04710", "take 04719", "take 03001"} <= set(sought) and sought == sorted(sought)
+    assert callbacks.offered(names[:20], None) == names[:20]

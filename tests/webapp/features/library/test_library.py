@@ -8,10 +8,10 @@ from core.errors import ParameterError
 from core.mocap.clip import Label, Segment
 from core.mocap.dataset import Dataset
 from core.mocap.reports import FileReport, Finding, ImportReport
-from core.workspace import DatasetInfo, WorkspaceError
+from core.workspace import DatasetInfo, Workspace, WorkspaceError
 from tests.webapp.generated import walk
 from tests.webapp.stored import misfit
-from webapp.features.library import adding, names, reading
+from webapp.features.library import adding, long_lists, names, reading
 from webapp.features.library import layout as pages_layout
 from webapp.features.library.cards import dataset_cards, duration
 from webapp.features.library.figures import tables as library_tables
@@ -145,3 +145,31 @@ def test_the_page_shows_the_limits(monkeypatch):
     limits = pages_layout.Limits(1 << 20, 2 << 20, 5)
     monkeypatch.setattr(pages_layout.Limits, "from_environment", lambda: limits)
     assert limits.sentence() in str(pages_layout.page())
+
+
+def test_of_thousands_of_clips_the_server_sends_those_that_are_asked_for(tmp_path, monkeypatch):
+    monkeypatch.setattr(long_lists, "LONG", 2)
+    workspace = Workspace(tmp_path / "space")
+    clips = tuple(walk(name, 0.2 + 0.1 * k, 60.0) for k, name in enumerate(("b 1", "a 2", "b 10", "c 3")))
+    files = tuple(FileReport(f"{clip.name}.bvh", clip.name, "ok") for clip in clips)
+    workspace.add_dataset("many", Dataset("many", clips, (Label("c 3", 0, 5, "wave"),), ImportReport(files)))
+    assert long_lists.is_long(workspace, "many") and not long_lists.is_long(workspace, "none")
+    table = long_lists.clips_of(workspace, "many")
+    request = {"startRow": 1, "endRow": 3, "filterModel": {}, "sortModel": [{"colId": "clip", "sort": "asc"}]}
+    block = table.block(request)
+    assert [row["clip"] for row in block["rowData"]] == ["b 1", "b 10"] and block["rowCount"] == 4
+    assert table.block(request)["rowData"][0] == library_tables.clip_rows(workspace.open("many"))[0]
+    only_b = {"clip": {"filterType": "text", "type": "startsWith", "filter": "b"}}
+    assert long_lists.matching(workspace, "many", only_b) == ["b 1", "b 10"]
+    every = {"dataset": "many", "filter": only_b}
+    assert long_lists.chosen_names(workspace, "many", [{"clip": "c 3"}], every) == ["b 1", "b 10"]
+    assert long_lists.chosen_names(workspace, "many", [{"clip": "c 3"}], None) == ["c 3"]
+    workspace.remove_clips("many", ["b 1"])
+    assert long_lists.matching(workspace, "many", only_b) == ["b 10"]
+    assert long_lists.files_of(workspace, "many", "all").block(request)["rowCount"] == 3
+
+
+def test_a_long_table_has_no_columns_that_only_a_browser_with_all_rows_can_show():
+    shown = library_tables.long_columns([*library_tables.CLIP_COLUMNS, *library_tables.REPORT_COLUMNS])
+    assert not any({"autoHeight", "wrapText", "filterValueGetter"} & set(column) for column in shown)
+    assert "clips" in str(pages_layout.clips_chosen(0, 7)) and pages_layout.clips_chosen(0) is None
