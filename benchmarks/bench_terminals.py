@@ -31,7 +31,8 @@ from core.mocap.labels import read_labels
 SEEDS = range(100, 108)  # of demos; none of them was looked at while parameters were chosen
 MINUTES = 8
 TOLERANCE = 0.5  # seconds by which a boundary of the demo may be off
-DEFAULTS = TerminalParameters()
+USUAL = 20
+DEFAULTS = TerminalParameters(n_terminals=USUAL)
 
 
 def main() -> str:
@@ -112,8 +113,8 @@ def agreement() -> Iterator[str]:
 def _demo_scores(seed: int) -> tuple[int, dict[str, tuple[int, tuple[float, ...]]]]:
     demo = make_demo(MINUTES, seed)
     actions = len({label.action for label in demo.labels})
-    found = find_several(demo, DEFAULTS, (actions, DEFAULTS.n_terminals))
-    names = ("as many as actions", f"{DEFAULTS.n_terminals}")
+    found = find_several(demo, DEFAULTS, (actions, USUAL))
+    names = ("as many as actions", f"{USUAL}")
     return actions, {name: (t.n_terminals, _scores(t, demo)) for name, t in zip(names, found, strict=True)}
 
 

@@ -13,6 +13,7 @@ from threadpoolctl import threadpool_limits
 from core.grammar.alternation import alternate, cut_by_medoids, even_cuts, recombine
 from core.grammar.fine_tuning import fine_tune
 from core.grammar.genetic import GeneticSettings, genetic_spans
+from core.grammar.grouping import choose_groups, grouped, nearest_groups
 from core.grammar.objective import Clustering
 from core.grammar.parameters import TerminalParameters
 from core.grammar.pose_space import PoseSpace, pose_space
@@ -26,6 +27,8 @@ _SURPLUS = (2.0, 1.6, 1.3)  # times as many groups as asked for, in the first tu
 _FINE_TURNS = 3
 _SEARCHED_SECONDS, _PIECE_SECONDS = 1200, 120  # longer recordings: search in so much of them, in pieces so long
 _PARENTS = 3  # of a recombination
+# where the number of terminals is chosen: searches, each for so many terminals, its random starts and recombinations
+_SEARCHES, _FINE, _FEW = 6, 20, 4
 
 
 def find_terminals(
@@ -41,8 +44,8 @@ def find_terminals(
     with timed("poses", seconds):
         space = space_of(dataset, parameters, report)
     with timed("search", seconds):
-        clustering = search(space, parameters, report)
-    return terminals_of(space, clustering, parameters, dataset, seconds)
+        clustering, description = chosen(space, parameters, report)
+    return replace(terminals_of(space, clustering, parameters, dataset, seconds), description=description)
 
 
 def find_several(
@@ -90,6 +93,43 @@ def search(space: PoseSpace, parameters: TerminalParameters, report: Report = si
         return (_alternation if parameters.method == "alternation" else _paper)(space, parameters, report)
 
 
+def chosen(
+    space: PoseSpace, parameters: TerminalParameters, report: Report = silent
+) -> tuple[Clustering, dict[int, float]]:
+    """The clustering of ``space``, and where the number of terminals is chosen, number -> nats that describe a piece.
+
+    See :mod:`core.grammar.grouping`. With the paper's search the number is chosen so and the rest is the paper's.
+    Raises ValueError as find_terminals does.
+    """
+    if parameters.n_terminals != "auto":
+        return search(space, parameters, report), {}
+    rng = np.random.default_rng(parameters.seed)
+    part, rows = space.sampled(round(_SEARCHED_SECONDS * space.fps), round(_PIECE_SECONDS * space.fps), rng)
+    room = len(even_cuts(part, 1, limits_of(parameters, part.fps)))
+    fine = replace(
+        parameters, n_terminals=max(1, min(_FINE, room // 2)), method="alternation", starts=_FEW, crossings=_FEW
+    )
+    found = []
+    for number in range(_SEARCHES):
+
+        def progress(stage: str, share: float, number: int = number) -> None:
+            report(stage, (number + share) / _SEARCHES)
+
+        found.append(search(part, replace(fine, seed=parameters.seed * _SEARCHES + number), progress))
+    choice = choose_groups(part, found, parameters.seed)
+    groups = int(choice.labels.max()) + 1
+    if parameters.method != "alternation":
+        return search(space, replace(parameters, n_terminals=groups), report), dict(choice.description)
+    best = found[choice.search]
+    if part is space:
+        return grouped(space, best.spans, choice.labels, parameters.seed), dict(choice.description)
+    models = np.stack([rows[best.spans[best.medoids, 0]], rows[best.spans[best.medoids, 1] - 1] + 1], axis=1)
+    spans, terminals = cut_by_medoids(space, models, limits_of(parameters, space.fps))
+    everything = Clustering(spans, best.medoids, terminals, np.zeros(len(spans)))
+    labels = nearest_groups(space, everything, part, best, choice.labels)
+    return grouped(space, spans, labels, parameters.seed), dict(choice.description)
+
+
 def limits_of(parameters: TerminalParameters, fps: float) -> tuple[int, int]:
     """Poses of the shortest and the longest segment at ``fps``."""
     shortest = max(1, round(parameters.min_seconds * fps))
@@ -101,7 +141,7 @@ def _alternation(space: PoseSpace, parameters: TerminalParameters, report: Repor
     full rate; all but the last on a sample of long recordings, so that its time does not grow with them."""
     step = max(1, int(space.fps // _ROUGH_FPS))
     thin = space.thinned(step)
-    enough = max(_SEARCHED_SECONDS, 4 * parameters.n_terminals * parameters.max_seconds)
+    enough = max(_SEARCHED_SECONDS, 4 * parameters.number * parameters.max_seconds)
     rng = np.random.default_rng(parameters.seed)
     part, rows = thin.sampled(round(enough * thin.fps), round(_PIECE_SECONDS * thin.fps), rng)
     coarse = part.thinned(2)
@@ -126,7 +166,7 @@ def _refined(
     space: PoseSpace, medoids: np.ndarray, parameters: TerminalParameters, turns: int, progress: Progress = unheard
 ) -> tuple[Clustering, float]:
     """The clustering that medoids ``(k, 2)`` found at a lower rate lead to at the rate of ``space``; its cost."""
-    k, limits = parameters.n_terminals, limits_of(parameters, space.fps)
+    k, limits = parameters.number, limits_of(parameters, space.fps)
     labels: np.ndarray | None
     cut = 1 / (turns + 1)
     spans, labels = cut_by_medoids(space, medoids, limits, progress=part_of(progress, 0, cut))
@@ -139,7 +179,7 @@ def _refined(
 
 def _beginnings(space: PoseSpace, parameters: TerminalParameters, report: Report) -> list[Clustering]:
     """The clustering from each of ``starts`` random starts."""
-    k, limits, beginnings = parameters.n_terminals, limits_of(parameters, space.fps), []
+    k, limits, beginnings = parameters.number, limits_of(parameters, space.fps), []
     for start in range(parameters.starts):
         report("random starts", start / parameters.starts)
         rng = np.random.default_rng([parameters.seed, start])
@@ -159,7 +199,7 @@ def _recombined(
         report("recombination", 0.3 + 0.7 * crossing / parameters.crossings)
         parents = rng.choice(len(found), min(_PARENTS, len(found)), replace=False)
         chosen = [found[i][0] for i in parents]
-        child = recombine(space, chosen, parameters.n_terminals, parameters.weight, limits, rng)
+        child = recombine(space, chosen, parameters.number, parameters.weight, limits, rng)
         worst = max(parents, key=lambda i: found[i][1])
         if child is None or any(np.isclose(child[1], cost, rtol=1e-9, atol=0) for _, cost in found):
             continue
@@ -173,11 +213,11 @@ def _paper(space: PoseSpace, parameters: TerminalParameters, report: Report) -> 
     rng = np.random.default_rng(parameters.seed)
     limits = limits_of(parameters, space.fps)
     settings = GeneticSettings(parameters.grid, parameters.population, parameters.generations)
-    spans = genetic_spans(space, parameters.n_terminals, parameters.weight, limits, rng, settings, report)
+    spans = genetic_spans(space, parameters.number, parameters.weight, limits, rng, settings, report)
     return fine_tune(
         space,
         spans,
-        parameters.n_terminals,
+        parameters.number,
         parameters.weight,
         limits,
         rng,

@@ -17,7 +17,11 @@ class TerminalParameters:
     Raises ParameterError, in plain words, for a value out of range.
     """
 
-    n_terminals: int = parameter(20, "How many elementary actions to tell apart.", 1, 500, 1, label="Number of actions")
+    n_terminals: int | str = parameter(
+        "auto",
+        "How many elementary actions to tell apart. auto: as many as describe the motion in the least space.",
+        1, 500, 1, label="Number of actions",
+    )  # fmt: skip
     weight: float = parameter(
         0.02,
         "Higher: fewer, longer repeats count more; lower: likeness within an action counts more.",
@@ -103,9 +107,17 @@ class TerminalParameters:
         label="Random seed",
     )
 
+    @property
+    def number(self) -> int:
+        """How many terminals a search looks for. Raises ValueError where the number is to be chosen."""
+        return int(self.n_terminals)
+
     def __post_init__(self) -> None:
-        if not (1 <= self.n_terminals <= 500 and 0 <= self.weight <= 1 and 5 <= self.analysis_fps <= 240):
-            raise ParameterError("n_terminals must be 1 to 500, weight 0 to 1, analysis_fps 5 to 240")
+        number = self.n_terminals
+        if number != "auto" and (isinstance(number, str) or not 1 <= number <= 500):
+            raise ParameterError(f"n_terminals must be auto or 1 to 500, not {number!r}")
+        if not (0 <= self.weight <= 1 and 5 <= self.analysis_fps <= 240):
+            raise ParameterError("weight must be 0 to 1, analysis_fps 5 to 240")
         if not 0.1 <= self.min_seconds <= 10 or not 2 * self.min_seconds <= self.max_seconds <= 30:
             raise ParameterError("min_seconds must be 0.1 to 10, max_seconds at least twice as long and at most 30")
         if not (1 <= self.grid <= 1000 and 2 <= self.population <= 10_000 and 1 <= self.generations <= 100_000):

@@ -19,7 +19,9 @@ class Terminals:
 
     segments: per terminal its segments, at the clips' own rates, by clip and start; all together cover every frame of
     every clip once. medoids: per terminal the most central of its segments. objective: ``F``, ``R`` and ``E``, the
-    paper's F, R and E'. parameters: as used; seconds: stage -> time; clips: (name, frames, fps) of every clip.
+    paper's F, R and E'. description: where the number of terminals was chosen, number -> nats that describe a piece of
+    motion, see :mod:`core.grammar.grouping`; else empty. parameters: as used; seconds: stage -> time; clips: (name,
+    frames, fps) of every clip.
     """
 
     segments: tuple[tuple[Segment, ...], ...]
@@ -29,6 +31,7 @@ class Terminals:
     seconds: Mapping[str, float] = field(default_factory=dict)
     clips: tuple[tuple[str, int, float], ...] = ()
     dataset: Mapping[str, Any] = field(default_factory=dict)
+    description: Mapping[int, float] = field(default_factory=dict)
 
     @property
     def n_terminals(self) -> int:
@@ -71,6 +74,7 @@ class Terminals:
             "parameters": dict(self.parameters),
             "seconds": {stage: round(t, 4) for stage, t in self.seconds.items()},
             "objective": {name: float(value) for name, value in self.objective.items()},
+            "description": [[number, round(nats, 4)] for number, nats in self.description.items()],
             "terminals": [
                 {"id": k, "segments": list(map(segment_json, segments)), "medoid": segment_json(self.medoids[k])}
                 for k, segments in enumerate(self.segments)
@@ -100,6 +104,7 @@ def from_json(document: Mapping[str, Any]) -> Terminals:
             seconds=dict(document["seconds"]),
             clips=tuple((clip["name"], clip["frames"], clip["fps"]) for clip in document["clips"]),
             dataset=dict(document["dataset"]),
+            description={int(number): float(nats) for number, nats in document.get("description", ())},
         )
     except (KeyError, TypeError) as error:
         raise FormatError(f"these terminals are incomplete: {error!r} is missing or misshapen") from error

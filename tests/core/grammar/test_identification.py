@@ -88,7 +88,7 @@ def test_json(terminals):
 def test_more_terminals_than_segments_are_refused(demo):
     short = replace(demo, clips=(demo.clips[0].cut(0, 200, "short"),), labels=(), digests=())
     with pytest.raises(ValueError, match=r"only \d segments for 20 terminals"):
-        find_terminals(short)
+        find_terminals(short, TerminalParameters(n_terminals=20))
 
 
 @pytest.mark.parametrize(

@@ -85,12 +85,20 @@ def layout() -> Component:
     )
 
 
+USUAL_NUMBER = 20
+
+
+def _number(actions: int | str) -> int:
+    """The number of actions that the slider shows; the middle of the usual ones where it is chosen automatically."""
+    return USUAL_NUMBER if isinstance(actions, str) else actions
+
+
 def _sliders() -> list[Component]:
     count, weight = (
         next(p for p in settings.parameters(grammars.PAGE) if p.name == name) for name in ("n_terminals", "weight")
     )
     return [
-        _slider(names.TUNE_ACTIONS, "Number of actions", 2, 60, 1, count.default, ""),
+        _slider(names.TUNE_ACTIONS, "Number of actions", 2, 60, 1, _number(count.default), ""),
         _slider(names.TUNE_WEIGHT, "Alike … repeated", 0, 1, 0.01, weight.default, "wide"),
         html.Button(
             [icon("spark", 14), "Learn with these"], id=names.TUNE_LEARN, type="button", className="walk-button tall"
@@ -146,7 +154,7 @@ def _fill(app: Dash, workspace: Workspace) -> None:
     )
     def fill(view, _run_button):
         values = analyses.normalise(settings.request_of(grammars.PAGE, "", view)).parameters
-        return action_counts.counts_text(view), values["n_terminals"], values["weight"]
+        return action_counts.counts_text(view), _number(values["n_terminals"]), values["weight"]
 
     @app.callback(
         Output(names.TUNE_PLAN, "children"),
@@ -270,7 +278,7 @@ def _draw(app: Dash, workspace: Workspace) -> None:
             points = [p for p in action_counts.points(workspace, name, view) if p is not None]
         except (ParameterError, WorkspaceError):
             return (no_update,) * 3
-        shown = analyses.normalise(settings.request_of(grammars.PAGE, name, view)).parameters["n_terminals"]
+        shown = _number(analyses.normalise(settings.request_of(grammars.PAGE, name, view)).parameters["n_terminals"])
         table = tables.grid(
             names.TUNE_TABLE, grammar_table.COLUMNS, grammar_table.rows(points), "Numbers of actions", row_height=34
         )
