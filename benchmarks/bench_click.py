@@ -34,7 +34,7 @@ WATCH = """() => {
         performance.mark('released');
         const look = () => {
             const right = document.querySelector('.ms-stage-title').textContent.startsWith(window.wanted);
-            if (right && motionscapeStage.status === 'ready' && motionscapeStage.time > 0) performance.mark('moving');
+            if (right && motionscape.stage.status === 'ready' && motionscape.stage.time > 0) performance.mark('moving');
             else requestAnimationFrame(look);
         };
         requestAnimationFrame(look);
