@@ -10,10 +10,17 @@ import sys
 import threading
 import webbrowser
 from argparse import Namespace
-from typing import Any
+from collections.abc import Callable
+from functools import partial
+from typing import TYPE_CHECKING
+from urllib.parse import urlencode
 
 from core.workspace import Workspace, WorkspaceError, shared_workspace
 from webapp.shell.access import is_loopback
+from webapp.shell.warming import after_first_page
+
+if TYPE_CHECKING:
+    from webapp.shell.loading import LoadingDash
 
 TOKEN = "MOTIONSCAPE_TOKEN"
 THREADS = 12
@@ -80,6 +87,7 @@ def _serve(workspace: Workspace, arguments: Namespace, token: str | None, listen
         prepare_demo(workspace)  # its worker starts while the app is being built
     ensure_worker(workspace)  # jobs that were waiting when the last server ended
     app = _app(workspace, token)
+    after_first_page(app.server, lambda: _first_visits(app, workspace))
     port = listener.getsockname()[1]
     by_link = token and (os.environ.get(TOKEN) or not accounts_exist(workspace))
     url = f"http://{_shown(arguments.host)}:{port}/" + (f"?token={token}" if by_link else "")
@@ -105,7 +113,26 @@ def _serve(workspace: Workspace, arguments: Namespace, token: str | None, listen
     raise KeyboardInterrupt  # the server returns only then
 
 
-def _app(workspace: Workspace, token: str | None) -> Any:
+def _first_visits(app: LoadingDash, workspace: Workspace) -> dict[str, Callable[[], object]]:
+    """What the first visit of each page reads and compiles, for the dataset that the bare address shows."""
+    from core.compiled import warm_up
+    from webapp.shell import settings
+    from webapp.shell.feature import features
+    from webapp.shell.names import MethodNames
+    from webapp.ui.parameter_form import parameter_form
+
+    steps: dict[str, Callable[[], object]] = {"compiled functions": warm_up}
+    for name in settings.methods():
+        steps[f"form of {name}"] = partial(parameter_form, settings.parameters(name), {}, MethodNames(name).control)
+    if known := workspace.datasets():
+        search = "?" + urlencode({"dataset": known[0].name})
+        steps |= {
+            f"page {feature.path}": partial(app.first_values, f"/{feature.path}", search) for feature in features()
+        }
+    return steps
+
+
+def _app(workspace: Workspace, token: str | None) -> LoadingDash:
     from webapp.app import create_app
 
     return create_app(workspace.path, token=token)
