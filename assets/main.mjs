@@ -12,6 +12,7 @@ import "./jobs/job_bar.mjs";
 import "./boards/boards.mjs";
 import "./boards/discussion.mjs";
 import "./report/blocks.mjs";
+import "./groups/groups.mjs";
 import "./library/body.mjs";
 import "./library/clips.mjs";
 import "./library/properties.mjs";

@@ -15,7 +15,7 @@ from webapp.shell.identifiers import Pattern, Store, constant, declared
 from webapp.shell.shapes import keys
 
 REPOSITORY = Path(__file__).resolve().parents[1]
-FEATURES = ("library", "clip", "motifs", "sweeps", "motion_map", "search", "grammar", "boards")
+FEATURES = ("library", "clip", "motifs", "sweeps", "motion_map", "search", "grammar", "groups", "boards")
 # folder of assets -> the module whose names it gets; every room may import "shared"
 ROOMS = {"shared": "webapp.shell.names", "jobs": "webapp.jobs.names", "stage": "webapp.stage.names"} | {
     name: f"webapp.features.{name}.names" for name in FEATURES

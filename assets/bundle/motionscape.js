@@ -635,8 +635,8 @@
   }
   function listen() {
     const send4 = window.fetch;
-    window.fetch = async (address2, options) => {
-      const answer2 = await send4.call(window, address2, options);
+    window.fetch = async (address3, options) => {
+      const answer2 = await send4.call(window, address3, options);
       if ((answer2.status === 401 || answer2.status === 403) && new URL(answer2.url, location.href).origin === location.origin) void tell(answer2.clone());
       return answer2;
     };
@@ -709,12 +709,12 @@
     if (!context) throw new Error("This browser cannot draw on a canvas.");
     return context;
   }
-  function setLink(id, address2) {
+  function setLink(id, address3) {
     const link2 = need(id);
-    if (address2) link2.setAttribute("href", address2);
+    if (address3) link2.setAttribute("href", address3);
     else link2.removeAttribute("href");
-    link2.classList.toggle("disabled", !address2);
-    link2.setAttribute("aria-disabled", String(!address2));
+    link2.classList.toggle("disabled", !address3);
+    link2.setAttribute("aria-disabled", String(!address3));
   }
   function whenParsed(start3) {
     if (document.readyState === "loading") document.addEventListener("DOMContentLoaded", start3);
@@ -734,10 +734,10 @@
       ["_dash-dependencies", find(FIRST_DEPENDENCIES)?.textContent]
     ]);
     const send4 = window.fetch;
-    window.fetch = (address2, options) => {
-      const name = String(address2).split("/").pop() ?? "";
+    window.fetch = (address3, options) => {
+      const name = String(address3).split("/").pop() ?? "";
       const text = answers.get(name);
-      if (!text) return send4.call(window, address2, options);
+      if (!text) return send4.call(window, address3, options);
       answers.delete(name);
       if (!answers.size) window.fetch = send4;
       return Promise.resolve(new Response(text, { headers: { "Content-Type": "application/json" } }));
@@ -811,9 +811,9 @@
       /** @type {Element | null} */
       closest(event, "a.nav-link")
     );
-    for (const address2 of link2 ? scriptsOf(link2.pathname) : []) {
-      if (document.head.querySelector(`link[href="${address2}"]`)) continue;
-      document.head.append(Object.assign(document.createElement("link"), { rel: "preload", as: "script", href: address2 }));
+    for (const address3 of link2 ? scriptsOf(link2.pathname) : []) {
+      if (document.head.querySelector(`link[href="${address3}"]`)) continue;
+      document.head.append(Object.assign(document.createElement("link"), { rel: "preload", as: "script", href: address3 }));
     }
   }
   answerFirstRequests();
@@ -831,7 +831,7 @@
   function watch(picture2) {
     const awaited2 = (picture2.dataset.until || "").split(" ").filter(Boolean);
     let wanted2 = true;
-    const look2 = () => {
+    const look3 = () => {
       const stands = find(PAGE)?.firstElementChild;
       if (stands && !picture2.classList.contains("passed")) {
         picture2.classList.add("passed");
@@ -839,10 +839,10 @@
           wanted2 = false;
         }, { once: true });
       }
-      if (wanted2 && performance.now() < PATIENCE && !(stands && awaited2.every(drawn))) return requestAnimationFrame(look2);
+      if (wanted2 && performance.now() < PATIENCE && !(stands && awaited2.every(drawn))) return requestAnimationFrame(look3);
       requestAnimationFrame(() => picture2.remove());
     };
-    look2();
+    look3();
   }
   var picture = find(FIRST_PICTURE);
   if (picture) watch(picture);
@@ -911,11 +911,11 @@
     else window.Plotly.downloadImage(plot, { format: kind, filename: name, scale: kind === "png" ? 2 : 1 });
   }
   async function drawing(target2, kind, name) {
-    const address2 = drawings[target2]();
-    if (address2) await savePicture(address2, kind, name);
+    const address3 = drawings[target2]();
+    if (address3) await savePicture(address3, kind, name);
   }
-  async function savePicture(address2, kind, name) {
-    const answer2 = await fetch(address2).catch(() => null);
+  async function savePicture(address3, kind, name) {
+    const answer2 = await fetch(address3).catch(() => null);
     if (!answer2 || !answer2.ok) {
       notify("The picture was not saved", "The server did not make it; reload the page and try again.");
       return;
@@ -1238,17 +1238,17 @@
   }
   function nameFigures(figures) {
     if (!figures.length) return;
-    const labels2 = figures.map((figure2) => figure2.label);
+    const labels2 = figures.map((figure3) => figure3.label);
     const alike = new Set(labels2).size === 1 && labels2.length > 1;
     const shared = alike ? labels2[0] : labels2.length > 1 ? sharedBeginning(labels2) : "";
     const from = alike || shared.length >= WORTH_LEAVING_OUT ? shared.length : 0;
-    for (const figure2 of figures) {
-      const { label, header, ownFps } = figure2;
+    for (const figure3 of figures) {
+      const { label, header, ownFps } = figure3;
       const rest = alike ? "" : label.length > from ? label.slice(from) : label;
       const again = labels2.filter((other) => other === label).length > 1;
       const second = `${(header.start / ownFps).toFixed(1)} s`;
-      figure2.name = again ? `${rest} ${second}`.trim() : rest;
-      figure2.brief = again ? second : rest.split(/[\s_\-/.:]+/).filter(Boolean).pop() ?? rest;
+      figure3.name = again ? `${rest} ${second}`.trim() : rest;
+      figure3.brief = again ? second : rest.split(/[\s_\-/.:]+/).filter(Boolean).pop() ?? rest;
     }
   }
 
@@ -1421,24 +1421,24 @@
     listFigures() {
       const { figures } = this.stage;
       const list3 = this.find(".ms-figures");
-      const names2 = JSON.stringify(figures.map((figure2) => [figure2.label, figure2.visible, figure2.item.colour, figure2.header.start]));
+      const names2 = JSON.stringify(figures.map((figure3) => [figure3.label, figure3.visible, figure3.item.colour, figure3.header.start]));
       if (names2 === this.listed) return;
       this.listed = names2;
-      list3.replaceChildren(...figures.length > 1 ? figures.map((figure2, k) => this.chip(figure2, k)) : []);
+      list3.replaceChildren(...figures.length > 1 ? figures.map((figure3, k) => this.chip(figure3, k)) : []);
       if (figures.length === 1 && !figures[0].item.colour) list3.append(legend("left"), legend("right"));
     }
     /** @param {Figure} figure @param {number} k */
-    chip(figure2, k) {
+    chip(figure3, k) {
       const chip2 = document.createElement("button");
       chip2.type = "button";
       chip2.className = "ms-chip";
-      chip2.title = `${figure2.label}, frames ${figure2.header.start} to ${figure2.header.end}: click to hide or show`;
-      chip2.setAttribute("aria-pressed", String(figure2.visible));
+      chip2.title = `${figure3.label}, frames ${figure3.header.start} to ${figure3.header.end}: click to hide or show`;
+      chip2.setAttribute("aria-pressed", String(figure3.visible));
       const colour = document.createElement("span");
       colour.className = "ms-chip-colour";
       const name = document.createElement("span");
       name.className = "ms-chip-name";
-      name.textContent = shorten(figure2.name, CHIP_LETTERS);
+      name.textContent = shorten(figure3.name, CHIP_LETTERS);
       chip2.append(colour, name);
       chip2.addEventListener("click", () => {
         const { visible: visible2 } = this.stage.figures[k];
@@ -1451,8 +1451,8 @@
     }
     colourChips() {
       allWithin(this.root, ".ms-chip-colour").forEach((swatch, k) => {
-        const figure2 = this.stage.figures[k];
-        if (figure2) swatch.style.background = css(figure2.colours[2]);
+        const figure3 = this.stage.figures[k];
+        if (figure3) swatch.style.background = css(figure3.colours[2]);
       });
     }
     /** Bring all buttons in line with the state; cheap enough after every action, not for every frame. */
@@ -1480,7 +1480,7 @@
       this.find('[data-action="speed"]').textContent = `${clock2.speed}×`;
       const many = stage2.figures.length > 1;
       this.find(".ms-arrangement").hidden = !many;
-      this.find('.ms-tool[data-action="warp"]').disabled = !stage2.figures.some((figure2) => figure2.warp);
+      this.find('.ms-tool[data-action="warp"]').disabled = !stage2.figures.some((figure3) => figure3.warp);
       this.find(".ms-controls").inert = stage2.status !== "ready";
     }
     /**
@@ -1539,68 +1539,68 @@
   var TURN = 0.5;
   function placeFigures(figures, layout, aspect, duration) {
     const still = layout === "pose";
-    for (const figure2 of figures) {
-      figure2.place = [0, 0];
-      figure2.level = 0;
-      figure2.room = Infinity;
-      figure2.walksInPlace = still;
-      figure2.path = null;
-      figure2.stand(still ? figure2.frameAt(duration / 2) : 0);
+    for (const figure3 of figures) {
+      figure3.place = [0, 0];
+      figure3.level = 0;
+      figure3.room = Infinity;
+      figure3.walksInPlace = still;
+      figure3.path = null;
+      figure3.stand(still ? figure3.frameAt(duration / 2) : 0);
     }
-    const shown8 = figures.filter((figure2) => figure2.visible);
-    if (layout === "overlay" || shown8.length < 2) return [];
-    for (const figure2 of shown8) figure2.turn(TURN);
-    if (still) return placeOnShelves(shown8, aspect, duration);
-    placeInLanes(shown8, aspect);
+    const shown9 = figures.filter((figure3) => figure3.visible);
+    if (layout === "overlay" || shown9.length < 2) return [];
+    for (const figure3 of shown9) figure3.turn(TURN);
+    if (still) return placeOnShelves(shown9, aspect, duration);
+    placeInLanes(shown9, aspect);
     return [];
   }
-  function placeInLanes(shown8, aspect) {
-    const boxes = shown8.map((figure2) => figure2.extent());
+  function placeInLanes(shown9, aspect) {
+    const boxes = shown9.map((figure3) => figure3.extent());
     const span = (low, high) => Math.max(...boxes.map((b) => b[high] - b[low]));
     const width = Math.min(Math.max(span(0, 1) + LANE.gap, LANE.least), LANE.most);
     const depth2 = Math.min(Math.max(span(2, 3) + LANE.gap, ROW.least), ROW.most);
-    const wanted2 = Math.round(Math.sqrt(shown8.length * aspect * (0.6 * depth2 + 0.8) / width));
-    inRows(shown8, Math.max(wanted2, 2), (figure2, k, row7, rows2, column) => {
+    const wanted2 = Math.round(Math.sqrt(shown9.length * aspect * (0.6 * depth2 + 0.8) / width));
+    inRows(shown9, Math.max(wanted2, 2), (figure3, k, row7, rows2, column) => {
       const box4 = boxes[k];
-      figure2.room = width;
-      figure2.walksInPlace = box4[1] - box4[0] > LANE.most || box4[3] - box4[2] > ROW.most;
-      const middle = figure2.walksInPlace ? [0, 0] : [(box4[0] + box4[1]) / 2, (box4[2] + box4[3]) / 2];
+      figure3.room = width;
+      figure3.walksInPlace = box4[1] - box4[0] > LANE.most || box4[3] - box4[2] > ROW.most;
+      const middle = figure3.walksInPlace ? [0, 0] : [(box4[0] + box4[1]) / 2, (box4[2] + box4[3]) / 2];
       const stagger = rows2 > 1 ? (row7 % 2 ? 0.25 : -0.25) * width : 0;
-      figure2.place = [column * width + stagger - middle[0], ((rows2 - 1) / 2 - row7) * depth2 - middle[1]];
+      figure3.place = [column * width + stagger - middle[0], ((rows2 - 1) / 2 - row7) * depth2 - middle[1]];
     });
   }
-  function placeOnShelves(shown8, aspect, duration) {
-    const boxes = shown8.map((figure2) => figure2.extent(duration / 2, duration / 2, 1));
+  function placeOnShelves(shown9, aspect, duration) {
+    const boxes = shown9.map((figure3) => figure3.extent(duration / 2, duration / 2, 1));
     const width = Math.min(Math.max(...boxes.map((b) => b[1] - b[0] + SHELF.gap), SHELF.least), SHELF.most);
     const height = Math.max(...boxes.map((b) => b[4])) + SHELF.above;
-    const size = (columns2) => Math.min(aspect / (columns2 * width), 1 / (Math.ceil(shown8.length / columns2) * height));
-    const columns = shown8.map((_, k) => k + 1).reduce((best, k) => size(k) > size(best) ? k : best);
+    const size = (columns2) => Math.min(aspect / (columns2 * width), 1 / (Math.ceil(shown9.length / columns2) * height));
+    const columns = shown9.map((_, k) => k + 1).reduce((best, k) => size(k) > size(best) ? k : best);
     const shelves = [];
-    inRows(shown8, columns, (figure2, k, row7, rows2, column) => {
-      figure2.room = width;
-      figure2.level = (rows2 - 1 - row7) * height;
-      figure2.place = [column * width - (boxes[k][0] + boxes[k][1]) / 2, 0];
+    inRows(shown9, columns, (figure3, k, row7, rows2, column) => {
+      figure3.room = width;
+      figure3.level = (rows2 - 1 - row7) * height;
+      figure3.place = [column * width - (boxes[k][0] + boxes[k][1]) / 2, 0];
       const half = Math.abs(column * width) + width / 2;
-      shelves[row7] = { level: figure2.level, half: Math.max(shelves[row7]?.half ?? 0, half) };
+      shelves[row7] = { level: figure3.level, half: Math.max(shelves[row7]?.half ?? 0, half) };
     });
     return shelves;
   }
-  function inRows(shown8, wanted2, put5) {
-    const rows2 = Math.ceil(shown8.length / wanted2);
-    const columns = Math.ceil(shown8.length / rows2);
-    shown8.forEach((figure2, k) => {
+  function inRows(shown9, wanted2, put5) {
+    const rows2 = Math.ceil(shown9.length / wanted2);
+    const columns = Math.ceil(shown9.length / rows2);
+    shown9.forEach((figure3, k) => {
       const row7 = Math.floor(k / columns);
-      const inRow = row7 < rows2 - 1 ? columns : shown8.length - columns * (rows2 - 1);
-      put5(figure2, k, row7, rows2, k % columns - (inRow - 1) / 2);
+      const inRow = row7 < rows2 - 1 ? columns : shown9.length - columns * (rows2 - 1);
+      put5(figure3, k, row7, rows2, k % columns - (inRow - 1) / 2);
     });
   }
   function groundCentre(figures, out) {
     let [x, z, n] = [0, 0, 0];
-    for (const figure2 of figures) {
-      if (!figure2.visible) continue;
-      const root = 3 * figure2.header.root;
-      x += figure2.points[root];
-      z += figure2.points[root + 2];
+    for (const figure3 of figures) {
+      if (!figure3.visible) continue;
+      const root = 3 * figure3.header.root;
+      x += figure3.points[root];
+      z += figure3.points[root + 2];
       n++;
     }
     out[0] = n ? x / n : 0;
@@ -1608,15 +1608,15 @@
     return out;
   }
   function measureStage(figures, duration, samples = 24) {
-    const shown8 = figures.filter((figure2) => figure2.visible);
-    const cloud = new Float32Array(samples * shown8.reduce((sum2, figure2) => sum2 + figure2.points.length, 0));
+    const shown9 = figures.filter((figure3) => figure3.visible);
+    const cloud = new Float32Array(samples * shown9.reduce((sum2, figure3) => sum2 + figure3.points.length, 0));
     const centre = [0, 0];
     let radius = 0.7;
     let n = 0;
     for (let s = 0; s < samples; s++) {
-      for (const figure2 of shown8) figure2.pose(duration * s / (samples - 1));
-      groundCentre(shown8, centre);
-      for (const { points } of shown8) {
+      for (const figure3 of shown9) figure3.pose(duration * s / (samples - 1));
+      groundCentre(shown9, centre);
+      for (const { points } of shown9) {
         for (let k = 0; k < points.length; k += 3) {
           cloud[n++] = points[k] - centre[0];
           cloud[n++] = points[k + 1];
@@ -1635,15 +1635,15 @@
   // stage/messages.mjs
   var NOTICE = 1100;
   function readout({ clock: { time, duration }, figures, timeline, layout }) {
-    const figure2 = figures[timeline.reference];
-    const frame = figure2.recordedFrame(time);
-    const span = figure2.spanAt(frame)?.label;
+    const figure3 = figures[timeline.reference];
+    const frame = figure3.recordedFrame(time);
+    const span = figure3.spanAt(frame)?.label;
     const moment = layout === "pose" ? `${Math.round(100 * time / (duration || 1))} % of each` : `${time.toFixed(2)} / ${duration.toFixed(2)} s`;
     return `${moment} · frame ${frame}${span ? ` · ${span}` : ""}`;
   }
   function describe(figures) {
     const count = figures.length === 1 ? "One figure" : `${figures.length} figures`;
-    return `${count} moving: ${figures.slice(0, 6).map((figure2) => figure2.label).join(", ")}`;
+    return `${count} moving: ${figures.slice(0, 6).map((figure3) => figure3.label).join(", ")}`;
   }
   var Messages = class {
     /** @param {HTMLElement} root */
@@ -1711,7 +1711,7 @@
     paint(seconds) {
       const { stage: stage2 } = this;
       const { camera, clock: clock2, figures, scene } = stage2;
-      for (const figure2 of figures) if (figure2.visible) figure2.pose(clock2.time);
+      for (const figure3 of figures) if (figure3.visible) figure3.pose(clock2.time);
       if (figures.length) {
         const [x, z] = groundCentre(figures, this.followed);
         if (camera.follow) camera.track(x, z, seconds, clock2.jumped || !clock2.playing);
@@ -1765,43 +1765,43 @@
      * @param {number} duration
      */
     show(figures, duration) {
-      const shown8 = figures.filter((figure2) => figure2.visible && figure2.spans.length).slice(0, MOST_ROWS);
-      this.holder.hidden = !shown8.length || !(duration > 0);
-      this.rows.classList.toggle("ms-band-thin", shown8.length > 3);
-      this.rows.replaceChildren(...this.holder.hidden ? [] : shown8.map((figure2) => row(figure2, duration)));
+      const shown9 = figures.filter((figure3) => figure3.visible && figure3.spans.length).slice(0, MOST_ROWS);
+      this.holder.hidden = !shown9.length || !(duration > 0);
+      this.rows.classList.toggle("ms-band-thin", shown9.length > 3);
+      this.rows.replaceChildren(...this.holder.hidden ? [] : shown9.map((figure3) => row(figure3, duration)));
     }
     /** @param {number} share */
     place(share2) {
       if (!this.holder.hidden) this.cursor.style.left = `${(100 * share2).toFixed(3)}%`;
     }
   };
-  function row(figure2, duration) {
+  function row(figure3, duration) {
     const made = document.createElement("div");
     made.className = "ms-band";
-    for (const span of figure2.spans) {
+    for (const span of figure3.spans) {
       const block2 = document.createElement("span");
-      const [from, to] = [figure2.timeAt(span.start), Math.min(figure2.timeAt(span.end), duration)];
+      const [from, to] = [figure3.timeAt(span.start), Math.min(figure3.timeAt(span.end), duration)];
       block2.style.left = `${100 * from / duration}%`;
       block2.style.width = `${100 * Math.max(to - from, 0) / duration}%`;
       block2.style.background = span.colour;
       block2.style.color = 0.3 * span.rgb[0] + 0.59 * span.rgb[1] + 0.11 * span.rgb[2] > 140 ? "#10151d" : "#ffffff";
       block2.textContent = span.label;
-      block2.title = `${span.label || "no name"}, frames ${Math.round(span.start)} to ${Math.round(span.end)} of ${figure2.label}`;
+      block2.title = `${span.label || "no name"}, frames ${Math.round(span.start)} to ${Math.round(span.end)} of ${figure3.label}`;
       made.append(block2);
     }
     return made;
   }
-  function makePath(figure2, duration, plain3) {
+  function makePath(figure3, duration, plain3) {
     const n = Math.min(Math.max(Math.ceil(duration * PATH_STEPS), 2), MOST_POINTS);
     const points = new Float32Array(3 * n);
     const runs = [];
-    const root = 3 * figure2.header.root;
+    const root = 3 * figure3.header.root;
     for (let s = 0; s < n; s++) {
       const time = duration * s / (n - 1);
-      figure2.pose(time, figure2.spare);
-      points[3 * s] = figure2.spare[root];
-      points[3 * s + 2] = figure2.spare[root + 2];
-      const colour = figure2.spanAt(figure2.recordedFrame(time))?.colour ?? plain3;
+      figure3.pose(time, figure3.spare);
+      points[3 * s] = figure3.spare[root];
+      points[3 * s + 2] = figure3.spare[root + 2];
+      const colour = figure3.spanAt(figure3.recordedFrame(time))?.colour ?? plain3;
       const last3 = runs.at(-1);
       if (last3?.colour === colour) last3.to = s;
       else runs.push({ from: Math.max(s - 1, 0), to: s, colour });
@@ -1823,9 +1823,9 @@
      */
     paint(context, camera, figures, duration) {
       context.lineCap = context.lineJoin = "round";
-      for (const figure2 of figures) {
-        if (!figure2.visible || !figure2.spans.length || figure2.walksInPlace) continue;
-        const { points, runs, n } = figure2.path ??= makePath(figure2, duration, figure2.shades.fill[2][4]);
+      for (const figure3 of figures) {
+        if (!figure3.visible || !figure3.spans.length || figure3.walksInPlace) continue;
+        const { points, runs, n } = figure3.path ??= makePath(figure3, duration, figure3.shades.fill[2][4]);
         camera.project(points, n, this.x, this.y, this.scale, this.depth);
         for (const { from, to, colour } of runs) {
           context.strokeStyle = colour;
@@ -2091,13 +2091,13 @@
     return { ...segment, key: JSON.stringify(Object.values(segment)), permanent: version !== "" || dataset2.startsWith("~") };
   }
   function addresses(api, segments) {
-    const query = new URLSearchParams();
-    const column = (name, values) => new Set(values).size === 1 && name !== "clip" ? query.set(name, values[0]) : values.forEach((value) => query.append(name, value));
+    const query2 = new URLSearchParams();
+    const column = (name, values) => new Set(values).size === 1 && name !== "clip" ? query2.set(name, values[0]) : values.forEach((value) => query2.append(name, value));
     for (const [name, key] of COLUMNS) {
       column(name, segments.map((segment) => String(segment[key])));
     }
-    const address2 = `${api}/motions?${query}`;
-    if (address2.length <= LONGEST_ADDRESS || segments.length === 1) return [[address2, segments]];
+    const address3 = `${api}/motions?${query2}`;
+    if (address3.length <= LONGEST_ADDRESS || segments.length === 1) return [[address3, segments]];
     const half = segments.length >> 1;
     return [...addresses(api, segments.slice(0, half)), ...addresses(api, segments.slice(half))];
   }
@@ -2164,8 +2164,8 @@
     }
     /** @param {[string, Segment[]][]} batches */
     fetch(batches) {
-      for (const [address2, segments] of batches) {
-        const answer2 = ask(address2).catch((error) => segments.map(() => error));
+      for (const [address3, segments] of batches) {
+        const answer2 = ask(address3).catch((error) => segments.map(() => error));
         segments.forEach(({ key }, k) => {
           const motion = answer2.then((motions2) => {
             if (this.coming.get(key) === motion) this.coming.delete(key);
@@ -2339,11 +2339,11 @@
      */
     collect(figures, overlaid) {
       this.items = [];
-      this.owners = figures.filter((figure2) => figure2.visible);
-      for (const figure2 of this.owners) {
-        figure2.limbs.forEach((_, limb) => this.items.push({ figure: figure2, limb, depth: 0 }));
-        if (figure2.header.head >= 0) this.items.push({ figure: figure2, limb: HEAD, depth: 0 });
-        if (figure2.header.nose >= 0) this.items.push({ figure: figure2, limb: NOSE, depth: 0 });
+      this.owners = figures.filter((figure3) => figure3.visible);
+      for (const figure3 of this.owners) {
+        figure3.limbs.forEach((_, limb) => this.items.push({ figure: figure3, limb, depth: 0 }));
+        if (figure3.header.head >= 0) this.items.push({ figure: figure3, limb: HEAD, depth: 0 });
+        if (figure3.header.nose >= 0) this.items.push({ figure: figure3, limb: NOSE, depth: 0 });
       }
       const crowd = overlaid ? this.owners.length : 1;
       this.girth = crowd > 8 ? 0.5 : crowd > 4 ? 0.62 : crowd > 1 ? 0.78 : 1;
@@ -2365,34 +2365,34 @@
     paint(context, camera, reach) {
       this.sort();
       const levels = FOG_LEVELS;
-      for (const { figure: figure2, limb, depth: depth2 } of this.items) {
+      for (const { figure: figure3, limb, depth: depth2 } of this.items) {
         if (depth2 < NEAR) continue;
         const far = (depth2 - camera.distance + reach) / (2 * reach);
         const level = Math.min(Math.max(Math.round(far * (levels - 1)), 0), levels - 1);
-        if (limb === HEAD) this.paintHead(context, figure2, level);
-        else if (limb === NOSE) this.paintNose(context, figure2, level);
-        else this.paintLimb(context, figure2, figure2.limbs[limb], level);
+        if (limb === HEAD) this.paintHead(context, figure3, level);
+        else if (limb === NOSE) this.paintNose(context, figure3, level);
+        else this.paintLimb(context, figure3, figure3.limbs[limb], level);
       }
     }
     /** @param {CanvasRenderingContext2D} context @param {Figure} figure @param {Limb} limb @param {number} level */
-    paintLimb(context, figure2, limb, level) {
-      const { shades: shades2 } = figure2;
+    paintLimb(context, figure3, limb, level) {
+      const { shades: shades2 } = figure3;
       if (this.outlined) {
         context.fillStyle = shades2.edge[limb.side][level];
-        this.bones(context, figure2, limb.bones, 1);
-        if (limb.flanks) this.bones(context, figure2, limb.flanks, 1);
+        this.bones(context, figure3, limb.bones, 1);
+        if (limb.flanks) this.bones(context, figure3, limb.flanks, 1);
       }
       context.fillStyle = shades2.fill[limb.side][level];
-      if (limb.flanks) this.plate(context, figure2, limb.flanks);
-      this.bones(context, figure2, limb.bones, 0);
+      if (limb.flanks) this.plate(context, figure3, limb.flanks);
+      this.bones(context, figure3, limb.bones, 0);
       if (!this.detailed) return;
       if (limb.flanks) {
         context.fillStyle = shades2.sheen[limb.side][level];
-        this.sheen(context, figure2, limb.flanks);
+        this.sheen(context, figure3, limb.flanks);
         return;
       }
       context.fillStyle = shades2.light[limb.side][level];
-      this.highlights(context, figure2, limb.bones);
+      this.highlights(context, figure3, limb.bones);
     }
     /**
      * Each bone as a capsule; `line`: pixels of outline around it.
@@ -2401,8 +2401,8 @@
      * @param {number[]} bones
      * @param {number} line
      */
-    bones(context, figure2, bones, line3) {
-      const { x, y, scale: scale3, radii } = figure2;
+    bones(context, figure3, bones, line3) {
+      const { x, y, scale: scale3, radii } = figure3;
       for (let k = 0; k < bones.length; k += 2) {
         const a = bones[k];
         const b = bones[k + 1];
@@ -2417,9 +2417,9 @@
      * @param {Figure} figure
      * @param {number[]} flanks
      */
-    plate(context, figure2, flanks) {
-      const { x, y } = figure2;
-      this.bones(context, figure2, flanks, 0);
+    plate(context, figure3, flanks) {
+      const { x, y } = figure3;
+      this.bones(context, figure3, flanks, 0);
       context.beginPath();
       context.moveTo(x[flanks[0]], y[flanks[0]]);
       context.lineTo(x[flanks[1]], y[flanks[1]]);
@@ -2447,8 +2447,8 @@
       context.fill();
     }
     /** @param {CanvasRenderingContext2D} context @param {Figure} figure @param {number[]} bones */
-    highlights(context, figure2, bones) {
-      const { x, y, scale: scale3, radii } = figure2;
+    highlights(context, figure3, bones) {
+      const { x, y, scale: scale3, radii } = figure3;
       for (let k = 0; k < bones.length; k += 2) {
         const a = bones[k];
         const b = bones[k + 1];
@@ -2458,10 +2458,10 @@
       }
     }
     /** @param {CanvasRenderingContext2D} context @param {Figure} figure @param {number} level */
-    paintHead(context, figure2, level) {
-      const { header, shades: shades2 } = figure2;
-      const [x, y] = [figure2.x[header.head], figure2.y[header.head]];
-      const scale3 = figure2.scale[header.head];
+    paintHead(context, figure3, level) {
+      const { header, shades: shades2 } = figure3;
+      const [x, y] = [figure3.x[header.head], figure3.y[header.head]];
+      const scale3 = figure3.scale[header.head];
       const r = header.head_radius * this.headSize * scale3;
       if (this.outlined) {
         context.fillStyle = shades2.edge[2][level];
@@ -2480,8 +2480,8 @@
      * @param {Figure} figure
      * @param {number} level
      */
-    paintNose(context, figure2, level) {
-      const { header, shades: shades2, x, y, scale: scale3 } = figure2;
+    paintNose(context, figure3, level) {
+      const { header, shades: shades2, x, y, scale: scale3 } = figure3;
       const { head: h, nose: t } = header;
       const r = header.head_radius * this.headSize * scale3[h];
       const out = 1.18 * this.headSize;
@@ -2495,11 +2495,11 @@
       capsule(context, fx, fy, 0.27 * r, tx, ty, 0.12 * r);
     }
   };
-  function depthOf({ figure: figure2, limb }) {
-    const { depth: depth2, header } = figure2;
+  function depthOf({ figure: figure3, limb }) {
+    const { depth: depth2, header } = figure3;
     if (limb === HEAD) return depth2[header.head];
     if (limb === NOSE) return depth2[header.nose];
-    const joints = figure2.limbs[limb].joints;
+    const joints = figure3.limbs[limb].joints;
     let [sum2, near] = [0, Infinity];
     for (let k = 0; k < joints.length; k++) {
       const d = depth2[joints[k]];
@@ -2650,25 +2650,25 @@
      * @param {Figure} figure
      * @param {Theme} theme
      */
-    paintShadow(context, camera, figure2, theme) {
-      const n = Math.min(figure2.n, 256);
-      const { points } = figure2;
+    paintShadow(context, camera, figure3, theme) {
+      const n = Math.min(figure3.n, 256);
+      const { points } = figure3;
       for (let k = 0; k < 3 * n; k += 3) {
-        const height = Math.max(points[k + 1] - figure2.level, 0);
+        const height = Math.max(points[k + 1] - figure3.level, 0);
         this.flat[k] = points[k] + LIGHT[0] * height;
-        this.flat[k + 1] = figure2.level;
+        this.flat[k + 1] = figure3.level;
         this.flat[k + 2] = points[k + 2] + LIGHT[1] * height;
       }
       camera.project(this.flat, n, this.sx, this.sy, this.ss, this.sd);
       context.fillStyle = theme.shadowCss;
-      for (const limb of figure2.limbs) this.shadowLimb(context, camera, figure2, limb.bones, Infinity);
-      const { head: head3, head_radius: radius } = figure2.header;
+      for (const limb of figure3.limbs) this.shadowLimb(context, camera, figure3, limb.bones, Infinity);
+      const { head: head3, head_radius: radius } = figure3.header;
       if (head3 >= 0) {
         const r = radius * this.ss[head3];
         capsule(context, this.sx[head3] - 0.4 * r, this.sy[head3], 0.6 * r, this.sx[head3] + 0.4 * r, this.sy[head3], 0.6 * r);
       }
       context.fillStyle = theme.contactCss;
-      for (const limb of figure2.limbs) this.shadowLimb(context, camera, figure2, limb.bones, figure2.level + 0.16 * figure2.size);
+      for (const limb of figure3.limbs) this.shadowLimb(context, camera, figure3, limb.bones, figure3.level + 0.16 * figure3.size);
     }
     /**
      * @param {CanvasRenderingContext2D} context
@@ -2677,15 +2677,15 @@
      * @param {number[]} bones
      * @param {number} below
      */
-    shadowLimb(context, camera, figure2, bones, below) {
+    shadowLimb(context, camera, figure3, bones, below) {
       const squash = 0.45 + 0.5 * Math.sin(camera.pitch);
       for (let k = 0; k < bones.length; k += 2) {
         const a = bones[k];
         const b = bones[k + 1];
-        if (figure2.points[3 * a + 1] > below || figure2.points[3 * b + 1] > below) continue;
+        if (figure3.points[3 * a + 1] > below || figure3.points[3 * b + 1] > below) continue;
         if (this.sd[a] < NEAR || this.sd[b] < NEAR) continue;
-        const ra = figure2.radii[a] * this.ss[a] * squash;
-        const rb = figure2.radii[b] * this.ss[b] * squash;
+        const ra = figure3.radii[a] * this.ss[a] * squash;
+        const rb = figure3.radii[b] * this.ss[b] * squash;
         capsule(context, this.sx[a], this.sy[a], ra, this.sx[b], this.sy[b], rb);
       }
     }
@@ -2750,10 +2750,10 @@
       camera.prepare(this.width, this.height);
       context.drawImage(this.sky, 0, 0);
       this.ground.paint(context, camera, theme);
-      for (const figure2 of figures) {
-        if (!figure2.visible) continue;
-        camera.project(figure2.points, figure2.n, figure2.x, figure2.y, figure2.scale, figure2.depth);
-        this.ground.paintShadow(context, camera, figure2, theme);
+      for (const figure3 of figures) {
+        if (!figure3.visible) continue;
+        camera.project(figure3.points, figure3.n, figure3.x, figure3.y, figure3.scale, figure3.depth);
+        this.ground.paintShadow(context, camera, figure3, theme);
       }
       this.ground.paintGrid(context, camera, theme);
       traces.paint(context, camera, figures, clock2);
@@ -2769,34 +2769,34 @@
     figureAt(figures, x, y) {
       let hit;
       let least = Infinity;
-      for (const figure2 of figures) {
-        if (!figure2.visible) continue;
-        for (let j = 0; j < figure2.n; j++) {
-          if (figure2.depth[j] < NEAR) continue;
-          const away = Math.hypot(figure2.x[j] - x, figure2.y[j] - y);
-          const near = away + 0.02 * figure2.depth[j];
-          if (away < Math.max(14 * this.ratio, 0.16 * figure2.scale[j]) && near < least) [hit, least] = [figure2, near];
+      for (const figure3 of figures) {
+        if (!figure3.visible) continue;
+        for (let j = 0; j < figure3.n; j++) {
+          if (figure3.depth[j] < NEAR) continue;
+          const away = Math.hypot(figure3.x[j] - x, figure3.y[j] - y);
+          const near = away + 0.02 * figure3.depth[j];
+          if (away < Math.max(14 * this.ratio, 0.16 * figure3.scale[j]) && near < least) [hit, least] = [figure3, near];
         }
       }
       return hit;
     }
     /** @param {Figure[]} figures @param {boolean} overlaid */
     paintLabels(figures, overlaid) {
-      const shown8 = figures.filter((figure2) => figure2.visible);
-      if (overlaid && shown8.length > LABELS_OVERLAID) return;
+      const shown9 = figures.filter((figure3) => figure3.visible);
+      if (overlaid && shown9.length > LABELS_OVERLAID) return;
       const taken = [];
-      for (const figure2 of shown8.sort((a, b) => a.depth[a.header.root] - b.depth[b.header.root])) {
-        const top = figure2.header.head >= 0 ? figure2.header.head : figure2.header.root;
-        if (figure2.depth[top] < NEAR) continue;
-        const sprite = this.label(figure2, figure2.room * figure2.scale[top]);
+      for (const figure3 of shown9.sort((a, b) => a.depth[a.header.root] - b.depth[b.header.root])) {
+        const top = figure3.header.head >= 0 ? figure3.header.head : figure3.header.root;
+        if (figure3.depth[top] < NEAR) continue;
+        const sprite = this.label(figure3, figure3.room * figure3.scale[top]);
         if (!sprite) continue;
         const room = this.canvas.width - sprite.width;
-        if (figure2.x[top] < 0 || figure2.x[top] > this.canvas.width) continue;
-        const x = Math.round(Math.min(Math.max(figure2.x[top] - sprite.width / 2, 0), Math.max(room, 0)));
-        const highest = figure2.room === Infinity ? figure2.y[top] : Math.min(...figure2.y) + 0.12 * figure2.size * figure2.scale[top];
-        let y = Math.round(highest - (0.17 * figure2.size * figure2.scale[top] + 1.2 * sprite.height));
+        if (figure3.x[top] < 0 || figure3.x[top] > this.canvas.width) continue;
+        const x = Math.round(Math.min(Math.max(figure3.x[top] - sprite.width / 2, 0), Math.max(room, 0)));
+        const highest = figure3.room === Infinity ? figure3.y[top] : Math.min(...figure3.y) + 0.12 * figure3.size * figure3.scale[top];
+        let y = Math.round(highest - (0.17 * figure3.size * figure3.scale[top] + 1.2 * sprite.height));
         const hits = (box4) => Math.abs(box4[0] - x) < (box4[2] + sprite.width) / 2 && Math.abs(box4[1] - y) < sprite.height;
-        for (let tries = 0; tries < 4 && shown8.length <= 4 && taken.some(hits); tries++) y -= sprite.height + 2;
+        for (let tries = 0; tries < 4 && shown9.length <= 4 && taken.some(hits); tries++) y -= sprite.height + 2;
         if (taken.some(hits) || y < 0) continue;
         taken.push([x, y, sprite.width]);
         this.context.drawImage(sprite, x, y);
@@ -2807,13 +2807,13 @@
      * @param {Figure} figure
      * @param {number} room
      */
-    label(figure2, room) {
+    label(figure3, room) {
       const size = 11.5 * this.ratio;
       const letters2 = Math.min(Math.floor((0.96 * room - 2.1 * size) / (0.56 * size)), MOST_LETTERS);
-      const whole3 = letters2 >= Math.min(LEAST_LETTERS, figure2.name.length);
-      if (!whole3 && figure2.brief.length > letters2 + 1) return null;
-      const text = whole3 ? shorten(figure2.name, letters2) : figure2.brief;
-      const key = `${text}|${figure2.shades.fill[2][0]}`;
+      const whole3 = letters2 >= Math.min(LEAST_LETTERS, figure3.name.length);
+      if (!whole3 && figure3.brief.length > letters2 + 1) return null;
+      const text = whole3 ? shorten(figure3.name, letters2) : figure3.brief;
+      const key = `${text}|${figure3.shades.fill[2][0]}`;
       if (this.labels.has(key)) return this.labels.get(key);
       const sprite = document.createElement("canvas");
       let context = context2d(sprite);
@@ -2828,7 +2828,7 @@
       context.roundRect(0, 0, sprite.width, sprite.height, sprite.height / 2);
       context.fill();
       context.globalAlpha = 1;
-      context.fillStyle = figure2.shades.fill[2][0];
+      context.fillStyle = figure3.shades.fill[2][0];
       disc(context, 0.85 * size, sprite.height / 2, 0.32 * size);
       context.font = font;
       context.textBaseline = "middle";
@@ -2861,7 +2861,7 @@
      * @param {Figure[]} figures
      */
     suit(figures) {
-      const coloured = figures.some((figure2) => figure2.spans.length);
+      const coloured = figures.some((figure3) => figure3.spans.length);
       if (coloured && this.trails === "off") [this.trails, this.suited] = ["root", true];
       else if (!coloured && this.suited) [this.trails, this.suited] = ["off", false];
     }
@@ -2871,32 +2871,32 @@
     }
     /** @param {CanvasRenderingContext2D} context @param {Camera} camera @param {Figure[]} figures @param {Clock} clock */
     paint(context, camera, figures, clock2) {
-      const shown8 = figures.filter((figure2) => figure2.visible);
+      const shown9 = figures.filter((figure3) => figure3.visible);
       context.lineJoin = "round";
       context.lineCap = "round";
-      if (this.trails === "root") this.paths.paint(context, camera, shown8, clock2.duration);
-      if (this.trails !== "off") for (const figure2 of shown8) this.paintTrails(context, camera, figure2, clock2);
-      if (!this.ghosts || !shown8.length) return;
-      const count = Math.min(Math.max(Math.floor(24 / shown8.length), 1), 4);
+      if (this.trails === "root") this.paths.paint(context, camera, shown9, clock2.duration);
+      if (this.trails !== "off") for (const figure3 of shown9) this.paintTrails(context, camera, figure3, clock2);
+      if (!this.ghosts || !shown9.length) return;
+      const count = Math.min(Math.max(Math.floor(24 / shown9.length), 1), 4);
       for (let g = count; g >= 1; g--) {
         context.globalAlpha = 0.34 * (1 - (g - 1) / (count + 0.5));
-        for (const figure2 of shown8) {
-          if (clock2.time - g * GHOST_GAP > 0) this.paintGhost(context, camera, figure2, clock2.time - g * GHOST_GAP);
+        for (const figure3 of shown9) {
+          if (clock2.time - g * GHOST_GAP > 0) this.paintGhost(context, camera, figure3, clock2.time - g * GHOST_GAP);
           if (g <= count / 2 && clock2.time + g * GHOST_GAP < clock2.duration) {
-            this.paintGhost(context, camera, figure2, clock2.time + g * GHOST_GAP);
+            this.paintGhost(context, camera, figure3, clock2.time + g * GHOST_GAP);
           }
         }
       }
       context.globalAlpha = 1;
     }
     /** @param {CanvasRenderingContext2D} context @param {Camera} camera @param {Figure} figure @param {number} time */
-    paintGhost(context, camera, figure2, time) {
-      if (figure2.n > 256) return;
-      figure2.pose(time, this.points);
-      camera.project(this.points, figure2.n, this.x, this.y, this.scale, this.depth);
-      for (const limb of figure2.limbs) {
-        context.strokeStyle = figure2.shades.fill[limb.side][0];
-        context.lineWidth = Math.max(1.4 * figure2.radii[limb.bones[1]] * this.scale[limb.bones[0]], 1.5);
+    paintGhost(context, camera, figure3, time) {
+      if (figure3.n > 256) return;
+      figure3.pose(time, this.points);
+      camera.project(this.points, figure3.n, this.x, this.y, this.scale, this.depth);
+      for (const limb of figure3.limbs) {
+        context.strokeStyle = figure3.shades.fill[limb.side][0];
+        context.lineWidth = Math.max(1.4 * figure3.radii[limb.bones[1]] * this.scale[limb.bones[0]], 1.5);
         context.beginPath();
         let last3 = -1;
         for (let k = 0; k < limb.bones.length; k += 2) {
@@ -2909,9 +2909,9 @@
         }
         context.stroke();
       }
-      const { head: head3, head_radius: radius } = figure2.header;
+      const { head: head3, head_radius: radius } = figure3.header;
       if (head3 < 0 || this.depth[head3] < NEAR) return;
-      context.fillStyle = figure2.shades.fill[2][0];
+      context.fillStyle = figure3.shades.fill[2][0];
       disc(context, this.x[head3], this.y[head3], radius * this.scale[head3]);
     }
     /**
@@ -2921,21 +2921,21 @@
      * @param {Figure} figure
      * @param {Clock} clock
      */
-    paintTrails(context, camera, figure2, clock2) {
-      const { header } = figure2;
-      if (this.trails === "root" && figure2.spans.length) return;
+    paintTrails(context, camera, figure3, clock2) {
+      const { header } = figure3;
+      if (this.trails === "root" && figure3.spans.length) return;
       const feet = header.feet.filter((j) => /_ankle$/.test(header.roles[j]));
       const joints = this.trails === "root" ? [header.root] : [...header.hands, ...feet];
       const from = Math.max(0, clock2.time - TRAIL_SECONDS);
       const n = Math.max(2, Math.ceil(TRAIL_POINTS * (clock2.time - from) / TRAIL_SECONDS));
       const paths = joints.map(() => new Float32Array(3 * n));
       for (let s = 0; s < n; s++) {
-        figure2.pose(from + (clock2.time - from) * s / (n - 1), this.points);
+        figure3.pose(from + (clock2.time - from) * s / (n - 1), this.points);
         joints.forEach((j, k) => paths[k].set(this.points.subarray(3 * j, 3 * j + 3), 3 * s));
       }
       joints.forEach((j, k) => {
         camera.project(paths[k], n, this.x, this.y, this.scale, this.depth);
-        context.strokeStyle = figure2.shades.fill[figure2.sides[j]][0];
+        context.strokeStyle = figure3.shades.fill[figure3.sides[j]][0];
         context.lineWidth = 2;
         for (let third = 0; third < 3; third++) {
           context.globalAlpha = 0.25 + 0.3 * third;
@@ -2965,7 +2965,7 @@
       sync,
       ghosts: traces.ghosts,
       trails: traces.trails,
-      hidden: figures.flatMap((figure2, k) => figure2.visible ? [] : [k]),
+      hidden: figures.flatMap((figure3, k) => figure3.visible ? [] : [k]),
       camera: {
         yaw: round(camera.yaw),
         pitch: round(camera.pitch),
@@ -2980,7 +2980,7 @@
     const { clock: clock2, camera, traces } = stage2;
     stage2.layout = oneOf(state3.layout, LAYOUTS, stage2.layout);
     stage2.sync = oneOf(state3.sync, ["warp", "start"], stage2.sync);
-    stage2.figures.forEach((figure2, k) => figure2.visible = !state3.hidden?.includes(k));
+    stage2.figures.forEach((figure3, k) => figure3.visible = !state3.hidden?.includes(k));
     traces.ghosts = Boolean(state3.ghosts ?? traces.ghosts);
     traces.trails = oneOf(state3.trails, TRAILS, traces.trails);
     clock2.speed = Math.min(Math.max(number(state3.speed, clock2.speed), 0.1), 4);
@@ -2999,26 +2999,26 @@
     clock2.seek(number(state3.time, clock2.time));
     clock2.playing = Boolean(state3.playing ?? clock2.playing) && !calm();
   }
-  function standing(figure2, time) {
-    const frame = figure2.recordedFrame(time);
-    const { start: start3, end } = figure2.header;
+  function standing(figure3, time) {
+    const frame = figure3.recordedFrame(time);
+    const { start: start3, end } = figure3.header;
     return {
-      index: figure2.index,
-      dataset: figure2.item.dataset,
-      clip: figure2.header.clip,
-      label: figure2.label,
+      index: figure3.index,
+      dataset: figure3.item.dataset,
+      clip: figure3.header.clip,
+      label: figure3.label,
       start: start3,
       end,
       frame,
-      span: figure2.spanAt(frame)?.label ?? null
+      span: figure3.spanAt(frame)?.label ?? null
     };
   }
   function timeOf(figures, { clip, frame, dataset: dataset2, index }) {
     const away = ({ header }) => Math.max(header.start - frame, frame - (header.end - 1), 0);
-    const fitting = figures.filter((figure2) => figure2.header.clip === clip && (dataset2 === void 0 || figure2.item.dataset === dataset2) && (index === void 0 || figure2.index === index));
+    const fitting = figures.filter((figure3) => figure3.header.clip === clip && (dataset2 === void 0 || figure3.item.dataset === dataset2) && (index === void 0 || figure3.index === index));
     if (!fitting.length || !Number.isFinite(frame)) return null;
-    const rank = (figure2) => away(figure2) + (figure2.visible ? 0 : 0.5);
-    return fitting.reduce((best, figure2) => rank(figure2) < rank(best) ? figure2 : best).timeAt(frame);
+    const rank = (figure3) => away(figure3) + (figure3.visible ? 0 : 0.5);
+    return fitting.reduce((best, figure3) => rank(figure3) < rank(best) ? figure3 : best).timeAt(frame);
   }
   var calm = () => window.matchMedia("(prefers-reduced-motion: reduce)").matches;
 
@@ -3077,9 +3077,9 @@
   function findMedoid(figures) {
     let best = -1;
     let least = Infinity;
-    figures.forEach((figure2, k) => {
-      if (!figure2.warp) return;
-      const bend = figure2.warp.reduce((sum2, frame, i) => sum2 + Math.abs(frame - i), 0) / figure2.warp.length;
+    figures.forEach((figure3, k) => {
+      if (!figure3.warp) return;
+      const bend = figure3.warp.reduce((sum2, frame, i) => sum2 + Math.abs(frame - i), 0) / figure3.warp.length;
       if (bend < least) [best, least] = [k, bend];
     });
     return best;
@@ -3088,19 +3088,19 @@
     const medoid = sync === "warp" ? findMedoid(figures) : -1;
     const reference = medoid < 0 ? longest(figures) : medoid;
     const warped = medoid >= 0;
-    figures.forEach((figure2) => figure2.follow(warped && figure2.warp ? figures[medoid].ownFps : 0));
+    figures.forEach((figure3) => figure3.follow(warped && figure3.warp ? figures[medoid].ownFps : 0));
     const chosen3 = figures[reference];
     const spread = layout === "pose" && figures.length > 0;
-    const duration = spread ? chosen3.duration : figures.reduce((most, figure2) => Math.max(most, figure2.duration), 0);
-    if (spread) figures.forEach((figure2) => spreadOver(figure2, duration));
+    const duration = spread ? chosen3.duration : figures.reduce((most, figure3) => Math.max(most, figure3.duration), 0);
+    if (spread) figures.forEach((figure3) => spreadOver(figure3, duration));
     return { reference, warped, fps: chosen3 ? chosen3.fps : 30, duration };
   }
-  function spreadOver(figure2, duration) {
-    figure2.follow(figure2.warpFps, duration);
-    const middle = figure2.item.frame;
+  function spreadOver(figure3, duration) {
+    figure3.follow(figure3.warpFps, duration);
+    const middle = figure3.item.frame;
     if (middle === void 0 || !Number.isFinite(middle)) return;
-    const { start: start3, step: step3 } = figure2.header;
-    figure2.offset = (middle - start3) / step3 - figure2.frameAt(duration / 2);
+    const { start: start3, step: step3 } = figure3.header;
+    figure3.offset = (middle - start3) / step3 - figure3.frameAt(duration / 2);
   }
   function longest(figures) {
     return figures.reduce((best, f, k) => f.ownDuration > figures[best].ownDuration ? k : best, 0);
@@ -3198,12 +3198,12 @@
     }
     return runs;
   }
-  function localSpeed(figure2, medoid) {
-    const warp = figure2.warp ?? new Float32Array(2);
+  function localSpeed(figure3, medoid) {
+    const warp = figure3.warp ?? new Float32Array(2);
     const reach = Math.max(1, Math.round(0.1 * medoid.ownFps));
     return Float32Array.from(warp, (_, k) => {
       const [a, b] = [Math.max(k - reach, 0), Math.min(k + reach, warp.length - 1)];
-      return (warp[b] - warp[a]) / (b - a) * (medoid.ownFps / figure2.ownFps);
+      return (warp[b] - warp[a]) / (b - a) * (medoid.ownFps / figure3.ownFps);
     });
   }
 
@@ -3277,7 +3277,7 @@
      * @param {Figure[]} figures
      */
     exchange(figures) {
-      if (figures.length === this.figures.length) figures.forEach((figure2, k) => figure2.visible = this.figures[k].visible);
+      if (figures.length === this.figures.length) figures.forEach((figure3, k) => figure3.visible = this.figures[k].visible);
       this.keepingShare(() => this.setFigures(figures, true));
       this.setStatus("ready");
       this.touch();
@@ -3338,9 +3338,9 @@
     }
     colour() {
       const { theme } = this.scene;
-      this.figures.forEach((figure2, k) => {
-        figure2.colours = figureColours(theme, k, this.figures.length, figure2.item.colour);
-        figure2.shades = shades(theme, figure2.colours, this.chosen >= 0 && this.chosen !== k ? 0.72 : 0);
+      this.figures.forEach((figure3, k) => {
+        figure3.colours = figureColours(theme, k, this.figures.length, figure3.item.colour);
+        figure3.shades = shades(theme, figure3.colours, this.chosen >= 0 && this.chosen !== k ? 0.72 : 0);
       });
       this.controls.colourChips();
       this.warpStrip.paint();
@@ -3354,8 +3354,8 @@
     /** Say which figure is under the pointer. @param {number} x @param {number} y */
     pointAt(x, y) {
       const { canvas, ratio } = this.scene;
-      const figure2 = this.figures.length > 1 ? this.scene.figureAt(this.figures, x * ratio, y * ratio) : void 0;
-      const title = figure2 ? `${figure2.label}, frame ${figure2.recordedFrame(this.clock.time)}` : "";
+      const figure3 = this.figures.length > 1 ? this.scene.figureAt(this.figures, x * ratio, y * ratio) : void 0;
+      const title = figure3 ? `${figure3.label}, frame ${figure3.recordedFrame(this.clock.time)}` : "";
       if (canvas.title !== title) canvas.title = title;
     }
     /** @param {number} k @param {boolean} visible */
@@ -3376,7 +3376,7 @@
     }
     /** @param {string} sync */
     setSync(sync) {
-      if (!this.figures.some((figure2) => figure2.warp)) return;
+      if (!this.figures.some((figure3) => figure3.warp)) return;
       this.sync = sync;
       this.keepingShare(() => this.prepare());
       this.messages.say(this.timeline.warped ? "In step" : "Each at its own pace");
@@ -3426,7 +3426,7 @@
     }
     /** Where every figure stands now. */
     standing() {
-      return this.figures.map((figure2) => standing(figure2, this.clock.time));
+      return this.figures.map((figure3) => standing(figure3, this.clock.time));
     }
     /** @param {string} status @param {string} [message] */
     setStatus(status2, message2 = "") {
@@ -3523,7 +3523,7 @@
      * Frame of each figure, counted from its start, at a time in seconds.
      * @param {number} time
      */
-    framesAt: (time) => stage?.figures.map((figure2) => figure2.frameAt(time) * figure2.header.step),
+    framesAt: (time) => stage?.figures.map((figure3) => figure3.frameAt(time) * figure3.header.step),
     get camera() {
       return stage?.state().camera;
     },
@@ -3537,7 +3537,7 @@
       return stage?.frames.fps ?? 0;
     },
     get figures() {
-      return stage?.figures.filter((figure2) => figure2.visible).length ?? 0;
+      return stage?.figures.filter((figure3) => figure3.visible).length ?? 0;
     },
     get layout() {
       return stage?.layout;
@@ -3599,9 +3599,9 @@
   var turnedByHand = false;
   function writeAddress() {
     if (!shown2.dataset) return clientside.no_update;
-    const address2 = addressOf(location.pathname, shown2);
-    if (address2 !== location.pathname + location.search) history.replaceState(history.state, "", address2);
-    return address2;
+    const address3 = addressOf(location.pathname, shown2);
+    if (address3 !== location.pathname + location.search) history.replaceState(history.state, "", address3);
+    return address3;
   }
   window.addEventListener("stage-state", (event) => {
     shown2.stage = stageOfLink(event.detail, turnedByHand);
@@ -3951,9 +3951,9 @@
       const panels = allWithin(document, `.view-panel[data-key="${key}"]`);
       if (!panels.length) return clientside.no_update;
       const wanted2 = view4?.[key];
-      const shown8 = panels.find((panel2) => panel2.dataset.value === wanted2) || panels[0];
-      for (const panel2 of panels) panel2.classList.toggle("hidden", panel2 !== shown8);
-      return shown8.dataset.value;
+      const shown9 = panels.find((panel2) => panel2.dataset.value === wanted2) || panels[0];
+      for (const panel2 of panels) panel2.classList.toggle("hidden", panel2 !== shown9);
+      return shown9.dataset.value;
     }
   });
 
@@ -4119,22 +4119,22 @@
   function openForm(title, fields, action, save2) {
     const problem2 = element("p", "form-problem");
     problem2.setAttribute("role", "alert");
-    const form = element("form", "boards-form", ...fields.map(fieldOf), problem2);
+    const form2 = element("form", "boards-form", ...fields.map(fieldOf), problem2);
     const send4 = element("button", "boards-button primary", action);
-    const dialog2 = openWindow(title, form);
-    form.append(element("div", "boards-actions", button2("Cancel", () => dialog2.close()), send4));
-    form.addEventListener("submit", async (event) => {
+    const dialog2 = openWindow(title, form2);
+    form2.append(element("div", "boards-actions", button2("Cancel", () => dialog2.close()), send4));
+    form2.addEventListener("submit", async (event) => {
       event.preventDefault();
       send4.disabled = true;
       try {
-        await save2(Object.fromEntries([...new FormData(form)].map(([name, value]) => [name, String(value)])));
+        await save2(Object.fromEntries([...new FormData(form2)].map(([name, value]) => [name, String(value)])));
         dialog2.close();
       } catch (error) {
         problem2.textContent = error instanceof Error ? error.message : String(error);
       }
       send4.disabled = false;
     });
-    form.querySelector("input, textarea, select")?.focus();
+    form2.querySelector("input, textarea, select")?.focus();
     return dialog2;
   }
   function fieldOf({ name, label, value = "", kind = "line", choices: choices2 = [], hint = "" }) {
@@ -4186,14 +4186,14 @@
   var line2 = null;
   function say(words4, undo) {
     line2?.remove();
-    const shown8 = element("div", "boards-toast", element("span", "", words4), undo ? button2("Undo", () => {
-      shown8.remove();
+    const shown9 = element("div", "boards-toast", element("span", "", words4), undo ? button2("Undo", () => {
+      shown9.remove();
       undo();
     }) : null);
-    shown8.setAttribute("role", "status");
-    line2 = shown8;
-    (document.querySelector("dialog[open]") ?? document.fullscreenElement ?? document.body).append(shown8);
-    setTimeout(() => shown8.remove(), undo ? 12e3 : 4e3);
+    shown9.setAttribute("role", "status");
+    line2 = shown9;
+    (document.querySelector("dialog[open]") ?? document.fullscreenElement ?? document.body).append(shown9);
+    setTimeout(() => shown9.remove(), undo ? 12e3 : 4e3);
   }
   function ago(moment) {
     const minutes = Math.max(0, (Date.now() / 1e3 - moment) / 60);
@@ -4399,8 +4399,8 @@
       const names2 = element("div", "boards-names");
       text.addEventListener("input", () => this.offer(text, names2));
       const problem2 = element("p", "form-problem");
-      const form = element("form", "boards-form", text, names2, problem2, element("button", "boards-button primary", action));
-      form.addEventListener("submit", async (event) => {
+      const form2 = element("form", "boards-form", text, names2, problem2, element("button", "boards-button primary", action));
+      form2.addEventListener("submit", async (event) => {
         event.preventDefault();
         const said2 = text.value;
         text.value = "";
@@ -4409,7 +4409,7 @@
           problem2.textContent = error.message;
         });
       });
-      return form;
+      return form2;
     }
     /** Names to mention, while one types after an @. @param {HTMLTextAreaElement} text @param {HTMLElement} names */
     offer(text, names2) {
@@ -4626,9 +4626,9 @@
   // boards/picture.mjs
   var [WIDTH, HEIGHT, BESIDE] = [360, 220, 130];
   var SETTLED = 3e3;
-  function renewPicture(id, address2) {
+  function renewPicture(id, address3) {
     window.setTimeout(async () => {
-      if (location.pathname !== new URL(address2, location.href).pathname || document.visibilityState !== "visible") return;
+      if (location.pathname !== new URL(address3, location.href).pathname || document.visibilityState !== "visible") return;
       const picture2 = await pictureOfPage().catch(() => "");
       if (picture2) await ask3(`views/${id}`, { action: "picture", picture: picture2 }).catch(() => void 0);
     }, SETTLED);
@@ -4699,18 +4699,18 @@
       "muted",
       "One file that opens without Motionscape and without a network. Its figures play, its graph and map can be explored."
     ), place5);
-    const begin2 = (form) => write(dialog2, place5, dataset2, board?.id ?? "", form);
+    const begin2 = (form2) => write(dialog2, place5, dataset2, board?.id ?? "", form2);
     place5.append(element("div", "boards-actions", button2("As PDF", () => begin2("pdf")), button2("As HTML", () => begin2("html"), "primary")));
   }
   document.addEventListener("click", (event) => {
     const { report } = closest(event, "[data-report]")?.dataset ?? {};
     if (report) openReport(report, null);
   });
-  async function write(dialog2, place5, dataset2, board, form) {
-    const address2 = `report/${encodeURIComponent(dataset2)}`;
+  async function write(dialog2, place5, dataset2, board, form2) {
+    const address3 = `report/${encodeURIComponent(dataset2)}`;
     let again = "&again=yes";
     while (dialog2.open) {
-      const state3 = await ask3(`${address2}?form=${form}&board=${board}${again}`).catch((error) => ({ error: error.message }));
+      const state3 = await ask3(`${address3}?form=${form2}&board=${board}${again}`).catch((error) => ({ error: error.message }));
       again = "";
       if (state3.error) {
         place5.replaceChildren(element("p", "form-problem", state3.error), element("div", "boards-actions", button2("Close", () => dialog2.close())));
@@ -4718,7 +4718,7 @@
       }
       if (state3.ready) {
         const link2 = element("a", "boards-button primary", `Save ${(state3.size / 1e6).toFixed(1)} MB`);
-        link2.href = `/api/${address2}/${state3.key}`;
+        link2.href = `/api/${address3}/${state3.key}`;
         link2.download = "";
         place5.replaceChildren(element("p", "", state3.motion), ...state3.left_out.map((words4) => element("p", "muted", `Left out: ${words4}`)), element("div", "boards-actions", link2));
         link2.focus();
@@ -4829,7 +4829,7 @@
     { name: "tags", label: "Tags", value: (saved.tags ?? []).join(", "), hint: "separated by commas" }
   ];
   var tagsOf = (text) => text.split(",").map((tag) => tag.trim()).filter(Boolean);
-  var followLink = (address2) => openPage(address2);
+  var followLink = (address3) => openPage(address3);
   async function showHistory(path2, title, restore) {
     const { history: history2 } = await ask3(`${path2}/history`);
     const dialog2 = openWindow(`History of ${title}`, element("ol", "boards-history", ...history2.map((entry, k) => element(
@@ -4881,10 +4881,10 @@
   var motions = new MotionCache();
   var OpenBoard = class {
     /** @param {HTMLElement} place @param {string} id @param {string} look "read", "present" or "" */
-    constructor(place5, id, look2) {
+    constructor(place5, id, look3) {
       this.place = place5;
       this.id = id;
-      this.look = look2;
+      this.look = look3;
       this.cards = /* @__PURE__ */ new Map();
       this.comments = new Comments(() => this.update(true));
       this.mark = "";
@@ -5209,9 +5209,9 @@
         /** @type {Board} */
         this.board
       );
-      const row7 = (name, words4, address2) => {
+      const row7 = (name, words4, address3) => {
         const field = withAttributes(element("input"), { readonly: "", "aria-label": name });
-        field.value = location.origin + address2;
+        field.value = location.origin + address3;
         return element("label", "boards-field", element("span", "", name), field, element("small", "muted", words4));
       };
       const parts = [row7("To look at", "Whoever has it sees this board and nothing else.", links.read)];
@@ -5255,16 +5255,16 @@
     const field = withAttributes(element("input"), { type: "search", placeholder: "A page, a board or a saved view", "aria-label": "Go to", autocomplete: "off" });
     const list3 = element("div", "boards-found");
     const dialog2 = openWindow("Go to", element("div", "boards-form", field, list3));
-    const go = (address2) => {
+    const go = (address3) => {
       dialog2.close();
-      followLink(address2);
+      followLink(address3);
     };
     const show6 = () => {
       const found = matching(places, field.value).slice(0, MOST);
-      list3.replaceChildren(...found.map(({ name, about, address: address2 }) => {
+      list3.replaceChildren(...found.map(({ name, about, address: address3 }) => {
         const entry = element("button", "boards-button", element("span", "ellipsis", name), element("span", "muted ellipsis", about));
         entry.type = "button";
-        entry.addEventListener("click", () => go(address2));
+        entry.addEventListener("click", () => go(address3));
         return entry;
       }), found.length ? "" : element("p", "muted", "Nothing is called so."));
     };
@@ -5286,7 +5286,7 @@
     const { boards, views } = await refresh().catch(() => ({ boards: [], views: [] }));
     places = [
       ...boards.map(({ id, title, note }) => ({ name: title, about: `board ${note}`.trim(), address: `/boards?board=${id}` })),
-      ...views.map(({ title, note, tags, address: address2 }) => ({ name: title, about: ["view", note, ...tags.map((tag) => `#${tag}`)].filter(Boolean).join(" "), address: address2 })),
+      ...views.map(({ title, note, tags, address: address3 }) => ({ name: title, about: ["view", note, ...tags.map((tag) => `#${tag}`)].filter(Boolean).join(" "), address: address3 })),
       ...places
     ];
     show6();
@@ -5301,13 +5301,13 @@
   // boards/save_view.mjs
   document.addEventListener("click", async (event) => {
     if (!closest(event, `#${SAVE_VIEW}`)) return;
-    const address2 = location.pathname + location.search;
+    const address3 = location.pathname + location.search;
     const picture2 = await pictureOfPage().catch(() => "");
     const title = find(PAGE)?.querySelector("h1, h2")?.textContent ?? "";
     const name = { name: "author", label: "Your name", value: person.name, hint: "where the server does not know it" };
     openForm("Save this view", [...viewFields({ title }), name], "Save", async (values) => {
       if (values.author.trim()) person.name = values.author;
-      await ask3("views", { ...values, address: address2, picture: picture2, tags: tagsOf(values.tags) });
+      await ask3("views", { ...values, address: address3, picture: picture2, tags: tagsOf(values.tags) });
       notify("View saved", "It is listed on the Boards page.", "accent");
     });
   });
@@ -5376,12 +5376,12 @@
     }
     /** Ask what is said about what is selected now. */
     async update() {
-      const query = location.search;
+      const query2 = location.search;
       const answer2 = (
         /** @type {Discussion | null} */
-        await ask3(`comments${query || "?"}`).catch(() => void 0)
+        await ask3(`comments${query2 || "?"}`).catch(() => void 0)
       );
-      if (query !== location.search || answer2 === void 0) return;
+      if (query2 !== location.search || answer2 === void 0) return;
       const other = answer2?.place !== this.about?.place;
       this.about = answer2?.place ? answer2 : null;
       const open6 = (this.about?.comments ?? []).filter((comment) => !comment.resolved && !comment.parent).length;
@@ -5429,9 +5429,9 @@
   });
   var waiting = 0;
   var look = () => {
-    const query = location.search.replace(/&?(time|camera|speed|layout)=[^&]*/g, "");
-    if (query === panel.asked) return;
-    panel.asked = query;
+    const query2 = location.search.replace(/&?(time|camera|speed|layout)=[^&]*/g, "");
+    if (query2 === panel.asked) return;
+    panel.asked = query2;
     clearTimeout(waiting);
     waiting = window.setTimeout(() => panel.update(), SETTLED3);
   };
@@ -5508,9 +5508,9 @@
     }
     recolour() {
       this.scene.setTheme(readTheme(this.canvas));
-      this.figures.forEach((figure2, k) => {
-        figure2.colours = figureColours(this.scene.theme, k, this.figures.length, figure2.item.colour);
-        figure2.shades = shades(this.scene.theme, figure2.colours, 0);
+      this.figures.forEach((figure3, k) => {
+        figure3.colours = figureColours(this.scene.theme, k, this.figures.length, figure3.item.colour);
+        figure3.shades = shades(this.scene.theme, figure3.colours, 0);
       });
       this.dirty = true;
     }
@@ -5565,7 +5565,7 @@
       if (this.clock.playing) this.clock.advance(seconds);
       if (!this.clock.playing && !this.dirty) return;
       this.dirty = false;
-      for (const figure2 of this.figures) if (figure2.visible) figure2.pose(this.clock.time);
+      for (const figure3 of this.figures) if (figure3.visible) figure3.pose(this.clock.time);
       if (this.figures.length) {
         const [x, z] = groundCentre(this.figures, [0, 0]);
         if (this.camera.follow) this.camera.track(x, z, seconds, this.clock.jumped || !this.clock.playing);
@@ -5596,9 +5596,9 @@
     });
     return { recolour: () => player2.recolour(), close: () => player2.close() };
   }
-  function drawView(place5, { title, note, tags, address: address2, author, picture: picture2 }, context) {
+  function drawView(place5, { title, note, tags, address: address3, author, picture: picture2 }, context) {
     const image = picture2 ? withAttributes(element("img", "block-view-picture"), { src: picture2, alt: `Picture of ${title}` }) : null;
-    const link2 = context.opens ? withAttributes(element("a", "text-link", title), { href: address2 }) : element("strong", "", title);
+    const link2 = context.opens ? withAttributes(element("a", "text-link", title), { href: address3 }) : element("strong", "", title);
     place5.append(element("div", "block-view", image, link2, note && element("p", "", note), element("p", "muted", [author, ...tags.map((tag) => `#${tag}`)].filter(Boolean).join(" · "))));
     return {};
   }
@@ -5958,7 +5958,7 @@
       drawPosture(content, postures, current3),
       `${content.seconds[current3].toFixed(1)} s of motion here${content.passes[current3].length ? ", click to play" : ""}`
     );
-    const play7 = () => {
+    const play8 = () => {
       const passes = current3 < 0 ? [] : content.passes[current3];
       if (!passes.length) return;
       const [clip, start3, end] = passes[0];
@@ -5977,10 +5977,10 @@
     });
     svg.addEventListener("pointerleave", hideTip);
     svg.addEventListener("blur", hideTip);
-    svg.addEventListener("click", play7);
+    svg.addEventListener("click", play8);
     svg.addEventListener("keydown", (event) => {
       const steps2 = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
-      if (event.key === "Enter") play7();
+      if (event.key === "Enter") play8();
       const step3 = steps2[event.key];
       if (!step3) return;
       event.preventDefault();
@@ -6164,14 +6164,14 @@
   }
 
   // search/hits_block.mjs
-  function drawHits(place5, { query, hits }, context) {
+  function drawHits(place5, { query: query2, hits }, context) {
     const rows2 = hits.map(({ clip, start: start3, end, seconds, score, label, strip }) => tableRow(
       [clip, seconds.toFixed(1), score.toFixed(2), `${start3} to ${end}`, label],
       strip,
       `Play ${clip}, frames ${start3} to ${end}`,
       () => context.select({ clip, start: start3, end }, { title: `${clip}, ${start3} to ${end}`, items: [{ clip, start: start3, end, label: clip }] })
     ));
-    place5.append(element("p", "muted", `Like ${query}`), tableOf(["Clip", "Seconds", "Score", "Frames", "Mostly", "Motion"], rows2, hits.length ? "" : "Nothing is like it."));
+    place5.append(element("p", "muted", `Like ${query2}`), tableOf(["Clip", "Seconds", "Score", "Frames", "Mostly", "Motion"], rows2, hits.length ? "" : "Nothing is like it."));
     return {
       light: (selection) => hits.forEach((hit, k) => rows2[k].classList.toggle("chosen", hit.clip === selection.clip && hit.start === selection.start && hit.end === selection.end)),
       narrow: (label, among2) => hits.forEach((hit, k) => rows2[k].classList.toggle("faint", isFaint(among2, hit.clip) || Boolean(label) && !hit.label.startsWith(`${label} (`)))
@@ -6263,6 +6263,341 @@
     view: drawView
   });
 
+  // groups/charts.mjs
+  var MEASURES = { share: "share of time", rate: "how often", duration: "how long", mean: "", probability: "" };
+  var [WIDTH3, HEIGHT3] = [340, 150];
+  var [LEFT2, RIGHT2, TOP2, BOTTOM2] = [40, 8, 8, 22];
+  var COLOURS2 = ["var(--group-a)", "var(--group-b)"];
+  var nameOf = (row7) => [row7.name, MEASURES[
+    /** @type {keyof typeof MEASURES} */
+    row7.measure
+  ]].filter(Boolean).join(", ");
+  var figure = (value) => value === null || value === void 0 ? "" : Math.abs(value) > 1e8 ? "∞" : Math.abs(value) >= 100 ? value.toFixed(0) : Math.abs(value) >= 10 ? value.toFixed(1) : value.toFixed(2);
+  var chance = (p) => p === null ? "" : p < 1e-3 ? "< .001" : p.toFixed(3).replace(/^0/, "");
+  var factsOf2 = (row7) => [
+    nameOf(row7),
+    `${row7.groups[0]}: ${figure(row7.means[0])} ${row7.unit} (${row7.n[0]})`,
+    `${row7.groups[1]}: ${figure(row7.means[1])} ${row7.unit} (${row7.n[1]})`,
+    `difference ${figure(row7.difference)}, 95 % from ${figure(row7.interval[0])} to ${figure(row7.interval[1])}`,
+    `effect ${figure(row7.effect)}, p ${chance(row7.p)}, corrected ${chance(row7.q)}`
+  ];
+  function effectChart(rows2, play8) {
+    const most = Math.max(1, ...rows2.map((row7) => Math.min(Math.abs(row7.effect ?? 0), 4)));
+    const lines2 = rows2.map((row7) => {
+      const share2 = Math.min(Math.abs(row7.effect ?? 0), 4) / most;
+      const bar = element("span", "groups-bar");
+      bar.style.setProperty("--share", String(share2));
+      bar.dataset.side = (row7.effect ?? 0) < 0 ? "less" : "more";
+      const line3 = element(
+        "tr",
+        row7.significant ? "" : "faint",
+        element("td", "groups-name", nameOf(row7)),
+        element("td", "groups-effect", bar),
+        element("td", "number", figure(row7.effect)),
+        element("td", "number", `${figure(row7.means[0])} → ${figure(row7.means[1])} ${row7.unit}`),
+        element("td", "number", chance(row7.q))
+      );
+      tipOn(line3, () => factsOf2(row7));
+      return row7.examples ? asButton(line3, `Play examples: ${nameOf(row7)}`, () => play8(row7)) : line3;
+    });
+    const heads = ["What", "Effect", "", "Means", "Corrected p"].map((head3, k) => element("th", k > 1 ? "number" : "", head3));
+    return element("div", "groups-table", element("table", "", element("thead", "", element("tr", "", ...heads)), element("tbody", "", ...lines2)));
+  }
+  function transitionMatrix(rows2, play8) {
+    const ids = [...new Set(rows2.flatMap((row7) => row7.id.split(">")))].sort((a, b) => a.localeCompare(b, void 0, { numeric: true }));
+    const names2 = namesOf(rows2);
+    const at3 = new Map(ids.map((id, k) => [id, k]));
+    const size = 14;
+    const svg = svgElement("svg", { class: "groups-matrix", viewBox: `-26 -26 ${ids.length * size + 28} ${ids.length * size + 28}`, role: "img", "aria-label": "Differences of what follows what" });
+    for (const row7 of rows2) {
+      const [source, target2] = row7.id.split(">").map((id) => (
+        /** @type {number} */
+        at3.get(id)
+      ));
+      const cell2 = svgElement("rect", { x: target2 * size, y: source * size, width: size - 1, height: size - 1, rx: 2, class: `groups-cell${row7.significant ? " certain" : ""}` });
+      cell2.style.fill = (row7.difference ?? 0) < 0 ? COLOURS2[0] : COLOURS2[1];
+      cell2.style.fillOpacity = String(Math.min(1, 0.06 + Math.abs(row7.difference ?? 0)));
+      tipOn(cell2, () => factsOf2(row7));
+      if (row7.examples) asButton(cell2, `Play examples: ${row7.name}`, () => play8(row7));
+      svg.append(cell2);
+    }
+    const step3 = Math.ceil(ids.length / 24);
+    ids.forEach((id, k) => {
+      if (k % step3) return;
+      for (
+        const [x, y, anchor] of
+        /** @type {[number, number, string][]} */
+        [[-4, k * size + 10, "end"], [k * size + 6, -5, "middle"]]
+      ) {
+        const text = svgElement("text", { x, y, "text-anchor": anchor, class: "groups-tick" });
+        text.textContent = id.slice(0, 4);
+        tipOn(text, () => [names2.get(id) ?? id]);
+        svg.append(text);
+      }
+    });
+    return svg;
+  }
+  function differenceGraph(rows2, play8) {
+    const strong = rows2.filter((row7) => Math.abs(row7.difference ?? 0) >= 0.1).sort((a, b) => Number(b.significant) - Number(a.significant) || Math.abs(b.difference ?? 0) - Math.abs(a.difference ?? 0)).slice(0, 60);
+    const ids = [...new Set(strong.flatMap((row7) => row7.id.split(">")))];
+    const names2 = namesOf(rows2);
+    const radius = 150;
+    const place5 = new Map(ids.map((id, k) => [id, [radius * Math.sin(2 * Math.PI * k / ids.length), -radius * Math.cos(2 * Math.PI * k / ids.length)]]));
+    const svg = svgElement("svg", { class: "groups-graph", viewBox: "-190 -180 380 360", role: "img", "aria-label": "Difference graph" });
+    for (const row7 of strong) {
+      const [[x, y], [u, v]] = row7.id.split(">").map((id) => (
+        /** @type {number[]} */
+        place5.get(id)
+      ));
+      const bend = 0.18;
+      const path2 = x === u && y === v ? `M${x} ${y} c${x * 0.25 - y * 0.12} ${y * 0.25 + x * 0.12} ${x * 0.25 + y * 0.12} ${y * 0.25 - x * 0.12} 0 0` : `M${x} ${y} Q${(x + u) / 2 - (v - y) * bend} ${(y + v) / 2 + (u - x) * bend} ${u} ${v}`;
+      const line3 = svgElement("path", { d: path2, class: `groups-way${row7.significant ? " certain" : ""}` });
+      line3.style.stroke = (row7.difference ?? 0) < 0 ? COLOURS2[0] : COLOURS2[1];
+      line3.style.strokeWidth = String(1 + 7 * Math.abs(row7.difference ?? 0));
+      tipOn(line3, () => factsOf2(row7));
+      if (row7.examples) asButton(line3, `Play examples: ${row7.name}`, () => play8(row7));
+      svg.append(line3);
+    }
+    for (const [id, [x, y]] of place5) {
+      const node = svgElement("g", { transform: `translate(${x} ${y})` }, svgElement("circle", { r: 13, class: "groups-node" }));
+      const text = svgElement("text", { "text-anchor": "middle", y: 4, class: "groups-tick" });
+      text.textContent = id.slice(0, 4);
+      node.append(text);
+      tipOn(node, () => [names2.get(id) ?? id]);
+      svg.append(node);
+    }
+    return svg;
+  }
+  function namesOf(rows2) {
+    const names2 = /* @__PURE__ */ new Map();
+    for (const row7 of rows2) {
+      const [source, target2] = row7.id.split(">");
+      const [a, ...b] = row7.name.split(" to ");
+      if (b.length === 1) names2.set(source, a).set(target2, b[0]);
+    }
+    return names2;
+  }
+  function curveChart({ curve, unit: unit2, groups, n, means, spreads, clusters, q }) {
+    const all = means.flatMap((mean, g) => mean.flatMap((value, k) => [value - spreads[g][k], value + spreads[g][k]]));
+    const [low, high] = [Math.min(...all), Math.max(...all)];
+    const x = (share2) => LEFT2 + share2 / 100 * (WIDTH3 - LEFT2 - RIGHT2);
+    const y = (value) => TOP2 + (high - value) / (high - low || 1) * (HEIGHT3 - TOP2 - BOTTOM2);
+    const svg = svgElement("svg", { class: "groups-curve", viewBox: `0 0 ${WIDTH3} ${HEIGHT3}`, role: "img", "aria-label": `${curve} of ${groups.join(" and ")}` });
+    for (const { start: start3, end, p } of clusters) {
+      const mark3 = svgElement("rect", { x: x(start3), y: TOP2, width: Math.max(x(end) - x(start3), 1.5), height: HEIGHT3 - TOP2 - BOTTOM2, class: "groups-cluster" });
+      tipOn(mark3, () => [`${start3.toFixed(0)} to ${end.toFixed(0)} %: p ${chance(p)}`]);
+      svg.append(mark3);
+    }
+    means.forEach((mean, g) => {
+      const above = mean.map((value, k) => `${x(k)},${y(value + spreads[g][k])}`);
+      const below = mean.map((value, k) => `${x(k)},${y(value - spreads[g][k])}`).reverse();
+      const band2 = svgElement("polygon", { points: [...above, ...below].join(" "), class: "groups-band" });
+      const line3 = svgElement("polyline", { points: mean.map((value, k) => `${x(k)},${y(value)}`).join(" "), class: "groups-mean" });
+      band2.style.fill = line3.style.stroke = COLOURS2[g];
+      svg.append(band2, line3);
+    });
+    for (
+      const [px, py, words4, anchor] of
+      /** @type {[number, number, string, string][]} */
+      [
+        [LEFT2 - 4, TOP2 + 9, `${figure(high)}`, "end"],
+        [LEFT2 - 4, HEIGHT3 - BOTTOM2, `${figure(low)}`, "end"],
+        [LEFT2, HEIGHT3 - 7, "0 %", "start"],
+        [WIDTH3 - RIGHT2, HEIGHT3 - 7, "100 %", "end"]
+      ]
+    ) {
+      const text = svgElement("text", { x: px, y: py, "text-anchor": anchor, class: "groups-tick" });
+      text.textContent = words4;
+      svg.append(text);
+    }
+    return element("figure", "groups-figure", svg, element("figcaption", "", `${curve} (${unit2}), `, element("span", "muted", `${n[0]} and ${n[1]}, corrected p ${chance(q)}`)));
+  }
+
+  // groups/ids.mjs
+  var GROUPS_PLACE = "groups-place";
+
+  // groups/groups.mjs
+  var POLL3 = 700;
+  var SHOWN = 24;
+  var PARTS = (
+    /** @type {[string, string][]} */
+    [["figure", "Gait and posture"], ["label", "Labels"], ["motif", "Motifs"], ["action", "Actions"]]
+  );
+  var shown4 = { dataset: "", view: {}, mark: "", choices: null, place: null };
+  var timer2 = 0;
+  register("groups", {
+    /** @param {View | null} view @param {string | null} dataset @param {string | null} ended */
+    show(view4, dataset2, ended) {
+      const place5 = find(GROUPS_PLACE);
+      if (!place5) return clientside.no_update;
+      const mark3 = JSON.stringify([dataset2, view4, ended]);
+      if (place5 === shown4.place && mark3 === shown4.mark) return clientside.no_update;
+      const other = place5 !== shown4.place || dataset2 !== shown4.dataset;
+      Object.assign(shown4, { dataset: dataset2 ?? "", view: { ...view4 }, mark: mark3, place: place5 });
+      draw2(place5, other).catch((error) => place5.replaceChildren(element("p", "form-problem", error.message)));
+      return clientside.no_update;
+    }
+  });
+  async function draw2(place5, other) {
+    clearTimeout(timer2);
+    const { mark: mark3, dataset: dataset2 } = shown4;
+    if (!dataset2) {
+      place5.replaceChildren(element("p", "muted", "Choose a dataset first."));
+      return;
+    }
+    if (other || !shown4.choices) shown4.choices = await ask3(`groups/${encodeURIComponent(dataset2)}`);
+    if (mark3 !== shown4.mark) return;
+    const choices2 = (
+      /** @type {Choices} */
+      shown4.choices
+    );
+    if (!choices2.columns.length) {
+      place5.replaceChildren(nothingKnown(dataset2));
+      return;
+    }
+    const result = element("div", "groups-result");
+    place5.replaceChildren(form(choices2), result);
+    const { by, first, second } = shown4.view;
+    if (by && Boolean(first) === Boolean(second)) await look2(result, mark3);
+    else if (by) result.append(element("p", "muted", "Choose the other group as well, or all for both."));
+    else result.append(element("p", "muted", "Choose the property that makes the groups, such as condition or session."));
+  }
+  var nothingKnown = (dataset2) => element(
+    "div",
+    "empty-state",
+    element("h2", "", "Nothing is known of the clips yet"),
+    element("p", "muted", "Groups are made of properties of clips: who moves, in which condition, in which session. They come from a table, from the names of the clips, or by hand."),
+    withAttributes(button2("Properties of clips", () => void 0, "primary for-editors"), { "data-properties": dataset2 })
+  );
+  function form(choices2) {
+    const { view: view4 } = shown4;
+    const column = choices2.columns.find(({ name }) => name === view4.by);
+    const values = (
+      /** @type {[string, string][]} */
+      (column?.values ?? []).map(([value, count]) => [value, `${value} (${count})`])
+    );
+    const others = (
+      /** @type {[string, string][]} */
+      choices2.columns.filter(({ name }) => name !== view4.by).map(({ name }) => [name, name])
+    );
+    return element(
+      "div",
+      "card groups-form",
+      pick("Groups by", "by", [["", "choose ..."], .../** @type {[string, string][]} */
+      choices2.columns.map(({ name }) => [name, name])], { first: "", second: "" }),
+      pick("First group", "first", [["", "all"], ...values]),
+      pick("Second group", "second", [["", "all"], ...values]),
+      pick("Who moves", "who", [["", choices2.who && choices2.who !== view4.by ? choices2.who : "found by name"], ...others, ["-", "not known: clips"]]),
+      pick("Counted", "counted", [["", choices2.labels ? "labels" : "motifs"], ["motifs", "motifs"], ["grammar", "actions"], ...choices2.labels ? (
+        /** @type {[string, string][]} */
+        [["labels", "labels"]]
+      ) : []]),
+      pick("Paired", "paired", [["", "found by itself"], ["yes", "yes"], ["no", "no"]])
+    );
+  }
+  function pick(label, key, choices2, also = {}) {
+    const now6 = shown4.view[key] ?? "";
+    const offered2 = choices2.some(([value]) => value === now6) ? choices2 : [
+      ...choices2,
+      /** @type {[string, string]} */
+      [now6, `${now6} (gone)`]
+    ];
+    const control = element("select", "boards-select", ...offered2.map(([value, words4]) => withAttributes(element("option", "", words4), { value })));
+    control.value = now6;
+    control.addEventListener("change", () => changeView({ ...also, [key]: control.value }));
+    return element("label", "groups-field", element("span", "muted", label), control);
+  }
+  var query = () => new URLSearchParams(Object.entries(shown4.view).filter(([, value]) => value)).toString();
+  var address2 = () => `groups/${encodeURIComponent(shown4.dataset)}`;
+  async function look2(result, mark3) {
+    let answer2;
+    try {
+      answer2 = await ask3(`${address2()}/comparison?${query()}`);
+    } catch (error2) {
+      answer2 = { state: "failed", error: error2 instanceof Error ? error2.message : String(error2) };
+    }
+    if (mark3 !== shown4.mark || !result.isConnected) return;
+    const { state: state3, document: made, stage: stage2 = "", fraction = 0, error = "" } = answer2;
+    if (state3 === "ready" && made) {
+      result.replaceChildren(...drawResult(made));
+      return;
+    }
+    const begin2 = button2("Compare", async () => {
+      await ask3(`${address2()}/comparison`, Object.fromEntries(Object.entries(shown4.view))).catch((problem2) => result.prepend(element("p", "form-problem", problem2.message)));
+      look2(result, mark3);
+    }, "primary for-editors");
+    if (state3 === "running") {
+      const bar = element("progress", "boards-progress");
+      bar.value = fraction;
+      result.replaceChildren(element("p", "muted", `${stage2}, ${percent(fraction)}`), bar);
+      timer2 = window.setTimeout(() => look2(result, mark3), POLL3);
+    } else if (state3 === "refused") result.replaceChildren(withAttributes(element("p", "groups-refused", error), { role: "alert" }));
+    else if (state3 === "failed") result.replaceChildren(withAttributes(element("p", "form-problem", error), { role: "alert" }), begin2);
+    else result.replaceChildren(element("p", "muted", "This comparison has not been made yet."), begin2);
+  }
+  function* drawResult(made) {
+    const { unit: unit2 } = made;
+    const rows2 = made.comparisons;
+    const found = (one) => rows2.find((row7) => row7.kind === one.kind && row7.id === one.id && row7.measure === one.measure && (!row7.words || one.text.toLowerCase().startsWith(row7.groups[1].toLowerCase())));
+    yield element(
+      "section",
+      "card groups-answer",
+      element("h2", "", "In words"),
+      element("p", "groups-who", ...made.groups.map((group, k) => withAttributes(element("span", "groups-group", `${group.name}: ${plural(group.units, unit2)}, ${group.minutes.toFixed(1)} min`), { "data-group": String(Math.min(k, 2)) }))),
+      element("ul", "groups-words", ...made.words.map((one) => {
+        const row7 = found(one);
+        return element("li", "", row7?.examples ? button2(one.text, () => play2(row7), "groups-sentence") : one.text);
+      })),
+      ...made.remarks.map((remark) => element("p", "muted", remark)),
+      element("p", "muted", `Test: ${made.test}, two-sided. Corrected: ${made.correction}. Effect: ${made.effect}. A click plays typical and extreme motion of both groups in step.`),
+      element("p", "groups-files", ...[["csv", "Table (CSV)"], ["json", "Result (JSON)"], ["py", "Python"], ["sh", "Command"]].map(([kind, words4]) => withAttributes(element("a", "boards-button", words4), { href: `/api/${address2()}/${kind}.file?${query()}`, download: "" })))
+    );
+    const pairs = [...new Set(rows2.map((row7) => row7.groups.join(" → ")))];
+    for (const pair of pairs) {
+      const own2 = rows2.filter((row7) => row7.groups.join(" → ") === pair);
+      for (const [kind, title] of PARTS) {
+        const some = own2.filter((row7) => row7.kind === kind && row7.effect !== null).sort((a, b) => Number(b.significant) - Number(a.significant) || Math.abs(b.effect ?? 0) - Math.abs(a.effect ?? 0));
+        if (some.length) yield chartOf(`${title}, ${pair}`, some);
+      }
+      const ways = made.transitions.filter((row7) => row7.groups.join(" → ") === pair && row7.difference !== null);
+      if (ways.length) yield element("section", "card", element("h2", "", `What follows what, ${pair}`), element("p", "muted", "The stronger the colour, the larger the difference of the probability; outlined where it is beyond chance. Arrows: differences of at least 10 %."), element("div", "groups-pair", differenceGraph(ways, play2), transitionMatrix(ways, play2)));
+      const curves = made.curves.filter((curve) => curve.groups.join(" → ") === pair).sort((a, b) => a.q - b.q);
+      if (curves.length) yield curvesOf(pair, curves);
+    }
+  }
+  function chartOf(title, rows2) {
+    const section = element("section", "card", element("h2", "", title), effectChart(rows2.slice(0, SHOWN), play2));
+    if (rows2.length > SHOWN) {
+      const more2 = button2(`All ${rows2.length}`, () => section.replaceChildren(element("h2", "", title), effectChart(rows2, play2)));
+      section.append(more2);
+    }
+    return section;
+  }
+  function curvesOf(pair, curves) {
+    const items = [...new Set(curves.map(({ item }) => item))];
+    const charts = element("div", "groups-curves");
+    const choice2 = element("select", "boards-select", ...items.map((item) => withAttributes(element("option", "", /^\d+$/.test(item) ? `motif ${item}` : item), { value: item })));
+    choice2.setAttribute("aria-label", "Movement");
+    const fill = () => charts.replaceChildren(...curves.filter(({ item }) => item === choice2.value).map(curveChart));
+    choice2.addEventListener("change", fill);
+    fill();
+    return element("section", "card", element("h2", "", `Curves, ${pair}`), element("p", "muted", "Mean and standard deviation over subjects, from the beginning of the movement to its end; shaded where the curves differ beyond chance."), choice2, charts);
+  }
+  function play2(row7) {
+    const pieces = row7.groups.flatMap((group) => (
+      /** @type {["typical", "extreme"]} */
+      ["typical", "extreme"].map((kind) => ({ group, kind, piece: row7.examples?.[group]?.[kind] ?? null }))
+    ));
+    const items = pieces.filter(({ piece }, k) => piece && pieces.findIndex((one) => String(one.piece) === String(piece)) === k).map(({ group, kind, piece }) => {
+      const [clip, start3, end] = (
+        /** @type {NonNullable<Piece>} */
+        piece
+      );
+      return { clip, start: start3, end, label: `${group}, ${kind}` };
+    });
+    if (items.length) player.show({ dataset: shown4.dataset, title: nameOf(row7), items, layout: "side", sync: "start" });
+  }
+
   // library/ids.mjs
   var REPORT_TABLE = "report-table";
   var DROP_ZONE = "drop-zone";
@@ -6321,7 +6656,7 @@
   };
   function tell2() {
     setStore(BODY_DRAFT, { dataset: edited.rigs?.dataset ?? "", rigs: edited.draft });
-    draw2();
+    draw3();
   }
   var words2 = (part2) => (part2[0].toUpperCase() + part2.slice(1)).replace("_", " ");
   var sideOf = (part2) => part2.includes("_") ? part2.split("_")[0] : "centre";
@@ -6353,9 +6688,9 @@
       svg.append(spot);
     }
     const caption2 = element("figcaption", "muted", view4 === "front" ? "From the front" : "From its left");
-    const figure2 = element("figure", "body-view");
-    figure2.append(svg, caption2);
-    return figure2;
+    const figure3 = element("figure", "body-view");
+    figure3.append(svg, caption2);
+    return figure3;
   }
   function select(options, value, label) {
     const made = element("select", "body-select");
@@ -6395,7 +6730,7 @@
     }
     return rows2;
   }
-  function draw2() {
+  function draw3() {
     const box4 = find(BODY_EDITOR);
     const here3 = current2();
     if (!box4 || !here3 || !edited.posture) return;
@@ -6566,7 +6901,7 @@
         setStore(BODY_DRAFT, null);
       }
       edited.posture = posture;
-      draw2();
+      draw3();
       return clientside.no_update;
     },
     /** @param {import("./ids.mjs").BodyFilled | null} filled */
@@ -6634,19 +6969,19 @@
       return [set.tab, set.files];
     },
     /** @param {string | null} shown @param {any[] | null} rows */
-    filter(shown8, rows2) {
+    filter(shown9, rows2) {
       if (!rows2) {
         gridApi(REPORT_TABLE).then((api) => api?.purgeInfiniteCache?.());
         return clientside.no_update;
       }
-      if (!shown8 || shown8 === "all") return rows2 || [];
-      return (rows2 || []).filter((row7) => shown8 === "added" ? row7.added : row7.verdict === shown8);
+      if (!shown9 || shown9 === "all") return rows2 || [];
+      return (rows2 || []).filter((row7) => shown9 === "added" ? row7.added : row7.verdict === shown9);
     }
   });
 
   // library/properties.mjs
   var SETTLED4 = 300;
-  var SHOWN = 6;
+  var SHOWN2 = 6;
   var KINDS2 = ["text", "number", "date"];
   document.addEventListener("click", (event) => {
     const { properties } = closest(event, "[data-properties]")?.dataset ?? {};
@@ -6702,7 +7037,7 @@
       const picker = withAttributes(element("select", "boards-select for-editors", ...KINDS2.map((one) => withAttributes(element("option", "", one), { value: one }))), { "aria-label": `Kind of ${name}` });
       picker.value = kind;
       picker.addEventListener("change", () => this.change({ action: "kind", column: name, kind: picker.value }));
-      const some = values.slice(0, SHOWN).map(([value, count]) => `${value} (${count})`).join(", ");
+      const some = values.slice(0, SHOWN2).map(([value, count]) => `${value} (${count})`).join(", ");
       const remove = iconButton("trash", `Remove ${name}`, () => this.change({ action: "remove", column: name }));
       remove.classList.add("for-editors");
       return element(
@@ -6710,7 +7045,7 @@
         "",
         element("td", "", name),
         element("td", "", picker),
-        element("td", "", distinct > SHOWN ? `${some} and ${distinct - SHOWN} more` : some),
+        element("td", "", distinct > SHOWN2 ? `${some} and ${distinct - SHOWN2} more` : some),
         element("td", "number", missing ? `${missing} of ${clips}` : "none"),
         element("td", "", remove)
       );
@@ -6718,14 +7053,14 @@
     byHand() {
       const [name, value] = [this.input("Property", "subject"), this.input("Value", "Ana")];
       const body2 = () => ({ action: "set", column: name.value, value: value.value, clips: this.clips });
-      const form = this.way(
+      const form2 = this.way(
         `For ${this.clips.length === 1 ? this.clips[0] : plural(this.clips.length, "chosen clip")}`,
         this.clips.length ? "An empty value takes it away." : "Choose clips in the table of the Library by their boxes, then “Properties”.",
         [name, value],
         body2
       );
-      if (!this.clips.length) for (const control of form.querySelectorAll("input, button")) control.toggleAttribute("disabled", true);
-      return form;
+      if (!this.clips.length) for (const control of form2.querySelectorAll("input, button")) control.toggleAttribute("disabled", true);
+      return form2;
     }
     fromNames() {
       const pattern = this.input("Pattern of the names", "{subject}_{condition}_{take}");
@@ -6749,17 +7084,17 @@
      * @param {string} title @param {string} hint @param {HTMLElement[]} controls @param {() => Record<string, any>} body
      */
     way(title, hint, controls, body2) {
-      const form = element("form", "boards-form properties-way", element("h3", "", title), element("small", "muted", hint), ...controls, element("button", "boards-button primary", "Keep"));
-      form.addEventListener("input", () => {
+      const form2 = element("form", "boards-form properties-way", element("h3", "", title), element("small", "muted", hint), ...controls, element("button", "boards-button primary", "Keep"));
+      form2.addEventListener("input", () => {
         clearTimeout(this.waiting);
         this.waiting = window.setTimeout(() => this.change({ ...body2(), preview: true }), SETTLED4);
       });
-      form.addEventListener("submit", (event) => {
+      form2.addEventListener("submit", (event) => {
         event.preventDefault();
         clearTimeout(this.waiting);
         this.change(body2());
       });
-      return form;
+      return form2;
     }
     /** @param {Record<string, any>} body */
     async change(body2) {
@@ -6821,7 +7156,7 @@
     const archives = count(/\.zip$/i);
     return { recordings: count(/\.(bvh|amc)(\.gz)?$/i) + archives, labels: count(/\.csv$/i), amc: count(/\.amc(\.gz)?$/i), archives };
   }
-  function nameOf(files) {
+  function nameOf2(files) {
     if (!files.length) return "";
     const parts = files[0].path.split("/");
     if (parts.length > 1) return parts[0];
@@ -6836,7 +7171,7 @@
   }
   function takeFiles(mine2, files, { fileBytes, totalBytes, files: most, suffixes: suffixes2 }) {
     const isReadable = (path2) => suffixes2.some((suffix) => path2.toLowerCase().endsWith(suffix));
-    if (!mine2.name) mine2.name = nameOf(files.filter(({ path: path2 }) => isReadable(path2) && !/\.csv(\.gz)?$/i.test(path2)));
+    if (!mine2.name) mine2.name = nameOf2(files.filter(({ path: path2 }) => isReadable(path2) && !/\.csv(\.gz)?$/i.test(path2)));
     const taken = [];
     for (const { file, path: given2 } of files) {
       const path2 = freePath(mine2, file, given2);
@@ -6866,7 +7201,7 @@
   // library/upload.mjs
   var HEADERS = { "X-Motionscape": "upload" };
   var AT_ONCE = 3;
-  var SHOWN2 = 400;
+  var SHOWN3 = 400;
   var batch = null;
   var limits = () => {
     const data2 = need(DROP_ZONE).dataset;
@@ -6902,7 +7237,7 @@
     if (!files.length) return;
     if (!batch || batch.stopped) batch = freshBatch();
     const mine2 = batch;
-    for (const item of takeFiles(mine2, files, limits())) draw3(mine2, item);
+    for (const item of takeFiles(mine2, files, limits())) draw4(mine2, item);
     tell3(mine2);
     if (!mine2.token) {
       try {
@@ -6912,7 +7247,7 @@
       } catch {
         for (const item of mine2.queue.splice(0)) {
           refuse(item, "the server cannot be reached");
-          draw3(mine2, item);
+          draw4(mine2, item);
         }
         tell3(mine2);
         return;
@@ -6933,7 +7268,7 @@
     request5.setRequestHeader("Content-Type", "application/octet-stream");
     request5.upload.onprogress = (event) => {
       item.sent = event.loaded;
-      draw3(mine2, item);
+      draw4(mine2, item);
       summary(mine2);
     };
     request5.onloadend = () => {
@@ -6950,17 +7285,17 @@
         }
         refuse(item, message2);
       }
-      draw3(mine2, item);
+      draw4(mine2, item);
       while (mine2.active < AT_ONCE && mine2.queue.length && !mine2.stopped) next(mine2);
       tell3(mine2);
     };
     request5.send(item.file);
   }
-  function draw3(mine2, item) {
+  function draw4(mine2, item) {
     const list3 = find(UPLOAD_LIST);
     if (!list3 || mine2 !== batch) return;
     if (!item.row) {
-      if (list3.childElementCount >= SHOWN2 && item.state !== "error") {
+      if (list3.childElementCount >= SHOWN3 && item.state !== "error") {
         return;
       }
       item.row = document.createElement("li");
@@ -7258,28 +7593,28 @@
   async function fetchValues(view4) {
     if (!at.shown) return;
     const { dataset: dataset2, clip, version } = at.shown;
-    const query = new URLSearchParams({ v: version });
-    for (const key of CHART_KEYS) if (view4?.[key]) query.set(key, view4[key]);
+    const query2 = new URLSearchParams({ v: version });
+    for (const key of CHART_KEYS) if (view4?.[key]) query2.set(key, view4[key]);
     const where = clip.split("/").map(encodeURIComponent).join("/");
-    const address2 = `/api/clip-values/${encodeURIComponent(dataset2)}/${where}?${query}`;
-    if (address2 === at.from) return;
-    at.from = address2;
+    const address3 = `/api/clip-values/${encodeURIComponent(dataset2)}/${where}?${query2}`;
+    if (address3 === at.from) return;
+    at.from = address3;
     at.values = null;
-    const answer2 = await fetch(address2).catch(() => null);
-    if (!answer2?.ok || at.from !== address2) return;
+    const answer2 = await fetch(address3).catch(() => null);
+    if (!answer2?.ok || at.from !== address3) return;
     const bytes2 = await answer2.arrayBuffer();
-    if (at.from !== address2) return;
+    if (at.from !== address3) return;
     at.values = new Float32Array(bytes2);
     placeMarks();
   }
   function seekFrame(frame) {
-    const { shown: shown8 } = at;
-    if (!shown8) return;
-    const wanted2 = Math.min(Math.max(Math.round(frame), 0), shown8.frames - 1);
+    const { shown: shown9 } = at;
+    if (!shown9) return;
+    const wanted2 = Math.min(Math.max(Math.round(frame), 0), shown9.frames - 1);
     const there = at.items.some((item) => isShown(item) && wanted2 >= item.start && wanted2 < item.end);
-    if (there && player.seek({ clip: shown8.clip, frame: wanted2 })) return;
-    at.pending = { clip: shown8.clip, frame: wanted2 };
-    setStore(SELECTION, { clip: shown8.clip });
+    if (there && player.seek({ clip: shown9.clip, frame: wanted2 })) return;
+    at.pending = { clip: shown9.clip, frame: wanted2 };
+    setStore(SELECTION, { clip: shown9.clip });
   }
   function standing2() {
     const items = [];
@@ -7311,8 +7646,8 @@
   register("clip", {
     // A chart was drawn: lay everything over it again, now and after every redrawing.
     /** @param {any} figure @param {unknown} legend @param {ShownClip | null} shown @param {View | null} view */
-    drawn(figure2, legend5, shown8, view4) {
-      at.shown = shown8;
+    drawn(figure3, legend5, shown9, view4) {
+      at.shown = shown9;
       const graph = (
         /** @type {any} */
         document.querySelector(`#${CLIP_GRAPH} .js-plotly-plot`)
@@ -7327,18 +7662,18 @@
         new ResizeObserver(again).observe(need(CLIP_BOX));
       }
       forget();
-      if (figure2 && figure2.layout && figure2.layout.meta && figure2.layout.meta.thinned) fetchValues(view4);
+      if (figure3 && figure3.layout && figure3.layout.meta && figure3.layout.meta.thinned) fetchValues(view4);
       requestAnimationFrame(() => requestAnimationFrame(() => {
         forget();
         placeMarks();
       }));
-      return figure2?.layout?.meta?.kind ?? null;
+      return figure3?.layout?.meta?.kind ?? null;
     },
     /** @param {Selection | null} selection @param {ShownClip | null} shown */
-    mark(selection, shown8) {
-      at.shown = shown8;
+    mark(selection, shown9) {
+      at.shown = shown9;
       const { clip, start: start3 = 0, end = 0 } = selection ?? {};
-      at.range = shown8 && clip === shown8.clip && end > start3 ? [start3, Math.min(end, shown8.frames)] : null;
+      at.range = shown9 && clip === shown9.clip && end > start3 ? [start3, Math.min(end, shown9.frames)] : null;
       follow(standing2());
       return clientside.no_update;
     },
@@ -7349,11 +7684,11 @@
      * @param {string[]} names
      * @param {ShownClip | null} shown
      */
-    pick(value, _back, _next, names2, shown8) {
+    pick(value, _back, _next, names2, shown9) {
       const trigger = (clientside.callback_context.triggered[0] || {}).prop_id || "";
       const step3 = trigger.startsWith(CLIP_PREVIOUS) ? -1 : trigger.startsWith(CLIP_NEXT) ? 1 : 0;
-      const clip = step3 ? names2[names2.indexOf(shown8 ? shown8.clip : value) + step3] : value;
-      if (clip && (!shown8 || clip !== shown8.clip)) {
+      const clip = step3 ? names2[names2.indexOf(shown9 ? shown9.clip : value) + step3] : value;
+      if (clip && (!shown9 || clip !== shown9.clip)) {
         changeView({ span: "" });
         setStore(SELECTION, { clip });
       }
@@ -7864,7 +8199,7 @@
     return { dataset: data2.dataset, items: [{ ...made, warp: warps.mixture }, ...items], layout: "overlay", sync: "warp", title };
   }
   var onStage = () => Boolean(player.frameOf(0)?.dataset?.startsWith(OURS));
-  function play2() {
+  function play3() {
     const mixture = request();
     if (onStage()) player.replace(mixture);
     else player.show(mixture);
@@ -7881,7 +8216,7 @@
   }
   function changed() {
     updateControls(now, shares());
-    play2();
+    play3();
     write2();
   }
   function chooseAgain(body2, chosen3, values) {
@@ -7939,7 +8274,7 @@
     const others = data2.total - body2.motions.length;
     need(BLEND_NOTE).textContent = others ? `${others} of its ${data2.total} motions are of other bodies; only motions of one body can be mixed.` : "";
     drawControls(need(BLEND_CONTROLS), now, shares(), controlActions);
-    if (!quiet2) play2();
+    if (!quiet2) play3();
   }
   function message(text) {
     need(BLEND_HINT).textContent = text;
@@ -8003,7 +8338,7 @@
   var BAR = 12;
   var LABEL = 40;
   var LEAST_LABEL = 9;
-  var shown4 = null;
+  var shown5 = null;
   var drawing3 = (name, attributes, title) => svgElement(name, attributes, ...title ? [svgElement("title", {}, title)] : []);
   function choose2(a, b) {
     if (a !== null && a !== void 0) return setStore(SELECTION, { motif: a });
@@ -8013,7 +8348,7 @@
   }
   function here(bar) {
     if (bar.side === "a") return bar.motif;
-    const links = (shown4?.data.ribbons ?? []).filter((r) => r.b === bar.motif && r.a !== null && r.kind !== "rest");
+    const links = (shown5?.data.ribbons ?? []).filter((r) => r.b === bar.motif && r.a !== null && r.kind !== "rest");
     return links.length ? links.reduce((best, r) => r.h > best.h ? r : best).a : null;
   }
   function pressable(node, label, act2) {
@@ -8048,10 +8383,10 @@
     one.addEventListener("click", () => choose2(ribbon.a, ribbon.b));
     svg.appendChild(one);
   }
-  function draw4() {
+  function draw5() {
     const box4 = find(COMPARE_FLOW);
-    if (!box4 || !shown4 || !shown4.data || !box4.clientWidth) return;
-    const width = box4.clientWidth, { height, bars, ribbons } = shown4.data;
+    if (!box4 || !shown5 || !shown5.data || !box4.clientWidth) return;
+    const width = box4.clientWidth, { height, bars, ribbons } = shown5.data;
     const svg = drawing3("svg", { width, height, viewBox: `0 0 ${width} ${height}`, role: "group", "aria-label": "Motion that motifs of both results share" });
     const change2 = new Map(bars.map((bar) => [bar.side + bar.motif, bar.change]));
     const changes = (ribbon) => change2.get("a" + ribbon.a) === "kept" ? change2.get("b" + ribbon.b) : change2.get("a" + ribbon.a);
@@ -8063,8 +8398,8 @@
   }
   function mark() {
     const box4 = find(COMPARE_FLOW);
-    if (!box4 || !shown4) return;
-    const a = String(shown4.selection?.motif ?? ""), b = a ? "" : String(shown4.gained ?? "");
+    if (!box4 || !shown5) return;
+    const a = String(shown5.selection?.motif ?? ""), b = a ? "" : String(shown5.gained ?? "");
     const touches = (node) => a && node.dataset.a === a || b && node.dataset.b === b || node.dataset.side === "a" && a && node.dataset.motif === a || node.dataset.side === "b" && b && node.dataset.motif === b;
     box4.classList.toggle("some-chosen", Boolean(a || b));
     for (const node of allWithin(box4, ".flow-bar, .flow-ribbon")) node.classList.toggle("chosen", Boolean(touches(node)));
@@ -8075,18 +8410,18 @@
     watched.add(box4);
     let width = 0;
     new ResizeObserver(() => {
-      if (box4.clientWidth && box4.clientWidth !== width) draw4();
+      if (box4.clientWidth && box4.clientWidth !== width) draw5();
       width = box4.clientWidth;
     }).observe(box4);
   }
   register("compare", {
     /** @param {Flow | null} data @param {Selection | null} selection @param {View | null} view */
     draw(data2, selection, view4) {
-      shown4 = data2 && { data: data2, selection, gained: (view4 || {}).gained };
+      shown5 = data2 && { data: data2, selection, gained: (view4 || {}).gained };
       const box4 = find(COMPARE_FLOW);
       if (!data2 || !box4) return clientside.no_update;
       watch2(box4);
-      draw4();
+      draw5();
       return clientside.no_update;
     },
     /** @param {any} request */
@@ -8096,7 +8431,7 @@
     },
     /** @param {Selection | null} selection @param {View | null} view */
     mark(selection, view4) {
-      if (shown4) Object.assign(shown4, { selection, gained: (view4 || {}).gained });
+      if (shown5) Object.assign(shown5, { selection, gained: (view4 || {}).gained });
       mark();
       return clientside.no_update;
     }
@@ -8210,8 +8545,8 @@
   }
   var SHARPNESS = 3;
   var drawn2 = /* @__PURE__ */ new Map();
-  function pixels(address2, width, height) {
-    const key = `${width}x${height} ${address2}`;
+  function pixels(address3, width, height) {
+    const key = `${width}x${height} ${address3}`;
     if (!drawn2.has(key)) {
       drawn2.set(key, new Promise((resolve) => {
         const image = new Image();
@@ -8221,10 +8556,10 @@
           canvas.width = Math.max(1, Math.round(image.width * scale3));
           canvas.height = Math.max(1, Math.round(image.height * scale3));
           context2d(canvas).drawImage(image, 0, 0, canvas.width, canvas.height);
-          canvas.toBlob((blob) => resolve(blob ? URL.createObjectURL(blob) : address2));
+          canvas.toBlob((blob) => resolve(blob ? URL.createObjectURL(blob) : address3));
         };
-        image.onerror = () => resolve(address2);
-        image.src = address2;
+        image.onerror = () => resolve(address3);
+        image.src = address3;
       }));
     }
     return drawn2.get(key);
@@ -8365,8 +8700,8 @@
   });
 
   // motifs/stability.mjs
-  var shown5 = null;
-  var of = (motif) => shown5?.motifs[motif ?? ""];
+  var shown6 = null;
+  var of = (motif) => shown6?.motifs[motif ?? ""];
   function rate(node) {
     const shares2 = of(node.data("motif"));
     if (!shares2) return;
@@ -8385,32 +8720,32 @@
     if (!shares2) return "Choose a box to see how it fared.";
     const kinds2 = [["noise", "with noise"], ["seed", "from other seeds"], ["parameters", "with settings a step away"]];
     const each = kinds2.filter(([kind]) => kind in shares2).map(([kind, name]) => `${percent(shares2[kind] ?? 0)} ${name}`);
-    return `Motif ${motif}: ${percent(shares2.overall)}, kept in ${shares2.kept} of ${shown5?.repeats} repeats (${each.join(", ")}).`;
+    return `Motif ${motif}: ${percent(shares2.overall)}, kept in ${shares2.kept} of ${shown6?.repeats} repeats (${each.join(", ")}).`;
   }
   gridFunctions.stabilityOf = (params) => (params.data && of(params.data.id)?.overall) ?? null;
   register("stability", {
     /** @param {Stability | null} data @param {unknown} _elements @param {Selection | null} selection */
     async draw(data2, _elements, selection) {
-      shown5 = data2 || null;
+      shown6 = data2 || null;
       const legend5 = find(STABILITY_LEGEND);
-      if (legend5) legend5.classList.toggle("hidden", !shown5);
+      if (legend5) legend5.classList.toggle("hidden", !shown6);
       const place5 = find(STABILITY_WORDS);
-      if (place5 && shown5) place5.textContent = words3((selection || {}).motif);
+      if (place5 && shown6) place5.textContent = words3((selection || {}).motif);
       const cy = await graphReady();
       if (!cy) return clientside.no_update;
       watch4(cy);
       cy.batch(() => {
-        if (shown5) cy.nodes("[motif >= 0]").forEach(rate);
+        if (shown6) cy.nodes("[motif >= 0]").forEach(rate);
         else cy.nodes(".rated").removeClass("rated");
       });
       return clientside.no_update;
     },
     /** @param {Stability | null} data */
     async list(data2) {
-      shown5 = data2 || null;
+      shown6 = data2 || null;
       const api = await gridApi(MOTIF_TABLE);
       if (!api) return clientside.no_update;
-      api.setColumnsVisible(["stability"], Boolean(shown5));
+      api.setColumnsVisible(["stability"], Boolean(shown6));
       api.refreshCells({ columns: ["stability"], force: true });
       return clientside.no_update;
     }
@@ -8523,7 +8858,7 @@
     next2()?.focus();
   }
   document.addEventListener("keydown", move2);
-  var shown6 = [];
+  var shown7 = [];
   function cursor() {
     const box4 = find(TIMELINE_ROWS);
     if (!box4 || !box4.offsetParent) return;
@@ -8533,15 +8868,15 @@
       if (!item) break;
       if (!String(item.dataset || "").startsWith("~")) now6.set(item.clip, item.frame);
     }
-    for (const line3 of shown6) if (!now6.has(line3.parentElement?.dataset.clip ?? "")) line3.style.display = "";
-    shown6 = [];
+    for (const line3 of shown7) if (!now6.has(line3.parentElement?.dataset.clip ?? "")) line3.style.display = "";
+    shown7 = [];
     for (const [clip, frame] of now6) {
       const time = allWithin(box4, `.timeline-time[data-clip="${CSS.escape(clip)}"]`)[0];
       const line3 = time && childrenOf(time).at(-1);
       if (!line3) continue;
       line3.style.display = "block";
       line3.style.left = 100 * frame / Number(time.dataset.fps) / Number(time.dataset.seconds) + "%";
-      shown6.push(line3);
+      shown7.push(line3);
     }
   }
   setInterval(cursor, 80);
@@ -8554,7 +8889,7 @@
   }
   var chosen2 = null;
   drawings.timeline = () => drawing4(chosen2);
-  function draw5(data2, order, scale3, selection) {
+  function draw6(data2, order, scale3, selection) {
     const box4 = find(TIMELINE_ROWS);
     if (!box4 || !data2) return clientside.no_update;
     const wanted2 = { data: data2, order, scale: scale3, motif: order === "chosen" ? (selection || {}).motif : null };
@@ -8571,10 +8906,10 @@
     return clientside.no_update;
   }
   register("timeline", {
-    draw: draw5,
+    draw: draw6,
     /** @param {Selection | null} selection @param {string} order */
     mark(selection, order) {
-      if (drawn3 && order === "chosen") draw5(drawn3.data, order, drawn3.scale, selection);
+      if (drawn3 && order === "chosen") draw6(drawn3.data, order, drawn3.scale, selection);
       const box4 = find(TIMELINE_ROWS);
       if (box4) mark2(box4, selection);
       return clientside.no_update;
@@ -8795,7 +9130,7 @@
   var played = "";
   var added = false;
   var lit = -1;
-  var keysOf2 = (shown8) => Object.fromEntries(KEYS4.filter((key) => shown8?.[key]).map((key) => [key, shown8?.[key]]));
+  var keysOf2 = (shown9) => Object.fromEntries(KEYS4.filter((key) => shown9?.[key]).map((key) => [key, shown9?.[key]]));
   var same2 = (a, b) => KEYS4.every((key) => (a?.[key] || "") === (b?.[key] || ""));
   var onStage2 = () => Boolean(player.frameOf(0)?.dataset?.startsWith(OURS2));
   var motifs = () => now2.path || [];
@@ -8809,16 +9144,16 @@
     write3([...motifs(), motif]);
   }
   function request2(data2) {
-    const shown8 = data2.path.slice(0, 8).join(" → ") + (data2.path.length > 8 ? " …" : "");
+    const shown9 = data2.path.slice(0, 8).join(" → ") + (data2.path.length > 8 ? " …" : "");
     return {
       dataset: data2.name ?? "",
-      title: `Walk: ${shown8}`,
+      title: `Walk: ${shown9}`,
       layout: "overlay",
       sync: "start",
       items: [{ clip: "walk", start: 0, end: data2.frames, label: "Walk", colours: data2.bands }]
     };
   }
-  async function play3(data2, fromEnd) {
+  async function play4(data2, fromEnd) {
     played = data2.name ?? "";
     await player.show(request2(data2));
     if (!fromEnd || data2.path.length < 2) return;
@@ -8889,7 +9224,7 @@
   function seekTo(visit) {
     if (!now2.name) return;
     const frame = now2.visits[visit][0];
-    if (!onStage2() || played !== now2.name) play3(now2).then(() => player.seek({ clip: "walk", frame }));
+    if (!onStage2() || played !== now2.name) play4(now2).then(() => player.seek({ clip: "walk", frame }));
     else player.seek({ clip: "walk", frame });
   }
   window.addEventListener("stage-frame", (event) => {
@@ -8902,7 +9237,7 @@
     lightMotif(visit < 0 ? null : now2.path[visit]);
   });
   var actions2 = {
-    play: () => now2.name && play3(now2),
+    play: () => now2.name && play4(now2),
     clear: () => changeView({ walk: "" }),
     fewest: () => between("fewest"),
     used: () => between("used"),
@@ -8972,8 +9307,8 @@
      * @param {unknown} _elements
      * @param {Selection | null} selection
      */
-    draw(data2, shown8, _id, _elements, selection) {
-      view = shown8 || {};
+    draw(data2, shown9, _id, _elements, selection) {
+      view = shown9 || {};
       if (view.side !== "walk") return leave2(selection), clientside.no_update;
       if (!find(WALK_PATH)) return clientside.no_update;
       const entered = !walking.on;
@@ -8995,7 +9330,7 @@
       if (now2.name !== played || entered && !onStage2()) {
         const feet = before2.name && before2.frames === now2.frames && String(before2.path) === String(now2.path) && onStage2();
         if (feet) swap(now2);
-        else play3(now2, added && !entered);
+        else play4(now2, added && !entered);
       }
       added = false;
       return clientside.no_update;
@@ -9008,10 +9343,10 @@
      * @param {boolean} feet
      * @param {View | null} shown
      */
-    option(extra, bridge, stop, feet, shown8) {
+    option(extra, bridge, stop, feet, shown9) {
       if (!walking.on) return clientside.no_update;
       const wanted2 = { extra: extra ? "1" : "", gaps: bridge ? "bridge" : "", ends: stop ? "stop" : "", feet: feet ? "" : "0" };
-      if (OPTIONS.some(([key]) => (shown8?.[key] || "") !== wanted2[key])) changeView(wanted2);
+      if (OPTIONS.some(([key]) => (shown9?.[key] || "") !== wanted2[key])) changeView(wanted2);
       return clientside.no_update;
     }
   });
@@ -9093,8 +9428,8 @@
   async function drawing5() {
     const { overlay } = state, plot = within(overlay.box, ".js-plotly-plot");
     const { width, height } = plot.getBoundingClientRect();
-    const address2 = await window.Plotly.toImage(plot, { format: "svg", width, height });
-    const text = decodeURIComponent(address2.slice(address2.indexOf(",") + 1));
+    const address3 = await window.Plotly.toImage(plot, { format: "svg", width, height });
+    const text = decodeURIComponent(address3.slice(address3.indexOf(",") + 1));
     const page2 = new DOMParser().parseFromString(text, "image/svg+xml").documentElement;
     const ground = getComputedStyle(document.documentElement).getPropertyValue("--surface");
     page2.prepend(svgElement("rect", { width: "100%", height: "100%", fill: ground.trim() }));
@@ -9166,7 +9501,7 @@
   );
   var view2 = {};
   var at2 = { rate: 0, vote: 0 };
-  var shown7 = "";
+  var shown8 = "";
   var mode = () => view2.study === "vote" ? "vote" : view2.study === "results" ? "results" : "rate";
   var awaited = () => data.inputs.person !== (person2.name || person2.id);
   var rows = () => awaited() ? [] : (mode() === "vote" ? data.duels : data.pairs) || [];
@@ -9214,7 +9549,7 @@
   function nothing(words4) {
     return element("p", "muted study-nothing", words4);
   }
-  function draw6() {
+  function draw7() {
     const which = mode();
     if (which === "results") return;
     const box4 = need(which === "vote" ? STUDY_VOTE : STUDY_RATE);
@@ -9238,7 +9573,7 @@
       walk2,
       ...done === all.length ? [element("p", "study-thanks", "All pairs are answered. Thank you! Results shows what came of it.")] : []
     );
-    play4(row7);
+    play5(row7);
     return void 0;
   }
   function move3(words4, by, symbol) {
@@ -9268,10 +9603,10 @@
     });
     return element("div", "study-choices", ...buttons);
   }
-  function play4(row7) {
+  function play5(row7) {
     const wanted2 = JSON.stringify([row7.query, row7.hit, row7.left, row7.right]);
-    if (wanted2 === shown7 && player.status !== "empty") return;
-    shown7 = wanted2;
+    if (wanted2 === shown8 && player.status !== "empty") return;
+    shown8 = wanted2;
     setStore(SELECTION, {});
     setStore(STAGE_REQUEST, { ...row7.request, at: wanted2 });
     const next2 = rows()[at2[mode()] + 1];
@@ -9282,7 +9617,7 @@
     const row7 = rows()[at2[which]];
     if (!row7) return;
     row7.value = value;
-    given.set(nameOf2(row7), value);
+    given.set(nameOf3(row7), value);
     const message2 = which === "vote" ? { kind: "vote", query: row7.query, left: row7.left, right: row7.right, choice: String(value) } : { kind: "rating", query: row7.query, hit: row7.hit, value: Number(value) };
     pending.push({ ...message2, person: person2.name || person2.id, id: `${Date.now()} ${Math.random()}` });
     send();
@@ -9297,12 +9632,12 @@
   function step2(by) {
     const which = mode();
     at2[which] = Math.min(Math.max(at2[which] + by, 0), Math.max(rows().length - 1, 0));
-    draw6();
+    draw7();
   }
   var given = /* @__PURE__ */ new Map();
-  var nameOf2 = (row7) => JSON.stringify([person2.name || person2.id, row7.query, row7.hit, row7.left, row7.right]);
+  var nameOf3 = (row7) => JSON.stringify([person2.name || person2.id, row7.query, row7.hit, row7.left, row7.right]);
   function place2(number2, before2, all) {
-    const same4 = before2[number2] && before2.length === all.length && nameOf2(before2[number2]) === nameOf2(all[number2]);
+    const same4 = before2[number2] && before2.length === all.length && nameOf3(before2[number2]) === nameOf3(all[number2]);
     return same4 ? number2 : Math.max(all.findIndex((row7) => !row7.value), 0);
   }
   var PATIENCE3 = 2e4;
@@ -9332,7 +9667,7 @@
     draw(found, seen3, stored) {
       view2 = seen3 || {};
       if (!found || view2.look !== "agree" || !find(STUDY_SETUP)) {
-        shown7 = "";
+        shown8 = "";
         return clientside.no_update;
       }
       if (!stored || !stored.id) takePerson(stored);
@@ -9345,21 +9680,21 @@
         for (const id of [STUDY_RATE, STUDY_VOTE]) need(id).replaceChildren();
         return clientside.no_update;
       }
-      if (fresh) for (const row7 of [...data.pairs, ...data.duels]) row7.value = given.get(nameOf2(row7)) ?? row7.value;
+      if (fresh) for (const row7 of [...data.pairs, ...data.duels]) row7.value = given.get(nameOf3(row7)) ?? row7.value;
       if (fresh) for (
         const [which, all] of
         /** @type {["rate" | "vote", "pairs" | "duels"][]} */
         [["rate", "pairs"], ["vote", "duels"]]
       ) at2[which] = place2(at2[which], before2 && before2[all] || [], data[all]);
       setup();
-      draw6();
+      draw7();
       return clientside.no_update;
     }
   });
   var ACTS = {
-    add: () => asks([...data.queries.map((query) => query.name), whole()]),
+    add: () => asks([...data.queries.map((query2) => query2.name), whole()]),
     /** @param {HTMLElement} on */
-    remove: (on2) => asks(data.queries.map((query) => query.name).filter((name) => name !== on2.dataset.name)),
+    remove: (on2) => asks(data.queries.map((query2) => query2.name).filter((name) => name !== on2.dataset.name)),
     draw: () => setStore(STUDY_WISH, { draw: 1 + Math.floor(Math.random() * 1e6) }),
     /** @param {HTMLElement} on */
     build: (on2) => setStore(STUDY_WISH, { build: on2.dataset.method, at: Date.now() }),
@@ -9384,7 +9719,7 @@
     if (targetOf(event).id !== STUDY_NAME) return;
     takePerson({ ...person2, name: targetOf(event).value.trim() });
     setStore(STUDY_PERSON, person2);
-    draw6();
+    draw7();
   });
   document.addEventListener("keydown", (event) => {
     if (!visible() || mode() === "results" || !rows().length || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -9405,8 +9740,8 @@
   var SWEEP_TABLE = "sweep-table";
 
   // sweeps/sweeps.mjs
-  function open4(address2) {
-    const { pathname, searchParams } = new URL(address2, location.origin);
+  function open4(address3) {
+    const { pathname, searchParams } = new URL(address3, location.origin);
     setStore(SELECTION, {});
     openPage(pathname, { [VIEW_CHANGE]: changeOfSettings("motifs", Object.fromEntries(searchParams)) });
     need(PAGE).scrollTo(0, 0);
@@ -9437,8 +9772,8 @@
   register("sweeps", {
     /** @param {{ points?: { customdata?: any }[] } | null} click */
     open(click) {
-      const address2 = click && click.points && click.points[0] && click.points[0].customdata;
-      if (typeof address2 === "string" && address2) open4(address2);
+      const address3 = click && click.points && click.points[0] && click.points[0].customdata;
+      if (typeof address3 === "string" && address3) open4(address3);
       return clientside.no_update;
     }
   });
@@ -9577,8 +9912,8 @@
     const all = occurrences(data2, id);
     need(ACTION_TITLE).textContent = `Action ${id}`;
     need(ACTION_COUNT).textContent = `${plural(all.length, "time")} in ${plural(known4.clips ?? 0, "recording")}`;
-    const shown8 = all.slice(0, ROWS).map((one) => occurrence(one, id, String(one[3]) === String(selection?.segment)));
-    redraw(box4, shown8);
+    const shown9 = all.slice(0, ROWS).map((one) => occurrence(one, id, String(one[3]) === String(selection?.segment)));
+    redraw(box4, shown9);
     if (all.length > ROWS) box4.append(element("div", "muted selection-more", `and ${all.length - ROWS} more, all of them in the recordings above`));
     playsSelection(need(ACTION_ALL), { action: id });
   };
@@ -9685,7 +10020,7 @@
   var played2 = "";
   var lit2 = -1;
   var past = { key: "", list: [], at: -1 };
-  var keysOf3 = (shown8) => Object.fromEntries(KEYS5.filter((key) => shown8?.[key]).map((key) => [key, shown8?.[key]]));
+  var keysOf3 = (shown9) => Object.fromEntries(KEYS5.filter((key) => shown9?.[key]).map((key) => [key, shown9?.[key]]));
   var same3 = (a, b) => KEYS5.every((key) => (a?.[key] || "") === (b?.[key] || ""));
   var ready = () => Boolean(now3.name) && same3(now3.inputs, keysOf3(view3));
   var here2 = () => on && Boolean(find(COMPOSE_TREE)?.offsetParent);
@@ -9717,7 +10052,7 @@
       items: [{ clip: data2.clip, start: 0, end: data2.frames, label: "New routine", colours: data2.bands }]
     };
   }
-  async function play5(data2, from) {
+  async function play6(data2, from) {
     played2 = data2.name ?? "";
     await player.show(request3(data2));
     if (from !== void 0) player.seek({ clip: data2.clip, frame: data2.spans[from][0] });
@@ -9792,12 +10127,12 @@
   }
   function choose3({ path: path2, first, leaf }) {
     if (!ready()) return;
-    if (leaf) return pick(first);
+    if (leaf) return pick2(first);
     const depth2 = (text) => text === "" ? 0 : text.split(".").length;
     const inner = now3.parents[first];
     changeView({ pick: String(first), up: String(Math.max(0, depth2(inner) - depth2(path2)) || ""), alt: "" });
   }
-  function pick(at3) {
+  function pick2(at3) {
     const again = String(at3) === now3.inputs.pick && !now3.inputs.up;
     changeView({ pick: again ? "" : String(at3), up: "", alt: "" });
     if (!again && now3.name === played2 && onStage3()) player.seek({ clip: now3.clip, frame: now3.spans[at3][0] });
@@ -9811,7 +10146,7 @@
     },
     undo: () => past.at > 0 && goTo(past.list[past.at - 1]),
     redo: () => past.at < past.list.length - 1 && goTo(past.list[past.at + 1]),
-    play: () => ready() && play5(now3),
+    play: () => ready() && play6(now3),
     larger: () => changeView({ up: String(Number(now3.inputs.up || 0) + 1), alt: "" }),
     smaller: () => changeView({ up: String(Math.max(0, Number(now3.inputs.up || 0) - 1) || ""), alt: "" }),
     others: () => changeView({ alt: String(Number(view3.alt || 0) + 1) })
@@ -9820,7 +10155,7 @@
     const button5 = closest(event, "[data-compose]");
     if (button5 && !button5.disabled && here2()) actions3[button5.dataset.compose ?? ""]();
     const chip2 = closest(event, "[data-pick]");
-    if (chip2 && here2() && ready()) pick(Number(chip2.dataset.pick));
+    if (chip2 && here2() && ready()) pick2(Number(chip2.dataset.pick));
   });
   document.addEventListener("keydown", (event) => {
     if (!here2() || !(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
@@ -9837,9 +10172,9 @@
     lightTree(find(COMPOSE_TREE), at3);
     allWithin(document, `#${COMPOSE_STRING} .compose-step`).forEach((step3, number2) => step3.classList.toggle("lit", number2 === at3));
   });
-  var composition = () => ({ on, now: now3, view: view3, ready: ready(), play: () => play5(now3) });
-  var drawCompose = (data2, shown8, selection) => {
-    view3 = shown8 || {};
+  var composition = () => ({ on, now: now3, view: view3, ready: ready(), play: () => play6(now3) });
+  var drawCompose = (data2, shown9, selection) => {
+    view3 = shown9 || {};
     const entered = view3.show === "compose" && !on;
     on = view3.show === "compose" && Boolean(find(COMPOSE_TREE));
     if (!on || !state2.data.key) return;
@@ -9853,7 +10188,7 @@
     show4();
     if (!ready()) return;
     if (entered && selection && Object.keys(selection).length) setStore(SELECTION, {});
-    if (!view3.alt && (now3.name !== played2 || entered && !onStage3())) play5(now3);
+    if (!view3.alt && (now3.name !== played2 || entered && !onStage3())) play6(now3);
   };
 
   // grammar/others.mjs
@@ -9907,31 +10242,31 @@
       playing = "";
       return;
     }
-    const shown8 = data2 !== null && matches(data2, view4) ? data2 : null;
-    if (!isFresh(box4, [shown8, state2.data.names])) return;
+    const shown9 = data2 !== null && matches(data2, view4) ? data2 : null;
+    if (!isFresh(box4, [shown9, state2.data.names])) return;
     const head3 = element("div", "other-title");
-    head3.append(element("h3", "", shown8?.others ? `Other ways for ${shown8.part}` : "Other ways"));
+    head3.append(element("h3", "", shown9?.others ? `Other ways for ${shown9.part}` : "Other ways"));
     const close = element("button", "walk-button", "Keep it as it is");
     close.type = "button";
     close.addEventListener("click", () => changeView({ alt: "" }));
     const again = element("button", "walk-button", "Another four");
     again.type = "button";
-    again.disabled = !shown8;
+    again.disabled = !shown9;
     again.addEventListener("click", () => changeView({ alt: String(Number(view4.alt) + 1) }));
     const replay = element("button", "walk-button", "Play again");
     replay.type = "button";
-    replay.disabled = !shown8?.others?.length;
-    replay.addEventListener("click", () => shown8 && player.show(request4(shown8))?.then(() => player.play()));
+    replay.disabled = !shown9?.others?.length;
+    replay.addEventListener("click", () => shown9 && player.show(request4(shown9))?.then(() => player.play()));
     head3.append(element("span", "spacer"), replay, again, close);
     const body2 = element("div", "other-cards");
-    if (!shown8) body2.append(element("p", "muted", "Making four other ways …"));
-    else if (shown8.error || !shown8.others.length) body2.append(element("p", "muted", shown8.error || "There is no other way for this part; choose a larger one."));
-    else body2.append(...shown8.others.map(card2));
+    if (!shown9) body2.append(element("p", "muted", "Making four other ways …"));
+    else if (shown9.error || !shown9.others.length) body2.append(element("p", "muted", shown9.error || "There is no other way for this part; choose a larger one."));
+    else body2.append(...shown9.others.map(card2));
     box4.replaceChildren(head3, body2);
-    const stamp = shown8?.others?.length ? JSON.stringify(shown8.inputs) : "";
-    if (!shown8 || !stamp || stamp === playing) return;
+    const stamp = shown9?.others?.length ? JSON.stringify(shown9.inputs) : "";
+    if (!shown9 || !stamp || stamp === playing) return;
     playing = stamp;
-    player.show(request4(shown8));
+    player.show(request4(shown9));
   };
 
   // grammar/routines.mjs
@@ -9965,38 +10300,38 @@
     line3.append(button5);
     return line3;
   }
-  function play6(routine, first = 0, end = routine.leaves.length) {
+  function play7(routine, first = 0, end = routine.leaves.length) {
     const selection = selectionOf2(routine, first, end);
     ahead.play(selection);
     setStore(SELECTION, selection);
   }
-  var drawRoutines = (shown8, data2, view4) => {
+  var drawRoutines = (shown9, data2, view4) => {
     const list3 = find(ROUTINE_LIST);
     if (!list3 || !data2?.routines) return;
     if (isFresh(list3, [data2.key, data2.names])) {
       const brief = new Map(data2.rows.map((clip) => [clip.clip, clip.brief]));
       redraw(list3, data2.routines.map((routine2, number2) => row5(routine2, number2, brief.get(routine2.clip))));
     }
-    if (!shown8 || shown8.key !== data2.key) return;
-    const routine = data2.routines[shown8.number];
-    now4 = { routine, number: shown8.number };
+    if (!shown9 || shown9.key !== data2.key) return;
+    const routine = data2.routines[shown9.number];
+    now4 = { routine, number: shown9.number };
     for (const button5 of allWithin(list3, ".routine-row")) {
-      const here3 = Number(button5.dataset.routine) === shown8.number;
+      const here3 = Number(button5.dataset.routine) === shown9.number;
       button5.classList.toggle("chosen", here3);
       button5.setAttribute("aria-pressed", String(here3));
     }
-    need(ROUTINE_TITLE).textContent = `Routine ${shown8.number + 1}`;
+    need(ROUTINE_TITLE).textContent = `Routine ${shown9.number + 1}`;
     need(ROUTINE_COUNT).textContent = `${routine.clip}, ${plural(routine.actions.length, "action")}`;
-    showTree(need(ROUTINE_TREE), shown8.svg, ({ first, end }) => play6(routine, first, end));
-    setLink(ROUTINE_SVG, `/api/grammar-tree.svg?${downloadQuery(view4, { routine: shown8.number })}`);
+    showTree(need(ROUTINE_TREE), shown9.svg, ({ first, end }) => play7(routine, first, end));
+    setLink(ROUTINE_SVG, `/api/grammar-tree.svg?${downloadQuery(view4, { routine: shown9.number })}`);
   };
   document.addEventListener("click", (event) => {
-    if (closest(event, `#${ROUTINE_PLAY}`) && now4.routine) play6(now4.routine);
+    if (closest(event, `#${ROUTINE_PLAY}`) && now4.routine) play7(now4.routine);
     const button5 = closest(event, ".routine-row");
     if (!button5) return;
     const number2 = Number(button5.dataset.routine);
     changeView({ routine: number2 ? String(number2) : "" });
-    play6(state2.data.routines[number2]);
+    play7(state2.data.routines[number2]);
   });
   window.addEventListener("stage-frame", (event) => {
     const box4 = find(ROUTINE_TREE);
@@ -10044,11 +10379,11 @@
       head3.append(mark3);
     }
     const list3 = element("ol", "ways");
-    const shown8 = open5.has(phrase.id) ? phrase.ways : phrase.ways.slice(0, FIRST);
-    list3.append(...shown8.map((one) => way2(one, phrase.seen)));
+    const shown9 = open5.has(phrase.id) ? phrase.ways : phrase.ways.slice(0, FIRST);
+    list3.append(...shown9.map((one) => way2(one, phrase.seen)));
     box4.append(head3, list3);
-    if (phrase.ways.length > shown8.length) {
-      const more2 = element("button", "text-button", `Show ${phrase.ways.length - shown8.length} more`);
+    if (phrase.ways.length > shown9.length) {
+      const more2 = element("button", "text-button", `Show ${phrase.ways.length - shown9.length} more`);
       more2.type = "button";
       more2.addEventListener("click", () => {
         open5.add(phrase.id);
@@ -10236,9 +10571,9 @@
       return clientside.no_update;
     },
     /** @param {ShownRoutine | null} shown @param {GrammarData | null} data @param {View | null} view */
-    routine(shown8, data2, view4) {
+    routine(shown9, data2, view4) {
       if (data2) state2.data = data2;
-      drawRoutines(shown8, data2, view4 || {});
+      drawRoutines(shown9, data2, view4 || {});
       return clientside.no_update;
     },
     /**
@@ -10655,10 +10990,10 @@
     const hint = element("p", "muted", "Drag a joint in any view, or choose one and use the arrow keys; bones keep their lengths.");
     const views = element("div", "map-editor-views");
     for (const view4 of Object.keys(AXES)) {
-      const figure2 = element("figure", "map-view");
-      figure2.dataset.view = view4;
-      figure2.append(svgElement("svg", { viewBox: BOX.join(" "), class: "map-picture map-editor-picture" }), element("figcaption", "muted", view4));
-      views.append(figure2);
+      const figure3 = element("figure", "map-view");
+      figure3.dataset.view = view4;
+      figure3.append(svgElement("svg", { viewBox: BOX.join(" "), class: "map-picture map-editor-picture" }), element("figcaption", "muted", view4));
+      views.append(figure3);
     }
     const status2 = element("div", "map-editor-status number muted");
     status2.setAttribute("role", "status");
@@ -10732,7 +11067,7 @@
       if (action === "cancel") box4.close();
       if (action === "reset") {
         edited2.posture = edited2.start;
-        draw7();
+        draw8();
       }
       if (action === "use") {
         const { node, key, change: change2 } = edited2, { keys } = state;
@@ -10743,12 +11078,12 @@
   }
   function move5(joint, goal) {
     edited2.posture = dragJoint(edited2.map, edited2.posture, joint, goal);
-    draw7();
+    draw8();
   }
-  function draw7() {
+  function draw8() {
     const { map, posture } = edited2, box4 = dialog();
-    for (const figure2 of allWithin(box4, "[data-view]")) {
-      const svg = within(figure2, "svg"), view4 = figure2.dataset.view ?? "", see = VIEWS2[view4];
+    for (const figure3 of allWithin(box4, "[data-view]")) {
+      const svg = within(figure3, "svg"), view4 = figure3.dataset.view ?? "", see = VIEWS2[view4];
       const handles = map.parents.map((_, j) => {
         const [x, y] = see(jointOf2(posture, j));
         const handle2 = svgElement("circle", { cx: x.toFixed(3), cy: y.toFixed(3), r: 0.045, class: "map-joint", tabindex: "0", role: "button", "data-joint": j });
@@ -10772,7 +11107,7 @@
     const posture = map.posture(node);
     edited2 = { map, posture, start: posture, key, change: change2, joint: -1, node, distance: 0 };
     dialog();
-    draw7();
+    draw8();
     dialog().showModal();
   }
   var editedPosture = () => edited2;
@@ -10799,9 +11134,9 @@
     }
     const posture = map.posture(node);
     const views = ["front", "side", "top"].map((view4) => {
-      const figure2 = element("figure", "map-view");
-      figure2.append(figurePicture(map, posture, view4), element("figcaption", "muted", view4));
-      return figure2;
+      const figure3 = element("figure", "map-view");
+      figure3.append(figurePicture(map, posture, view4), element("figcaption", "muted", view4));
+      return figure3;
     });
     const row7 = element("div", "map-views");
     row7.append(...views);
@@ -10896,9 +11231,9 @@
       const when = `${clock(segment.start / fps)} to ${clock(segment.end / fps)}`;
       made.title = `Play ${segment.clip}, ${when}; postures ${hit.distance.toFixed(2)} m from the keys`;
       const picture2 = element("img", "motion-strip");
-      const query = new URLSearchParams({ start: String(segment.start), end: String(segment.end), n: "5", v: version });
-      const address2 = `/api/filmstrip/${encodeURIComponent(dataset2)}/${segment.clip.split("/").map(encodeURIComponent).join("/")}?${query}`;
-      Object.assign(picture2, { loading: "lazy", alt: "", draggable: false, src: address2 });
+      const query2 = new URLSearchParams({ start: String(segment.start), end: String(segment.end), n: "5", v: version });
+      const address3 = `/api/filmstrip/${encodeURIComponent(dataset2)}/${segment.clip.split("/").map(encodeURIComponent).join("/")}?${query2}`;
+      Object.assign(picture2, { loading: "lazy", alt: "", draggable: false, src: address3 });
       made.append(
         element("span", "map-rank number muted", String(k + 1)),
         element("span", "ellipsis motion-clip", segment.clip),
@@ -11119,18 +11454,18 @@
   var TONES = ["#d1495b", "#00798c", "#edae49", "#6a4c93", "#3a7d44", "#c8553d", "#1982c4", "#8a6d3b"];
   var MOST3 = 24;
   var known2 = /* @__PURE__ */ new Map();
-  var nameOf3 = (map, item) => [map.key, item.dataset, item.clip, item.start, item.end].join("\n");
+  var nameOf4 = (map, item) => [map.key, item.dataset, item.clip, item.start, item.end].join("\n");
   async function pathsOf(map, items) {
-    const missing = items.filter((item) => !known2.has(nameOf3(map, item)));
+    const missing = items.filter((item) => !known2.has(nameOf4(map, item)));
     for (const dataset2 of new Set(missing.map((item) => item.dataset))) {
       const mine2 = missing.filter((item) => item.dataset === dataset2);
-      const query = new URLSearchParams({ dataset: dataset2 });
-      for (const { clip, start: start3, end } of mine2) for (const [key, value] of Object.entries({ clip, start: start3, end })) query.append(key, String(value));
-      const answer2 = fetch(`/api/map/${map.key}/paths?${query}`).then((response) => response.ok ? response.json() : [], () => []);
-      mine2.forEach((item, k) => known2.set(nameOf3(map, item), answer2.then((paths) => paths[k] || null)));
+      const query2 = new URLSearchParams({ dataset: dataset2 });
+      for (const { clip, start: start3, end } of mine2) for (const [key, value] of Object.entries({ clip, start: start3, end })) query2.append(key, String(value));
+      const answer2 = fetch(`/api/map/${map.key}/paths?${query2}`).then((response) => response.ok ? response.json() : [], () => []);
+      mine2.forEach((item, k) => known2.set(nameOf4(map, item), answer2.then((paths) => paths[k] || null)));
     }
     while (known2.size > 600) known2.delete(known2.keys().next().value);
-    return Promise.all(items.map((item) => known2.get(nameOf3(map, item)) ?? null));
+    return Promise.all(items.map((item) => known2.get(nameOf4(map, item)) ?? null));
   }
   function along(path2, frame) {
     const at3 = Math.min(Math.max((frame - path2.start) / path2.step, 0), path2.points.length - 1);
@@ -11155,13 +11490,13 @@
      * @param {Followed[]} items
      */
     async take(map, items) {
-      const shown8 = this.on ? items.slice(0, MOST3).map(({ dataset: dataset2, clip, start: start3, end, index }) => ({ dataset: dataset2, clip, start: start3, end, index })) : [];
-      const name = JSON.stringify([map.key, shown8]);
+      const shown9 = this.on ? items.slice(0, MOST3).map(({ dataset: dataset2, clip, start: start3, end, index }) => ({ dataset: dataset2, clip, start: start3, end, index })) : [];
+      const name = JSON.stringify([map.key, shown9]);
       if (name === this.name) return;
       this.name = name;
-      const paths = shown8.length ? await pathsOf(map, shown8) : [];
+      const paths = shown9.length ? await pathsOf(map, shown9) : [];
       if (name !== this.name) return;
-      this.items = shown8;
+      this.items = shown9;
       this.paths = paths;
       this.overlay.drawPaths(paths.flatMap((path2, k) => path2 ? [{ points: path2.points, colour: TONES[k % TONES.length] }] : []));
       this.step(items);
@@ -11219,8 +11554,8 @@
     if (lists2) list2();
     else live = setTimeout(list2, 120);
   }
-  async function ask4(address2) {
-    const answer2 = await fetch(address2).catch(() => null);
+  async function ask4(address3) {
+    const answer2 = await fetch(address3).catch(() => null);
     const body2 = await answer2?.json().catch(() => null);
     return answer2?.ok && body2 ? body2 : { error: body2?.error || "The server does not answer; try again in a moment." };
   }
@@ -11310,8 +11645,8 @@
     const region = readNumber(view4.region, -1);
     state.overlay.squares("region", region < 0 ? [] : [...map.regions.keys()].filter((node) => map.regions[node] === region));
     const path2 = view4.drawn || "";
-    const shown8 = JSON.stringify([keys, reach, pace, path2]);
-    if (shown8 === JSON.stringify([state.keys, state.reach, state.pace, state.path]) && state.shownOn === map.key) return;
+    const shown9 = JSON.stringify([keys, reach, pace, path2]);
+    if (shown9 === JSON.stringify([state.keys, state.reach, state.pace, state.path]) && state.shownOn === map.key) return;
     const stays = path2 && path2 === state.path && state.shownOn === map.key;
     Object.assign(state, { keys, reach, pace, shownOn: map.key });
     showReach();
@@ -11333,8 +11668,8 @@
   async function keyFromStage() {
     const item = player.frameOf(0);
     if (!item) return notify("Nothing is on the Stage", "Play a clip or a motif first; its current frame then becomes a key.");
-    const query = new URLSearchParams({ dataset: item.dataset || state.known.dataset, clip: item.clip, frame: String(item.frame) });
-    const answer2 = await ask4(`/api/map/${state.map.key}/node?${query}`);
+    const query2 = new URLSearchParams({ dataset: item.dataset || state.known.dataset, clip: item.clip, frame: String(item.frame) });
+    const answer2 = await ask4(`/api/map/${state.map.key}/node?${query2}`);
     if (answer2.error) return notify("That posture cannot be a key", answer2.error);
     const node = state.map.index(answer2.node[0], answer2.node[1]);
     state.overlay.move(node);
@@ -11500,14 +11835,14 @@
   ].join(":")).join(",");
   var copyPieces = () => (now5.found && now5.found.pieces || []).map((piece) => ({ ...piece, leaves: [...piece.leaves] }));
   var searchFor = (pieces, more2 = {}) => {
-    const query = writeQuery(pieces);
-    if (query !== (now5.view.query || "")) remember4();
-    changeSearch({ query, ...more2 });
+    const query2 = writeQuery(pieces);
+    if (query2 !== (now5.view.query || "")) remember4();
+    changeSearch({ query: query2, ...more2 });
   };
   var before = [];
   var remember4 = () => {
-    const { query, parts: weights } = now5.view;
-    if (query && (!before.length || before.at(-1)?.query !== query)) before.push({ query, parts: weights || "" });
+    const { query: query2, parts: weights } = now5.view;
+    if (query2 && (!before.length || before.at(-1)?.query !== query2)) before.push({ query: query2, parts: weights || "" });
     if (before.length > 30) before.shift();
   };
   var goBack = () => {
@@ -11611,7 +11946,7 @@
     group.append(title);
     return group;
   }
-  function figure() {
+  function figure2() {
     const svg = svgElement("svg");
     svg.setAttribute("viewBox", "10 4 100 178");
     svg.setAttribute("class", "search-figure");
@@ -11665,7 +12000,7 @@
       modes.append(one);
     }
     const hint = element("p", "muted search-body-hint");
-    const left = element("div", "search-body-left", figure(), modes);
+    const left = element("div", "search-body-left", figure2(), modes);
     const right = element("div", "search-body-right", presets, element("div", "search-weights", ...now5.body.leaves.map(slider)), hint);
     box4.replaceChildren(left, right);
   }
@@ -11846,16 +12181,16 @@
   var reasons = /* @__PURE__ */ new Map();
   var known3 = /* @__PURE__ */ new Map();
   var reasonOf = (name) => {
-    const address2 = `/api/search/explain?${searchAddress(name)}`;
-    if (!reasons.has(address2)) {
-      const answer2 = fetch(address2).then(async (response) => {
+    const address3 = `/api/search/explain?${searchAddress(name)}`;
+    if (!reasons.has(address3)) {
+      const answer2 = fetch(address3).then(async (response) => {
         const body2 = await response.json().catch(() => ({}));
         if (!response.ok) throw new Error(body2.error || "The server does not answer.");
-        known3.set(address2, body2);
+        known3.set(address3, body2);
         return body2;
       });
-      answer2.catch(() => reasons.delete(address2));
-      reasons.set(address2, answer2);
+      answer2.catch(() => reasons.delete(address3));
+      reasons.set(address3, answer2);
       if (reasons.size > 400) for (const old of [...reasons.keys()].slice(0, 100)) {
         reasons.delete(old);
         known3.delete(old);
@@ -11863,7 +12198,7 @@
     }
     return (
       /** @type {Promise<Reason>} */
-      reasons.get(address2)
+      reasons.get(address3)
     );
   };
   var reasonNow = (name) => known3.get(`/api/search/explain?${searchAddress(name)}`);
@@ -12490,9 +12825,9 @@
     select3.dataset.mark = mark3;
     const first = element("option", "", "From a motif …");
     first.value = "";
-    select3.replaceChildren(first, ...now5.motifs.map(({ name, motions: motions2, query }) => {
+    select3.replaceChildren(first, ...now5.motifs.map(({ name, motions: motions2, query: query2 }) => {
       const option2 = element("option", "", `${name} (${motions2} motions)`);
-      option2.value = query;
+      option2.value = query2;
       return option2;
     }));
     select3.classList.toggle("hidden", !now5.motifs.length);
@@ -12686,9 +13021,9 @@
     const button5 = closest(event, "[data-similar]");
     if (!button5 || button5.disabled) return;
     const { clip, start: start3, end, dataset: dataset2 } = JSON.parse(button5.dataset.similar ?? "{}");
-    const query = [escapeName(clip), `${start3}-${end}`, ...dataset2 ? [escapeName(dataset2)] : []].join(":");
+    const query2 = [escapeName(clip), `${start3}-${end}`, ...dataset2 ? [escapeName(dataset2)] : []].join(":");
     remember4();
-    changeSearch({ query, look: "" });
+    changeSearch({ query: query2, look: "" });
     if (!location.pathname.endsWith("/search")) clientside.set_props(URL2, { pathname: "/search", search: "" });
     else within(document, ".page").scrollTo({ top: 0, behavior: "smooth" });
   });

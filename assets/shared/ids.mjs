@@ -118,6 +118,12 @@
  * @property {string} [up] of the page grammar
  * @property {string} [alt] of the page grammar
  * @property {string} [counts] of the page grammar
+ * @property {string} [by] of the page groups
+ * @property {string} [first] of the page groups
+ * @property {string} [second] of the page groups
+ * @property {string} [who] of the page groups
+ * @property {string} [counted] of the page groups
+ * @property {string} [paired] of the page groups
  * @property {string} [board] of the page boards
  * @property {string} [screen] of the page boards
  */

@@ -73,6 +73,14 @@ def _of_pair(found: GroupComparison, a: str, b: str) -> list[Sentence]:
                 f"{_capital(a)} and {b} do not differ beyond chance in any of {tested} figures that were compared."
             )
         )
+        least = found.least_p
+        if least <= found.parameters.alpha < least * tested:
+            said.append(
+                Sentence(
+                    f"With so few {found.design.unit}s a single difference among so many figures cannot be told from "
+                    f"chance: the smallest p-value is {least:.2g} before the correction."
+                )
+            )
         return said
     left = len({(row.kind, row.id) for row in hits}) - len(shown)
     rest = f"{left} more things differ; " if left else ""

@@ -7,7 +7,8 @@ from importlib import import_module
 
 from webapp.shell.feature import register
 
-NAMES = ("library", "motifs", "sweeps", "motion_map", "search", "grammar", "clip", "boards")  # as in the navigation
+# as in the navigation
+NAMES = ("library", "motifs", "sweeps", "motion_map", "search", "grammar", "groups", "clip", "boards")
 
 for _name in NAMES:
     register(import_module(f"{__name__}.{_name}").FEATURE)

@@ -39,6 +39,7 @@ KINDS = (
         "motifs",
         "sweep",
         "compare",
+        "compare-groups",
         "stability",
         "walk",
         "grammar",

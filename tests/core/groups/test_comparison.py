@@ -1,0 +1,66 @@
+"""Planted differences are found and said, and where there is none none is said."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from core.comparing import compared, design_json, design_of
+from core.demo.planted import person, planted_groups
+from core.errors import ParameterError
+from core.groups.design import Design, Unit, make_design
+from core.groups.parameters import GroupParameters
+from core.groups.tables import Item, transitions, use_table
+from core.mocap.clip import Segment
+
+
+def words(difference: str, per_group: int = 6) -> str:
+    dataset, properties = planted_groups(difference, per_group)
+    design = make_design(properties, dataset.names, "group")
+    return " ".join(one["text"] for one in compared(dataset, design, None, GroupParameters())["words"])
+
+
+def test_planted_differences_are_said_in_words():
+    assert "B walks" in words("slower") and "slower" in words("slower")
+    assert "arm" in words("wider") and "wider" in words("wider")
+    assert words("nothing").startswith("A and B do not differ beyond chance in any of")
+
+
+def test_one_person_moves_alike_whatever_is_planted():
+    plain, labels = person(3, "nothing")
+    wide, same = person(3, "wider")
+    assert labels == same and np.array_equal(plain.root_positions, wide.root_positions)
+    assert [label.action for label in person(3, "slower")[1]] == [label.action for label in labels]
+
+
+CLIPS = {"a": (300, 30.0), "b": (600, 60.0), "c": (300, 30.0), "d": (300, 30.0)}
+DESIGN = Design(
+    "g", ("x", "y"), (Unit("1", "x", ("a", "b")), Unit("2", "x", ("c",)), Unit("3", "y", ("d",))), "subject"
+)
+
+
+def test_use_is_counted_in_seconds_of_each_units_clips():
+    items = [
+        Item("motif", "0", "zero", (Segment("a", 0, 30), Segment("a", 20, 60), Segment("b", 0, 60))),
+        Item("motif", "1", "one", (Segment("d", 0, 300),)),
+    ]
+    table = use_table(DESIGN, items, CLIPS)
+    assert table[0, 0] == pytest.approx([100 * 3 / 20, 60 * 3 / 20, 1.0])
+    assert table[1, 0, :2].tolist() == [0, 0] and np.isnan(table[1, 0, 2])
+    assert table[2, 1] == pytest.approx([100, 6, 10])
+
+
+def test_transitions_are_shares_of_what_follows():
+    items = [
+        Item("motif", "0", "zero", (Segment("a", 0, 10), Segment("a", 40, 50), Segment("c", 5, 9))),
+        Item("motif", "1", "one", (Segment("a", 20, 30), Segment("b", 0, 9), Segment("c", 20, 30))),
+    ]
+    pairs, shares, counts = transitions(DESIGN, items)
+    assert pairs == [(0, 1), (1, 0)] and counts.tolist() == [[1, 1], [1, 0], [0, 0]]
+    assert shares[0].tolist() == [1, 1] and shares[1, 0] == 1 and np.isnan(shares[1, 1]) and np.isnan(shares[2]).all()
+
+
+def test_a_design_survives_as_text():
+    assert design_of(design_json(DESIGN)) == DESIGN
+    with pytest.raises(ParameterError, match="cannot be read"):
+        design_of("[1, 2]")
