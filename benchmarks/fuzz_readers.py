@@ -31,6 +31,7 @@ from core.inspection import inspect_file
 from core.mocap.asfamc import read_amc, read_asf
 from core.mocap.bvh import read_bvh_clips
 from core.mocap.corrections import read_corrections
+from core.mocap.gltf_writer import write_glb
 from core.mocap.labels import read_labels
 from core.mocap.readers import is_recording, read_clips
 from core.mocap.reading import Reading, settled
@@ -191,6 +192,7 @@ class Readers:
             "_body.json": (read_corrections, [BODY.encode()]),
             ".trc": (read_any, [TRC.encode()]),
             ".csv": (read_any, [POINTS_CSV.encode(), TIDY_CSV.encode()]),
+            ".glb": (read_any, [_glb(self.folder)]),
             ".c3d": (read_any, [_c3d(), _c3d(">")]),
             ".txt": (read_any, [NUMBERED.encode()]),
             ".json": (read_any, [POINTS_JSON.encode(), ARRAY_JSON.encode()]),
@@ -230,6 +232,12 @@ def _c3d(order: str = "<") -> bytes:
     block = bytes([1, 80, 1, 84 if order == "<" else 86]) + parameters
     data = b"".join(struct.pack(f"{order}4h", k, 100 * j, 900, 0) for k in range(6) for j in range(count))
     return head.ljust(512, b"\0") + block.ljust(512, b"\0") + data
+
+
+def _glb(folder: Path) -> bytes:
+    (folder / "seed.bvh").write_text(BVH)
+    write_glb(folder / "seed.glb", read_bvh_clips(folder / "seed.bvh")[0])
+    return (folder / "seed.glb").read_bytes()
 
 
 def _npy() -> bytes:

@@ -7134,7 +7134,9 @@
   };
 
   // library/batch.mjs
-  var MOTION = ["FBX", "GLB", "GLTF", "VRM", "VMD", "C3D", "TRC", "NPZ", "NPY", "PKL", "BIP", "HTR", "MVNX", "BLEND", "DAE", "USD"];
+  var MOTION = ["FBX", "VMD", "PKL", "BIP", "HTR", "BLEND", "DAE", "USD"];
+  var MAYBE = /\.(csv|tsv|txt|json|npy|npz)(\.gz)?$/i;
+  var BESIDE2 = /\.(asf|bin|zip)(\.gz)?$/i;
   var sizeInWords = (bytes2) => bytes2 >= 2 ** 30 ? (bytes2 / 2 ** 30).toFixed(1) + " GB" : bytes2 >= 1e5 ? (bytes2 / 2 ** 20).toFixed(1) + " MB" : Math.max(1, Math.round(bytes2 / 1024)) + " kB";
   function freshBatch() {
     return { token: null, items: [], sent: 0, bytes: 0, active: 0, queue: [], stopped: false, name: "", hidden: 0, ignored: {} };
@@ -7154,13 +7156,16 @@
   function kinds(mine2) {
     const count = (pattern) => mine2.items.filter((item) => item.state !== "error" && pattern.test(item.path)).length;
     const archives = count(/\.zip$/i);
-    return { recordings: count(/\.(bvh|amc)(\.gz)?$/i) + archives, labels: count(/\.csv$/i), amc: count(/\.amc(\.gz)?$/i), archives };
+    const here3 = mine2.items.filter((item) => item.state !== "error");
+    const recordings = here3.filter((item) => MAYBE.test(item.path) ? item.recording : !BESIDE2.test(item.path)).length + archives;
+    const labels2 = here3.filter((item) => /\.csv$/i.test(item.path) && !item.recording).length;
+    return { recordings, labels: labels2, amc: count(/\.amc(\.gz)?$/i), archives };
   }
   function nameOf2(files) {
     if (!files.length) return "";
     const parts = files[0].path.split("/");
     if (parts.length > 1) return parts[0];
-    return files.length > 1 ? "Recordings" : parts[0].replace(/\.(bvh|amc|asf|csv|zip)(\.gz)?$/i, "");
+    return files.length > 1 ? "Recordings" : parts[0].replace(/(\.[a-z0-9]{1,5})(\.gz)?$/i, "");
   }
   var kindOf2 = (path2) => /\.([a-z0-9]{1,8})$/.exec(path2)?.[1]?.toUpperCase() ?? "other";
   function leftOut(mine2) {
@@ -7277,6 +7282,10 @@
         item.state = "ok";
         item.sent = item.file.size;
         mine2.sent += 1;
+        try {
+          item.recording = JSON.parse(request5.responseText).recording;
+        } catch {
+        }
       } else {
         let message2 = request5.status ? "the server refused it" : "the connection broke";
         try {

@@ -2,7 +2,11 @@
 /** @import { Batch, FoundFile, Limits, Upload } from "./types.d.ts" */
 
 /** Kinds of files that may hold motion and are not read. */
-const MOTION = ["FBX", "GLB", "GLTF", "VRM", "VMD", "C3D", "TRC", "NPZ", "NPY", "PKL", "BIP", "HTR", "MVNX", "BLEND", "DAE", "USD"];
+const MOTION = ["FBX", "VMD", "PKL", "BIP", "HTR", "BLEND", "DAE", "USD"];
+/** Endings of files that may hold anything: the server looks into them and says whether they are recordings. */
+const MAYBE = /\.(csv|tsv|txt|json|npy|npz)(\.gz)?$/i;
+/** Endings of files that are read beside recordings. */
+const BESIDE = /\.(asf|bin|zip)(\.gz)?$/i;
 
 /** A size as people read it. @param {number} bytes */
 export const sizeInWords = (bytes) => bytes >= 2 ** 30 ? (bytes / 2 ** 30).toFixed(1) + " GB"
@@ -40,7 +44,10 @@ export function kinds(mine) {
   /** @param {RegExp} pattern */
   const count = (pattern) => mine.items.filter((item) => item.state !== "error" && pattern.test(item.path)).length;
   const archives = count(/\.zip$/i);
-  return { recordings: count(/\.(bvh|amc)(\.gz)?$/i) + archives, labels: count(/\.csv$/i), amc: count(/\.amc(\.gz)?$/i), archives };
+  const here = mine.items.filter((item) => item.state !== "error");
+  const recordings = here.filter((item) => MAYBE.test(item.path) ? item.recording : !BESIDE.test(item.path)).length + archives;
+  const labels = here.filter((item) => /\.csv$/i.test(item.path) && !item.recording).length;
+  return { recordings, labels, amc: count(/\.amc(\.gz)?$/i), archives };
 }
 
 /** The name of a data set that files which can be read suggest; none where there is no such file. @param {FoundFile[]} files */
@@ -48,7 +55,7 @@ function nameOf(files) {
   if (!files.length) return "";
   const parts = files[0].path.split("/");
   if (parts.length > 1) return parts[0];
-  return files.length > 1 ? "Recordings" : parts[0].replace(/\.(bvh|amc|asf|csv|zip)(\.gz)?$/i, "");
+  return files.length > 1 ? "Recordings" : parts[0].replace(/(\.[a-z0-9]{1,5})(\.gz)?$/i, "");
 }
 
 /** What kind of file a path is, as people call it: FBX, VMD; "other" without an ending. @param {string} path */

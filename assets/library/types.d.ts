@@ -6,6 +6,8 @@ export interface Upload {
   sent: number;
   state: "waiting" | "sending" | "ok" | "error";
   message: string;
+  /** Whether the server found a recording in it, once it has come. */
+  recording?: boolean;
   row: HTMLElement | null;
   request?: XMLHttpRequest;
 }

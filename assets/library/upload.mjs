@@ -82,7 +82,10 @@ function next(mine) {
   request.upload.onprogress = (event) => { item.sent = event.loaded; draw(mine, item); summary(mine); };
   request.onloadend = () => {
     mine.active -= 1;
-    if (request.status === 200) { item.state = "ok"; item.sent = item.file.size; mine.sent += 1; }
+    if (request.status === 200) {
+      item.state = "ok"; item.sent = item.file.size; mine.sent += 1;
+      try { item.recording = JSON.parse(request.responseText).recording; } catch { /* no JSON: its name alone counts */ }
+    }
     else {
       let message = request.status ? "the server refused it" : "the connection broke";
       try { message = JSON.parse(request.responseText).error || message; } catch { /* no JSON: keep our words */ }

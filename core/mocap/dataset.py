@@ -226,7 +226,8 @@ def _reported(
         return
     for clip in read:
         # A file of several skeletons has several clips: what is added to the file's name stays.
-        name = recording.clip + clip.name.removeprefix(read[0].name)
+        stem = recording_format(recording.path)[0]
+        name = recording.clip + clip.name.removeprefix(stem if clip.name.startswith(stem) else read[0].name)
         skeleton = shared.setdefault((clip.skeleton, clip.skeleton.unit), clip.skeleton)
         clip = replace(clip, name=name, skeleton=skeleton)
         doubts = (*clip.warnings, *filter(None, [recording.message]))

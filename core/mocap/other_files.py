@@ -18,10 +18,6 @@ _ARRAYS = "no joints or poses are recognised in it; save joints as an array (fra
 # How a file's name ends -> what the format is called, and how to come to BVH.
 _MOTION = {
     ".fbx": ("FBX", _BLENDER),
-    ".glb": ("GLB", _BLENDER),
-    ".gltf": ("glTF", _BLENDER),
-    ".vrm": ("VRM", "open it in Blender with the VRM add-on and export BVH"),
-    ".vrma": ("VRMA", "open it in Blender with the VRM add-on and export BVH"),
     ".dae": ("Collada", _BLENDER),
     ".usd": ("USD", _BLENDER),
     ".usda": ("USD", _BLENDER),
@@ -65,7 +61,7 @@ _MOTION = {
     ".avi": ("video", "motion is not read from video; a pose tracker makes BVH of it"),
     ".webm": ("video", "motion is not read from video; a pose tracker makes BVH of it"),
 }
-_READ_BESIDE = (".asf", ".csv")  # skeletons and labels, read with the recordings
+_READ_BESIDE = (".asf", ".bin", ".csv")  # skeletons, buffers of glTF and labels, read with the recordings
 _NAMED = 3
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from core.mocap.bvh import read_bvh_clips
 from core.mocap.c3d import read_c3d
 from core.mocap.clip import Clip
+from core.mocap.gltf import read_gltf
 from core.mocap.points import reading as points
 from core.mocap.points.array_files import read_arrays
 from core.mocap.points.json_files import frame_files, is_frame_file
@@ -36,11 +37,22 @@ def _c3d(path: Path, _ending: str, how: Reading) -> tuple[Clip, ...]:
     return read_c3d(path, how.fps)
 
 
-READERS: dict[str, Reader] = {".bvh": _bvh, ".c3d": _c3d, **dict.fromkeys(points.FORMATS, _points), ".npz": _npz}
+def _gltf(path: Path, _ending: str, how: Reading) -> tuple[Clip, ...]:
+    return read_gltf(path, how.fps)
+
+
+READERS: dict[str, Reader] = {
+    ".bvh": _bvh,
+    ".c3d": _c3d,
+    **dict.fromkeys((".glb", ".gltf", ".vrm", ".vrma"), _gltf),
+    **dict.fromkeys(points.FORMATS, _points),
+    ".npz": _npz,
+}
 """How a file's name ends -> its reader. AMC files, which need a skeleton beside them, have their own way."""
 FORMATS = (*READERS, ".amc")
+BESIDE = (".asf", ".bin")  # skeletons of AMC, buffers of glTF
 _MAYBE = points.MAYBE  # endings that many other files have
-NAMED = "BVH, ASF/AMC, C3D, TRC, CSV, NPY, NPZ or JSON"
+NAMED = "BVH, ASF/AMC, C3D, glTF (GLB, VRM, VRMA), TRC, CSV, NPY, NPZ or JSON"
 """The formats in words, for messages."""
 
 

@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 from core.mocap.files import files_below
 from core.mocap.other_files import in_words, left_out_files
-from core.mocap.readers import FORMATS
+from core.mocap.readers import BESIDE, FORMATS
 from core.mocap.reports import FileReport
 from core.mocap.text import recording_format
 from core.progress import Report
@@ -27,7 +27,7 @@ from core.workspace.errors import NameRefused, WorkspaceError
 from core.workspace.names import inside
 from core.workspace.uploads import MAX_BYTES, MAX_FILES, safe_parts
 
-WANTED = (*FORMATS, ".asf")  # each with .gz as well
+WANTED = (*FORMATS, *BESIDE)  # each with .gz as well
 MAX_ENTRIES = 100_000  # listed in an archive, wanted or not
 _FREE, _TIMES = (
     1 << 28,

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 
 from flask import Blueprint, Response, jsonify, request
 
-from core.mocap.readers import FORMATS, NAMED
+from core.mocap.readers import BESIDE, FORMATS, NAMED, is_recording
 from core.workspace import Workspace, WorkspaceError
 from core.workspace.uploads import MAX_BYTES, MAX_FILES
 
-SUFFIXES = (*(f"{ending}{packed}" for ending in (*FORMATS, ".asf") for packed in ("", ".gz")), ".zip")
+SUFFIXES = (*(f"{ending}{packed}" for ending in (*FORMATS, *BESIDE) for packed in ("", ".gz")), ".zip")
 HEADER = "X-Motionscape"  # pages of another origin cannot send this header without permission
 _CHUNK = 1 << 18
 _DRAIN = 1 << 24
@@ -78,7 +78,7 @@ def upload_blueprint(workspace: Workspace, limits: Limits) -> Blueprint:
             path = workspace.uploads.add(token, name, _chunks(size))
         except WorkspaceError as error:
             return _refuse(str(error), 400)
-        return jsonify(name=path.name, bytes=size)
+        return jsonify(name=path.name, bytes=size, recording=is_recording(path))
 
     @routes.delete("/<token>")
     def _remove(token: str) -> Response | tuple[Response, int]:

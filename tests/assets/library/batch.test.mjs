@@ -48,6 +48,12 @@ test("the dialog asks for what has come, without what was left out", () => {
   assert.deepEqual(kinds(batch), { recordings: 2, labels: 1, amc: 1, archives: 0 });
 });
 
+test("files that may hold anything are what the server found in them", () => {
+  const [batch] = taken([file("a.csv"), file("b.csv")]);
+  batch.items[0].recording = true;
+  assert.deepEqual(kinds(batch), { recordings: 1, labels: 1, amc: 0, archives: 0 });
+});
+
 test("sizes read as people say them", () => {
   assert.deepEqual([1, 5000, 3 * 2 ** 20, 2.5 * 2 ** 30].map(sizeInWords), ["1 kB", "5 kB", "3.0 MB", "2.5 GB"]);
 });

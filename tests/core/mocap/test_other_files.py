@@ -88,9 +88,9 @@ def test_zip_files_name_what_is_not_read(folder, tmp_path):
     (report,) = unpack_archives(upload, silent)
     assert report.verdict == "warning" and report.messages[0].startswith("3 FBX (a.fbx, b.FBX, c.fbx), 1 VMD")
     with zipfile.ZipFile(upload / "none.zip", "w") as archive:
-        archive.writestr("scene.glb", b"x")
+        archive.writestr("scene.fbx", b"x")
     (report,) = unpack_archives(upload, silent)
-    assert report.verdict == "error" and "GLB: open it in Blender" in report.messages[0]
+    assert report.verdict == "error" and "FBX: open it in Blender" in report.messages[0]
 
 
 def test_an_upload_without_recordings_says_what_it_holds(tmp_path):

@@ -39,7 +39,8 @@ def put(client: FlaskClient, token: str, name: str, body: bytes = b"HIERARCHY"):
 
 def test_files_arrive_with_their_folders(client, token, workspace):
     assert put(client, token, "walks/a.bvh", b"one").status_code == 200
-    assert put(client, token, "b.amc.gz", b"two").json == {"name": "b.amc.gz", "bytes": 3}
+    assert put(client, token, "b.amc.gz", b"two").json == {"name": "b.amc.gz", "bytes": 3, "recording": True}
+    assert put(client, token, "labels.csv", b"clip,action\n").json["recording"] is False
     folder = workspace.uploads.path(token)
     assert (folder / "walks" / "a.bvh").read_bytes() == b"one"
 

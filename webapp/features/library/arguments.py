@@ -79,7 +79,11 @@ def export(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``export``."""
     parser.add_argument("source", metavar="SOURCE", help=SOURCE_HELP)
     parser.add_argument(
-        "--out", type=Path, required=True, metavar="FILE", help="features.npz, features.parquet, clip.bvh, or a folder"
+        "--out",
+        type=Path,
+        required=True,
+        metavar="FILE",
+        help="features.npz, features.parquet, clip.bvh, clip.glb, or a folder",
     )
     parser.add_argument("--frames", type=_interval, metavar="START-END", help="only these frames of the clip (BVH)")
     of_method(parser, "features")

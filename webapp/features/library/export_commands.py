@@ -11,6 +11,7 @@ from core.export.files import SUFFIXES
 from core.mocap.bvh import write_bvh
 from core.mocap.clip import Clip
 from core.mocap.dataset import Dataset
+from core.mocap.gltf_writer import write_glb
 from core.mocap.rigs import comparable
 from core.workspace import WorkspaceError, clean_name
 from webapp.cli.progress_bar import progress_bar
@@ -18,14 +19,17 @@ from webapp.cli.sources import open_source, say_left_out
 
 
 def export(arguments: Namespace) -> int:
-    """Writes what ``--out`` names: .npz or .parquet (features), .bvh (one clip or a part of it), a folder (all clips).
+    """Writes what ``--out`` names: .npz or .parquet (features), .bvh (one clip or a part of it), .glb (clips of
+    one skeleton), a folder (all clips).
 
     Raises WorkspaceError, ValueError or OSError in plain words.
     """
     suffix = arguments.out.suffix.lower()
-    if suffix not in (*SUFFIXES, ".bvh", "") or (arguments.out.is_dir() and suffix):
-        raise WorkspaceError(f"{arguments.out}: --out names a file .npz, .parquet or .bvh, or a folder for BVH files.")
-    if arguments.frames is not None and suffix != ".bvh":
+    if suffix not in (*SUFFIXES, ".bvh", ".glb", "") or (arguments.out.is_dir() and suffix):
+        raise WorkspaceError(
+            f"{arguments.out}: --out names a file .npz, .parquet, .bvh or .glb, or a folder for BVH files."
+        )
+    if arguments.frames is not None and suffix not in (".bvh", ".glb"):
         raise WorkspaceError("--frames: only for one clip, with --out clip.bvh.")
     with progress_bar(arguments.quiet) as report:
         dataset = open_source(arguments, report)
@@ -43,6 +47,10 @@ def export(arguments: Namespace) -> int:
         elif suffix == ".bvh":
             write_bvh(arguments.out, clip := _one_clip(dataset, arguments))
             written = f"{clip.name}: {clip.n_frames} frames"
+        elif suffix == ".glb":
+            clips = _of_one_skeleton(dataset) if arguments.frames is None else [_one_clip(dataset, arguments)]
+            write_glb(arguments.out, clips)
+            written = f"{len(clips)} clip{'s' * (len(clips) > 1)} as GLB"
         else:
             written = f"{_write_all(arguments.out, dataset, report)} clips as BVH"
     if not arguments.quiet:
@@ -57,6 +65,13 @@ def _one_clip(dataset: Dataset, arguments: Namespace) -> Clip:
     clip = dataset.clips[0]
     start, end = arguments.frames or (0, clip.n_frames)
     return clip.cut(start, end, clip.name)
+
+
+def _of_one_skeleton(dataset: Dataset) -> list[Clip]:
+    """All clips, which become the animations of one figure."""
+    if any(clip.skeleton != dataset.clips[0].skeleton for clip in dataset.clips):
+        raise WorkspaceError("--out of a .glb takes clips of one skeleton; choose them with --clips.")
+    return list(dataset.clips)
 
 
 def _write_all(folder: Path, dataset: Dataset, report) -> int:
