@@ -760,7 +760,7 @@
     });
     let loading = null;
     const load = () => (loading ||= loadScript(source)).then(() => arrived);
-    const suite = { getApiAsync: (...parts) => arrived.then(() => library2?.getApiAsync(...parts)) };
+    const suite = { getApiAsync: (...parts2) => arrived.then(() => library2?.getApiAsync(...parts2)) };
     Object.defineProperty(window, namespace, {
       get: () => suite,
       set: (value) => {
@@ -850,7 +850,7 @@
   // shared/grid.mjs
   var gridFunctions = window.dashAgGridFunctions ||= {};
   var cellRenderers = window.dashAgGridComponentFunctions ||= {};
-  var reactElement = (...parts) => window.React.createElement(...parts);
+  var reactElement = (...parts2) => window.React.createElement(...parts2);
   async function gridApi(id) {
     const api = await window.dash_ag_grid.getApiAsync(id).catch(() => null);
     return api && !api.isDestroyed() ? api : null;
@@ -2110,9 +2110,9 @@
     return { header, positions: new Float32Array(buffer, at3, header.frames * header.joints.length * 3), bytes: buffer.byteLength };
   }
   function decodeParts(buffer) {
-    const [{ parts }, begin2] = readHeader(buffer);
+    const [{ parts: parts2 }, begin2] = readHeader(buffer);
     let at3 = begin2;
-    return parts.map(
+    return parts2.map(
       /** @param {{ error?: string, bytes: number }} part */
       ({ error, bytes: bytes2 }) => {
         if (error) return new Error(error);
@@ -4104,8 +4104,8 @@
     node.setAttribute("aria-label", name);
     return node;
   }
-  function openWindow(title, ...parts) {
-    const dialog2 = element("dialog", "boards-dialog", element("h2", "", title), ...parts);
+  function openWindow(title, ...parts2) {
+    const dialog2 = element("dialog", "boards-dialog", element("h2", "", title), ...parts2);
     dialog2.setAttribute("aria-label", title);
     dialog2.addEventListener("close", () => dialog2.remove());
     dialog2.addEventListener("click", (event) => {
@@ -4310,11 +4310,11 @@
       this.actions.narrow(this);
     }
     /** @param {...Node} parts */
-    clear(...parts) {
+    clear(...parts2) {
       this.drawn.close?.();
       this.drawn = {};
       this.last = "";
-      this.body.replaceChildren(...parts);
+      this.body.replaceChildren(...parts2);
     }
     close() {
       clearTimeout(this.waiting);
@@ -5055,22 +5055,22 @@
       this.barMark = mark3;
       const title = element("h2", "ellipsis", board.title);
       const more2 = iconButton("dots", "More", () => openMenu(more2, this.boardMenu()));
-      const parts = [iconButton("left", "All boards", () => changeView({ board: "", screen: "" })), title, ...this.look === "present" ? [] : [this.datasetPicker(board), ...this.groupPicker(board), this.labelField(board)]];
-      if (!this.still) parts.push(button2("Add block", () => addBlock(
+      const parts2 = [iconButton("left", "All boards", () => changeView({ board: "", screen: "" })), title, ...this.look === "present" ? [] : [this.datasetPicker(board), ...this.groupPicker(board), this.labelField(board)]];
+      if (!this.still) parts2.push(button2("Add block", () => addBlock(
         /** @type {Board} */
         this.board,
         this.grid?.bottom() ?? 0,
         (made) => this.take(made)
       ), "primary"));
-      if (this.look !== "present") parts.push(button2(wordsOf(board.comments), () => this.comments.open(
+      if (this.look !== "present") parts2.push(button2(wordsOf(board.comments), () => this.comments.open(
         /** @type {Board} */
         this.board,
         "",
         "The whole board"
       )), button2("Share board", () => this.share()));
-      parts.push(button2(this.look === "present" ? "Leave" : "Present", () => this.present()));
-      if (!this.still) parts.push(more2);
-      this.bar.replaceChildren(...parts);
+      parts2.push(button2(this.look === "present" ? "Leave" : "Present", () => this.present()));
+      if (!this.still) parts2.push(more2);
+      this.bar.replaceChildren(...parts2);
     }
     /** @param {Board} board */
     datasetPicker(board) {
@@ -5214,12 +5214,12 @@
         field.value = location.origin + address3;
         return element("label", "boards-field", element("span", "", name), field, element("small", "muted", words4));
       };
-      const parts = [row7("To look at", "Whoever has it sees this board and nothing else.", links.read)];
+      const parts2 = [row7("To look at", "Whoever has it sees this board and nothing else.", links.read)];
       if (links.edit) {
-        parts.push(row7("To change", "Whoever has it can change this board as well.", links.edit));
-        parts.push(button2("Renew the links", () => this.change({ action: "renew-links" }).then(() => say("The links that were given away open this board no more."))));
+        parts2.push(row7("To change", "Whoever has it can change this board as well.", links.edit));
+        parts2.push(button2("Renew the links", () => this.change({ action: "renew-links" }).then(() => say("The links that were given away open this board no more."))));
       }
-      const dialog2 = openWindow("Share this board", element("div", "boards-form", ...parts));
+      const dialog2 = openWindow("Share this board", element("div", "boards-form", ...parts2));
       dialog2.querySelector("input")?.select();
     }
     async present() {
@@ -5614,9 +5614,9 @@
     }
     return box;
   }
-  function showTip(at3, ...parts) {
+  function showTip(at3, ...parts2) {
     const tip = tipBox();
-    tip.replaceChildren(...parts.map((part2) => typeof part2 === "string" ? element("div", "", part2) : part2));
+    tip.replaceChildren(...parts2.map((part2) => typeof part2 === "string" ? element("div", "", part2) : part2));
     tip.hidden = false;
     const { offsetWidth: width, offsetHeight: height } = tip;
     tip.style.left = `${Math.max(4, Math.min(at3.clientX + 14, innerWidth - width - 8))}px`;
@@ -5625,16 +5625,16 @@
   function hideTip() {
     if (box) box.hidden = true;
   }
-  function tipOn(node, parts) {
+  function tipOn(node, parts2) {
     node.addEventListener("pointermove", (event) => showTip(
       /** @type {PointerEvent} */
       event,
-      ...parts()
+      ...parts2()
     ));
     node.addEventListener("pointerleave", hideTip);
     node.addEventListener("focus", () => {
       const { left, bottom } = node.getBoundingClientRect();
-      if (node.matches(":focus-visible")) showTip({ clientX: left, clientY: bottom - 12 }, ...parts());
+      if (node.matches(":focus-visible")) showTip({ clientX: left, clientY: bottom - 12 }, ...parts2());
     });
     node.addEventListener("blur", hideTip);
     return node;
@@ -6883,11 +6883,11 @@
   }
   function exportAll() {
     if (!edited.rigs) return;
-    const { format, parts, rigs, dataset: dataset2 } = edited.rigs;
+    const { format, parts: parts2, rigs, dataset: dataset2 } = edited.rigs;
     const said2 = rigs.map((rig, k) => ({
       rig: rig.names,
       body: edited.draft[k].body,
-      joints: Object.fromEntries(parts.map((part2) => [part2, jointOf(rig, edited.draft[k], part2)]))
+      joints: Object.fromEntries(parts2.map((part2) => [part2, jointOf(rig, edited.draft[k], part2)]))
     }));
     save(JSON.stringify({ format, rigs: said2 }, null, 1) + "\n", `${dataset2} bodies.json`, "application/json");
   }
@@ -7163,9 +7163,9 @@
   }
   function nameOf2(files) {
     if (!files.length) return "";
-    const parts = files[0].path.split("/");
-    if (parts.length > 1) return parts[0];
-    return files.length > 1 ? "Recordings" : parts[0].replace(/(\.[a-z0-9]{1,5})(\.gz)?$/i, "");
+    const parts2 = files[0].path.split("/");
+    if (parts2.length > 1) return parts2[0];
+    return files.length > 1 ? "Recordings" : parts2[0].replace(/(\.[a-z0-9]{1,5})(\.gz)?$/i, "");
   }
   var kindOf2 = (path2) => /\.([a-z0-9]{1,8})$/.exec(path2)?.[1]?.toUpperCase() ?? "other";
   function leftOut(mine2) {
@@ -7936,6 +7936,11 @@
   // motifs/ids.mjs
   var MOTIF_GRAPH = "motif-graph";
   var EDGE_FILTER_LABEL = "edge-filter-label";
+  var GRAPH_PART = "graph-part";
+  var GRAPH_SOUGHT = (
+    /** @type {StoreId<Record<string, number>>} */
+    "graph-sought"
+  );
   var MOTIF_TABLE = "motif-table";
   var MOTION_LIST = "motion-list";
   var TIMELINE_LEGEND = "timeline-legend";
@@ -8484,6 +8489,8 @@
   }
   var selectionOf = (element2) => element2.isNode() ? { motif: element2.data("motif") } : { edge: element2.data("edge") };
   var watched2 = /* @__PURE__ */ new WeakSet();
+  var parts = /* @__PURE__ */ new WeakMap();
+  var sought;
   function watch3(cy) {
     if (watched2.has(cy)) return;
     watched2.add(cy);
@@ -8605,6 +8612,14 @@
       const cy = await graphReady();
       if (!cy) return clientside.no_update;
       watch3(cy);
+      const part2 = cy.nodes().map((node) => node.id()).join(" ");
+      if (parts.get(cy) !== part2 && parts.has(cy)) cy.fit(void 0, 26);
+      parts.set(cy, part2);
+      const choice2 = selection?.motif ?? selection?.edge;
+      if (choice2 !== void 0 && choice2 !== sought && chosenIn(cy, selection).empty() && find(GRAPH_PART)) {
+        setStore(GRAPH_SOUGHT, { at: Date.now() });
+      }
+      sought = choice2;
       rasterise(cy);
       const label = find(EDGE_FILTER_LABEL);
       if (label) label.textContent = `Transitions seen at least ${threshold || 1}×`;

@@ -38,6 +38,10 @@ function chosenIn(cy, selection) {
 const selectionOf = (element) => (element.isNode() ? { motif: element.data("motif") } : { edge: element.data("edge") });
 
 const watched = new WeakSet();
+/** Which motifs a graph showed last. @type {WeakMap<Cytoscape, string>} */
+const parts = new WeakMap();
+/** The motif or the succession that was chosen last. @type {number | string | undefined} */
+let sought;
 /** @param {Cytoscape} cy */
 function watch(cy) {
   if (watched.has(cy)) return;
@@ -167,6 +171,14 @@ register("graph", {
     const cy = await graphReady();
     if (!cy) return clientside.no_update;
     watch(cy);
+    const part = cy.nodes().map((node) => node.id()).join(" ");
+    if (parts.get(cy) !== part && parts.has(cy)) cy.fit(undefined, 26); // other motifs of a large graph are drawn now
+    parts.set(cy, part);
+    const choice = selection?.motif ?? selection?.edge;
+    if (choice !== undefined && choice !== sought && chosenIn(cy, selection).empty() && find(ids.GRAPH_PART)) {
+      setStore(ids.GRAPH_SOUGHT, { at: Date.now() }); // it is in a part that is not drawn
+    }
+    sought = choice;
     rasterise(cy);
     const label = find(ids.EDGE_FILTER_LABEL);
     if (label) label.textContent = `Transitions seen at least ${threshold || 1}×`;

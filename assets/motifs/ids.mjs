@@ -46,6 +46,13 @@
  */
 
 /**
+ * What is drawn of a large graph: a part of it, and around which motif.
+ * @typedef {object} GraphPart
+ * @property {string} part
+ * @property {number | null} centre
+ */
+
+/**
  * A clip, in seconds.
  * @typedef {object} TimelineRow
  * @property {string} clip
@@ -209,6 +216,10 @@ export const MOTIF_RESULT = "motif-result";
 export const MOTIFS_DRAWN = /** @type {StoreId<string>} */ ("motifs-drawn");
 export const MOTIF_GRAPH = "motif-graph";
 export const EDGE_FILTER_LABEL = "edge-filter-label";
+export const GRAPH_PART = "graph-part";
+export const GRAPH_PART_WORDS = "graph-part-words";
+export const GRAPH_SOUGHT = /** @type {StoreId<Record<string, number>>} */ ("graph-sought");
+export const GRAPH_PART_SHOWN = /** @type {StoreId<GraphPart>} */ ("graph-part-shown");
 export const EDGE_THRESHOLD = "edge-threshold";
 export const GRAPH_TOOL = /** @type {StoreId<GraphTool>} */ ("graph-tool");
 export const GRAPH_TAPPED = /** @type {StoreId<any>} */ ("graph-tapped");

@@ -136,8 +136,11 @@ def pose_space(
     clips = sorted(dataset.clips, key=lambda clip: clip.name)
     if not clips:
         raise AnalysisError("the dataset has no clips, so there are no poses")
-    sampled = [resample(clip, analysis_fps) for clip in clips]
-    images = _images(sampled) if mirrored else None
+    sampled = []
+    for k, clip in enumerate(clips):
+        report("reading recordings", k / len(clips))
+        sampled.append(resample(clip, analysis_fps))
+    images = _images(sampled, report) if mirrored else None
     bodies = _numbered(sampled, images or [])
     poses = pose_features(bodies, analysis_fps=analysis_fps, pose=pose, variance=1.0, scales=_UNITS, report=report)
     values = _weighted(poses, velocity)
@@ -157,14 +160,18 @@ def pose_space(
     )
 
 
-def _images(clips: list[Clip]) -> list[Clip] | None:
+def _images(clips: list[Clip], report: Report) -> list[Clip] | None:
     """The clips seen in a mirror; None where a body cannot be mirrored."""
     frames = {}
     for clip in clips:
         if clip.skeleton not in frames:
             frames[clip.skeleton] = body_frames([c for c in clips if c.skeleton == clip.skeleton])
     try:
-        return [mirror(clip, frames=frames[clip.skeleton]) for clip in clips]
+        images = []
+        for k, clip in enumerate(clips):
+            report("mirroring recordings", k / len(clips))
+            images.append(mirror(clip, frames=frames[clip.skeleton]))
+        return images
     except AnalysisError:
         return None
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from urllib.parse import urlencode
 
-from dash import Dash, Input, Output, State, dcc, no_update
+from dash import Dash, Input, Output, State, ctx, dcc, no_update
 from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
 from core.workspace import Workspace, WorkspaceError
-from webapp.features.motifs import layout, names, stability_marks, views
+from webapp.features.motifs import graph_parts, layout, names, stability_marks, views
 from webapp.features.motifs.figures import graph as graph_figure
 from webapp.features.motifs.graph_drawing import graph_elements
 from webapp.shell import results, settings
@@ -113,6 +113,37 @@ def _browse(app: Dash, workspace: Workspace) -> None:
             return layout.selection_panel(graph, chosen, notes), layout.motion_list(dataset, graph, chosen)
         except WorkspaceError:
             return [], {}
+
+    @app.callback(
+        Output(names.MOTIF_GRAPH, "elements"),
+        Output(names.GRAPH_PART, "value"),
+        Output(names.GRAPH_PART_SHOWN, "data"),
+        Output(names.GRAPH_PART_WORDS, "children"),
+        Output(names.EDGE_THRESHOLD, "value"),
+        Input(names.GRAPH_PART, "value"),
+        Input(names.GRAPH_SOUGHT, "data"),
+        State(names.GRAPH_PART_SHOWN, "data"),
+        State(SELECTION, "data"),
+        State(MOTIF_METHOD.result_key, "data"),
+        State(DATASET, "data"),
+        State(VIEW, "data"),
+        prevent_initial_call=True,
+    )
+    def draw_part(part, _sought, shown, selection, key, name, view):
+        graph = results.motif_graph(workspace, name, view) if key and name else None
+        if graph is None or not shown:
+            return (no_update,) * 5
+        centre = graph_parts.chosen_motif(graph, selection)
+        if ctx.triggered_id == names.GRAPH_SOUGHT and centre is not None:
+            part = graph_parts.AROUND  # what was chosen is to be seen
+        if [part, centre if part == graph_parts.AROUND else None] == [shown["part"], shown["centre"]]:
+            return (no_update,) * 5
+        ids = graph_parts.ids_of_part(graph, part, centre)
+        words = f"{len(ids):,} of {len(graph.motifs):,}"
+        elements = graph_elements(workspace.open(name), key, graph, part, centre)
+        counts = [element["data"]["count"] for element in elements if "count" in element["data"]]
+        now = {"part": part, "centre": centre if part == graph_parts.AROUND else None}
+        return elements, part, now, words, graph_figure.first_threshold(counts)
 
     app.clientside_callback(ClientsideFunction("motions", "list"), Input(names.MOTIONS, "data"))
 

@@ -14,7 +14,7 @@ from dash.development.base_component import Component
 from core.mocap.dataset import Dataset
 from core.motifs.graph import Motif, MotifGraph
 from core.workspace import MotifNote
-from webapp.features.motifs import names, stability_marks, views
+from webapp.features.motifs import graph_parts, names, stability_marks, views
 from webapp.features.motifs.figures import graph as graph_figure
 from webapp.features.motifs.playing import moment, transition_segment
 from webapp.shell.attributes import attributes
@@ -112,8 +112,29 @@ def metric_tiles(graph: MotifGraph, dataset: Dataset) -> list[tuple[str, str, st
     ]  # fmt: skip
 
 
+def _part_chooser(graph: MotifGraph) -> list[Component]:
+    """Which motifs of a large graph are drawn; all of a small one."""
+    if not graph_parts.is_large(graph):
+        return []
+    chooser = dmc.Select(
+        id=names.GRAPH_PART,
+        data=graph_parts.choices(graph),
+        value=graph_parts.LARGEST,
+        allowDeselect=False,
+        size="xs",
+        w=176,
+        comboboxProps={"shadow": "md"},
+        **attributes(aria_label="Motifs that are drawn"),
+    )
+    words = f"{len(graph_parts.ids_of_part(graph, graph_parts.LARGEST, None)):,} of {len(graph.motifs):,}"
+    shown = html.Span(words, id=names.GRAPH_PART_WORDS, className="muted number graph-part-words")
+    start = {"part": graph_parts.LARGEST, "centre": None}
+    stores = [dcc.Store(id=names.GRAPH_PART_SHOWN, data=start), dcc.Store(id=names.GRAPH_SOUGHT)]
+    return [chooser, shown, *stores]
+
+
 def _graph_card(graph: MotifGraph, elements: list[dict], scheme: str) -> Component:
-    counts = [edge.count for edge in graph.edges]
+    counts = [element["data"]["count"] for element in elements if "count" in element["data"]]
     threshold = graph_figure.first_threshold(counts)
     return html.Div(
         className="card graph-card",
@@ -121,6 +142,7 @@ def _graph_card(graph: MotifGraph, elements: list[dict], scheme: str) -> Compone
             html.Div(
                 className="graph-bar",
                 children=[
+                    *_part_chooser(graph),
                     html.Div(
                         className="edge-filter"
                         + ("" if max(counts, default=1) > 1 and len(counts) > MANY_TO_FILTER else " hidden"),

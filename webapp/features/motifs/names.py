@@ -52,6 +52,13 @@ class GraphTool(TypedDict):
     at: NotRequired[float]
 
 
+class GraphPart(TypedDict):
+    """What is drawn of a large graph: a part of it, and around which motif."""
+
+    part: str
+    centre: int | None
+
+
 class TimelineRow(TypedDict):
     """A clip, in seconds."""
 
@@ -227,6 +234,10 @@ MOTIF_RESULT = Id("motif-result")
 MOTIFS_DRAWN = Store("motifs-drawn", Name)  # key of the result that is drawn
 MOTIF_GRAPH = Id("motif-graph")
 EDGE_FILTER_LABEL = Id("edge-filter-label")
+GRAPH_PART = Id("graph-part")
+GRAPH_PART_WORDS = Id("graph-part-words")
+GRAPH_SOUGHT = Store("graph-sought", dict[str, float])  # something was chosen that is not drawn; {"at": when}
+GRAPH_PART_SHOWN = Store("graph-part-shown", GraphPart)
 EDGE_THRESHOLD = Id("edge-threshold")
 GRAPH_TOOL = Store("graph-tool", GraphTool)
 GRAPH_TAPPED = Store("graph-tapped", Any)

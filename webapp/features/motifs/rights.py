@@ -6,6 +6,7 @@ RIGHTS = Rights(
     package="webapp.features.motifs",
     reads=(
         "blend_side.gather",
+        "callbacks.draw_part",
         "callbacks.restyle",
         "callbacks.show_result",
         "callbacks.show_selection",
