@@ -23,8 +23,6 @@ if TYPE_CHECKING:
     from webapp.shell.loading import LoadingDash
 
 TOKEN = "MOTIONSCAPE_TOKEN"
-THREADS = 12
-MAX_BODY = 8 * 1024**3  # bytes; the upload route has its own, lower limits
 
 
 def serve(arguments: Namespace) -> int:
@@ -78,9 +76,10 @@ def prepare_demo(workspace: Workspace) -> None:
 
 
 def _serve(workspace: Workspace, arguments: Namespace, token: str | None, listener: socket.socket) -> int:
-    from waitress import create_server
-
+    from webapp.connections import make_server
     from webapp.jobs import ensure_worker
+    from webapp.shell.access import admits
+    from webapp.shell.uploads import Limits
     from webapp.shell.visitors import accounts_exist
 
     if arguments.demo:
@@ -101,15 +100,8 @@ def _serve(workspace: Workspace, arguments: Namespace, token: str | None, listen
         print(f"{who}; traffic is not encrypted.", flush=True)
     if not arguments.no_browser and _has_display():
         threading.Timer(0.3, webbrowser.open, [url]).start()
-    server = create_server(
-        app.server,
-        sockets=[listener],
-        threads=THREADS,
-        max_request_body_size=MAX_BODY,
-        ident="motionscape",
-        clear_untrusted_proxy_headers=False,  # webapp/shell/origin.py knows which proxies to believe
-    )
-    server.run()
+    known = partial(admits, app.server, workspace, token)
+    make_server(app.server, listener, known, Limits.from_environment().file_bytes).run()
     raise KeyboardInterrupt  # the server returns only then
 
 

@@ -7,7 +7,6 @@ Angles are those of :mod:`core.poses.angles`. Speeds are of joints in the world,
 
 from __future__ import annotations
 
-import csv
 import io
 from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
@@ -24,6 +23,7 @@ from core.mocap.clip import Clip
 from core.mocap.kinematics import joint_positions
 from core.poses.angles import JOINTS, channel_angles, joint_angles, known_joints
 from core.poses.body_frames import BodyFrames
+from core.spreadsheets import SheetWriter
 
 SPEED_SPAN = 1 / 30
 """Seconds over which a speed is measured."""
@@ -189,7 +189,7 @@ def csv_blocks(clip: Clip, curves: Sequence[Curve], start: int = 0, end: int | N
     if not 0 <= start < end <= clip.n_frames:
         raise ParameterError(f"{clip.name} has frames 0 to {clip.n_frames}; cannot write {start} to {end}")
     header = io.StringIO()
-    csv.writer(header, lineterminator="\n").writerow(["frame", "time [s]", *(curve.title for curve in curves)])
+    SheetWriter(header).writerow(["frame", "time [s]", *(curve.title for curve in curves)])
     yield header.getvalue()
     form = ",".join(["%d", "%.6f", *("%d" if curve.step else "%.6g" for curve in curves)]) + "\n"
     for low in range(start, end, _BLOCK):

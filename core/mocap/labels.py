@@ -16,6 +16,7 @@ from core.mocap.clip import Label
 from core.mocap.errors import RecordingError
 from core.mocap.files import replacing
 from core.mocap.text import decoded, quoted, read_bytes
+from core.spreadsheets import SheetWriter, unguarded
 
 WHOLE_CLIP = 2**53  # end of a label that lasts as long as its clip; fit_labels puts the clip's own end
 _ACTIONS = ("action", "label", "content", "category")
@@ -57,7 +58,7 @@ def label_rows(path: str | Path) -> Iterator[tuple[int, Label | RecordingError]]
             if not any(cell.strip() for cell in row):
                 continue
             try:
-                yield line, _label(path, line, columns, [cell.strip() for cell in row])
+                yield line, _label(path, line, columns, [unguarded(cell.strip()) for cell in row])
             except RecordingError as error:
                 yield line, error
     except csv.Error as error:
@@ -140,6 +141,6 @@ def fit_label(label: Label, n_frames: int) -> tuple[Label | None, str]:
 def write_labels(path: str | Path, labels: Iterable[Label]) -> None:
     """Write labels as one CSV file, whole or not at all. Raises OSError where it cannot be written."""
     with replacing(path) as fresh, fresh.open("w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
+        writer = SheetWriter(file)
         writer.writerow(_HEADER)
         writer.writerows(labels)

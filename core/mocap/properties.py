@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import math
 import unicodedata
@@ -13,6 +12,7 @@ from datetime import date
 from typing import Any, Literal
 
 from core.errors import FormatError, ParameterError
+from core.spreadsheets import SheetWriter
 
 Kind = Literal["text", "number", "date"]
 KINDS: tuple[Kind, ...] = ("text", "number", "date")
@@ -99,7 +99,7 @@ class Properties:
     def to_csv(self, clips: Sequence[str]) -> str:
         """A CSV file with a row for each of ``clips``, ``clip`` first."""
         text = io.StringIO()
-        writer = csv.writer(text, lineterminator="\n")
+        writer = SheetWriter(text)
         writer.writerow(["clip", *self.columns])
         for clip in clips:
             writer.writerow([clip, *(self.values.get(clip, {}).get(name, "") for name in self.columns)])

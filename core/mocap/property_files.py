@@ -10,6 +10,7 @@ from pathlib import Path
 from core.errors import FormatError, ParameterError
 from core.mocap.properties import LONGEST_COLUMN, Properties, counted, few, fits, line_of
 from core.mocap.text import decoded, read_bytes, recording_format
+from core.spreadsheets import unguarded
 
 
 def read_properties(path: str | Path, clips: Iterable[str]) -> tuple[Properties, tuple[str, ...]]:
@@ -141,7 +142,7 @@ def _rows(text: str) -> Iterable[tuple[int, list[str]]]:
     reader = csv.reader(io.StringIO(text), delimiter=delimiter)
     try:
         for row in reader:
-            yield reader.line_num, row
+            yield reader.line_num, [unguarded(cell) for cell in row]
     except csv.Error as error:
         raise FormatError(f"The table cannot be read as CSV: {error} in line {reader.line_num}.") from error
 

@@ -27,6 +27,7 @@ from core.mocap.skeleton import Skeleton
 
 FORMAT = "motionscape/dataset/1"
 _FLOAT = np.dtype("<f4")
+_CHECKED = 1 << 26  # bytes of motion that are read through when a dataset is opened
 
 
 def save_dataset(folder: str | Path, dataset: Dataset) -> None:
@@ -133,6 +134,7 @@ def load_dataset(folder: str | Path) -> Dataset:
             raise RecordingError(folder, f"a dataset of format {head['format']!r}", FORMAT)
         # a file without numbers cannot be mapped
         numbers = np.load(folder / "motion.npy", mmap_mode="c" if head["clips"] else None, allow_pickle=False)
+        _check_finite(numbers, folder)
         skeletons = [Skeleton.from_json(entry) for entry in head["skeletons"]]
         clips = tuple(_clip(entry, skeletons, np.asarray(numbers)) for entry in head["clips"])
         files = (
@@ -150,8 +152,25 @@ def load_dataset(folder: str | Path) -> Dataset:
         raise
     except FileNotFoundError:
         raise RecordingError(folder, "no dataset here", "a folder with dataset.json and motion.npy") from None
-    except (OSError, EOFError, ValueError, KeyError, TypeError, IndexError) as error:
+    except (OSError, EOFError, ValueError, KeyError, TypeError, IndexError, AttributeError, RecursionError) as error:
         raise RecordingError(folder, f"a damaged dataset ({error})", "one that was imported; import it again") from None
+
+
+def size_of_motion(folder: str | Path) -> int:
+    """Bytes of a stored dataset's numbers on the disk, -1 where the file is gone.
+
+    To read numbers that a mapped file has lost ends the process, so whoever keeps a dataset open compares before.
+    """
+    try:
+        return (Path(folder) / "motion.npy").stat().st_size
+    except OSError:
+        return -1
+
+
+def _check_finite(numbers: np.ndarray, folder: Path) -> None:
+    """Raises RecordingError where a small dataset holds what is no number; larger ones are read when they are used."""
+    if numbers.nbytes <= _CHECKED and not np.isfinite(numbers).all():
+        raise RecordingError(folder, "numbers in motion.npy are not finite", "a whole dataset; import it again")
 
 
 def findings_from(entry: Mapping[str, Any]) -> tuple[Finding, ...]:

@@ -9,7 +9,8 @@ from pathlib import Path
 
 from core.mocap.errors import RecordingError
 
-MAX_BYTES = 2**31  # unpacked; keeps a small .gz from filling the memory
+MAX_BYTES = 2**31  # unpacked
+_ALWAYS, _TIMES = 1 << 26, 100  # a .gz may grow to 64 MB, or a hundredfold: motion as text grows about fivefold
 LARGEST = 1e9  # no coordinate, length or angle of a person comes near it in any unit
 MAX_NAME = 256
 
@@ -83,8 +84,11 @@ def _unpacked(path: Path) -> bytes:
         if not path.name.lower().endswith(".gz"):
             data = path.read_bytes() if path.stat().st_size <= MAX_BYTES else None
         else:
+            most = min(MAX_BYTES, max(_ALWAYS, _TIMES * path.stat().st_size))
             with gzip.open(path) as file:
-                data = file.read(MAX_BYTES + 1)
+                data = file.read(most + 1)
+            if most < len(data) <= MAX_BYTES:
+                raise RecordingError(path, f"grows more than {_TIMES} times when unpacked", "the recording, unpacked")
     except (EOFError, zlib.error, gzip.BadGzipFile) as error:
         raise RecordingError(path, f"cannot be unpacked ({error})", "a complete gzip file") from None
     except (OSError, ValueError) as error:

@@ -35,6 +35,7 @@ _FREE, _TIMES = (
 )  # an archive may grow to 256 MB, or to 50 times its size; motion as text grows about fivefold
 _CHUNK = 1 << 20
 _SHOWN = 3
+_DAMAGED = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, EOFError)
 
 
 class Entry(NamedTuple):
@@ -47,8 +48,9 @@ class Entry(NamedTuple):
 def unpack_archives(folder: Path, report: Report) -> tuple[FileReport, ...]:
     """Unpacks every ``.zip`` of an upload into a folder beside it and removes it; a report of each.
 
-    Recordings, skeletons and CSV files are taken, everything else is left. A damaged archive, or one that grows too
-    large, is an "error" in its report and leaves nothing. Raises OSError (disk full), Cancelled from ``report``.
+    Recordings, skeletons and CSV files are taken, everything else is left. Damaged files within an archive are named in
+    its report. A damaged archive, or one that grows too large, is an "error" in its report and leaves nothing.
+    Raises OSError (disk full), Cancelled from ``report``.
     """
     reports, room = [], MAX_BYTES
     for archive in [path for path in files_below(folder) if path.suffix.lower() == ".zip"]:
@@ -67,20 +69,30 @@ def unpack_archives(folder: Path, report: Report) -> tuple[FileReport, ...]:
 def _unpack(archive: Path, target: Path, room: int, report: Report) -> tuple[int, FileReport]:
     """Bytes written, and what became of the files. Raises WorkspaceError: why the archive cannot be taken."""
     room, written = min(room, max(_FREE, _TIMES * archive.stat().st_size)), 0
+    damaged: list[str] = []
     with _plain_faults(), zipfile.ZipFile(archive) as packed:
         entries, left = _choose(packed.infolist())
         for k, entry in enumerate(entries):
             report("Unpacking", k / len(entries))
             path = inside(target, *entry.parts)
             path.parent.mkdir(parents=True, exist_ok=True)
-            with packed.open(entry.info) as source, path.open("xb") as file:
-                while chunk := source.read(_CHUNK):
-                    written += len(chunk)
-                    if written > room:
-                        raise WorkspaceError(f"it grows beyond {room >> 20:,} MB; unpack it and add the recordings")
-                    file.write(chunk)
-                    report("Unpacking", k / len(entries))
-    count = f"{len(entries)} files unpacked" if len(entries) > 1 else "one file unpacked"
+            try:
+                with packed.open(entry.info) as source, path.open("xb") as file:
+                    while chunk := source.read(_CHUNK):
+                        written += len(chunk)
+                        if written > room:
+                            words = f"it grows beyond {room >> 20:,} MB; unpack it and add the recordings"
+                            raise WorkspaceError(words)
+                        file.write(chunk)
+                        report("Unpacking", k / len(entries))
+            except _DAMAGED:  # one file; the others may be whole
+                path.unlink(missing_ok=True)
+                damaged.append(entry.info.filename)
+    whole = len(entries) - len(damaged)
+    if not whole:
+        raise WorkspaceError("the archive is damaged; pack the recordings again")
+    left += [f"damaged in the archive and not taken: {_some(damaged)}"] if damaged else []
+    count = f"{whole} files unpacked" if whole > 1 else "one file unpacked"
     doubtful = any(not message.endswith(" left out") for message in left)
     return written, FileReport(archive.name, None, "warning" if doubtful else "ok", (*left, count))
 
@@ -90,7 +102,7 @@ def _choose(infos: list[zipfile.ZipInfo]) -> tuple[list[Entry], list[str]]:
     if len(infos) > MAX_ENTRIES:
         raise WorkspaceError(f"it lists {len(infos):,} files; pack only the recordings")
     entries: list[Entry] = []
-    taken: set[str] = set()
+    taken: dict[str, int] = {}
     left: dict[str, list[str]] = {"links": [], "names that lead out of it": [], "archives within it": []}
     other: list[str] = []
     for info in infos:
@@ -119,15 +131,20 @@ def _choose(infos: list[zipfile.ZipInfo]) -> tuple[list[Entry], list[str]]:
     return entries, messages
 
 
-def _parts(name: str, taken: set[str]) -> tuple[str, ...] | None:
+def _parts(name: str, taken: dict[str, int]) -> tuple[str, ...] | None:
     """Where the file goes, in a numbered folder where that place is taken; None for a name that cannot be used."""
     try:
         parts = tuple(safe_parts(name))
     except NameRefused:
         return None
-    numbered = (parts, *((str(k), *parts) for k in range(2, MAX_ENTRIES)))
-    free = next(parts for parts in numbered if "/".join(parts).casefold() not in taken)
-    taken.add("/".join(free).casefold())
+    place = "/".join(parts).casefold()
+    number = taken.get(place, 1)  # the last one that was tried for this name
+    free = parts
+    while "/".join(free).casefold() in taken:
+        number += 1
+        free = (str(number), *parts)
+    taken[place] = number
+    taken.setdefault("/".join(free).casefold(), 1)
     return free
 
 

@@ -62,7 +62,7 @@ class DatasetStore:
 
     def __init__(self, folder: Path, bin_folder: Path, database: Database):
         self.folder, self._bin, self._database = folder, bin_folder, database
-        self._opened: RecentCache[str, Dataset] = RecentCache(_OPEN_AT_ONCE)
+        self._opened: RecentCache[str, tuple[Dataset, int]] = RecentCache(_OPEN_AT_ONCE)
         if database.is_new:
             self._adopt()
 
@@ -105,10 +105,15 @@ class DatasetStore:
 
     def open(self, info: DatasetInfo) -> Dataset:
         """The data set itself, its arrays memory-mapped; raises WorkspaceError where its files are damaged."""
-        from core.mocap.storage import load_dataset  # numba comes with it: only who opens data pays
+        from core.mocap.storage import load_dataset, size_of_motion  # numba comes with it: only who opens data pays
 
         try:
-            return self._opened.get_or_compute(info.folder, lambda: load_dataset(self._path(info.folder)))
+            path = self._path(info.folder)
+            dataset, size = self._opened.get_or_compute(info.folder, lambda: (load_dataset(path), size_of_motion(path)))
+            if size_of_motion(path) != size:
+                self._opened.discard(info.folder)
+                raise RecordingError(path, "motion.npy has been cut off", "a whole dataset; import it again")
+            return dataset
         except (OSError, RecordingError) as error:
             raise WorkspaceError(
                 f"The stored dataset {info.name!r} cannot be opened, its files are damaged; import it again."

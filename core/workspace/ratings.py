@@ -6,7 +6,6 @@ rating of a pair and the newest vote on two hits count.
 
 from __future__ import annotations
 
-import csv
 import io
 import sqlite3
 import time
@@ -14,6 +13,7 @@ from collections.abc import Sequence
 
 from core.evaluation.agreement import LEAST, MOST, Rating, Vote
 from core.mocap.clip import Segment
+from core.spreadsheets import SheetWriter
 from core.workspace.audit import record
 from core.workspace.database import Database
 from core.workspace.errors import WorkspaceError
@@ -163,7 +163,7 @@ def _vote(row: sqlite3.Row) -> Vote:
 
 def _csv(columns: Sequence[str], rows: Sequence[Sequence[object]]) -> str:
     out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\n")
+    writer = SheetWriter(out)
     writer.writerow(columns)
     # a spreadsheet takes a cell that begins so for a formula
     writer.writerows([["'" + c if isinstance(c, str) and c[:1] in "=+-@" else c for c in row] for row in rows])

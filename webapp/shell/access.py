@@ -6,12 +6,13 @@ import ipaddress
 import os
 import re
 from collections.abc import Callable
+from typing import Any
 from urllib.parse import parse_qsl, quote, urlencode
 
 from flask import Flask, Response, g, jsonify, redirect, request
 from flask.typing import ResponseReturnValue
 
-from core.workspace import Person, Workspace
+from core.workspace import Person, Workspace, WorkspaceError
 from core.workspace.people import OWNER, refusal, start_acting
 from webapp.shell import rights, sessions, sign_in, visitors
 from webapp.shell.messages import error_page
@@ -71,6 +72,15 @@ def protect(server: Flask, workspace: Workspace, token: str | None, mark: Callab
         start_acting(OWNER)
 
     sign_in.register(server, workspace)
+
+
+def admits(server: Flask, workspace: Workspace, token: str | None, environment: dict[str, Any]) -> bool:
+    """Whether the sender of a request is known, before its body has been read."""
+    with server.request_context(environment):
+        try:
+            return visitors.visitor(workspace, token, active=False) is not None
+        except WorkspaceError:
+            return False
 
 
 def known_hosts() -> frozenset[str]:

@@ -96,7 +96,7 @@ def parse(pathname: str | None, search: str | None) -> tuple[View, tuple[str, ..
 def format_link(view: View) -> str:
     """The relative URL of ``view``; :func:`parse` gives the view back."""
     pairs = {**({"dataset": view.dataset} if view.dataset else {}), **view.view, **view.selection, **view.stage}
-    query = urlencode({key: str(value) for key, value in pairs.items()}, quote_via=quote, safe="/-,:")
+    query = urlencode({key: str(value) for key, value in pairs.items()}, quote_via=quote, safe="/-,:", errors="replace")
     return f"/{view.page}" + (f"?{query}" if query else "")
 
 

@@ -93,4 +93,4 @@ def current() -> Person:
 
 def same(offered: str, token: str) -> bool:
     """Whether a visitor offers the token, compared in constant time."""
-    return hmac.compare_digest(offered.encode(), token.encode())
+    return hmac.compare_digest(offered.encode(errors="replace"), token.encode())

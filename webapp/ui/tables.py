@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 from collections import Counter
 from collections.abc import Iterable, Mapping
@@ -15,6 +14,7 @@ from dash import html
 
 from core.mocap.clip import Label, Segment
 from core.mocap.dataset import Dataset
+from core.spreadsheets import SheetWriter
 from core.workspace import MotifNote
 from webapp.shell import theme
 from webapp.shell.attributes import attributes
@@ -144,7 +144,7 @@ def motions_csv(dataset: Dataset, graph: Any, notes: Mapping[int, MotifNote] = M
     """A line for each motion: motif, its name, frames (end exclusive), seconds and main label."""
     by_clip = labels_by_clip(dataset)
     text = io.StringIO()
-    lines = csv.writer(text, lineterminator="\n")
+    lines = SheetWriter(text)
     lines.writerow(["motif", "name", "tags", "clip", "start_frame", "end_frame", "seconds", "label"])
     for motif in graph.motifs:
         note = notes.get(motif.id, MotifNote())

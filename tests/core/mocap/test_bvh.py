@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import gzip
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -134,6 +135,18 @@ def test_no_file_and_a_folder(tmp_path):
         read_bvh(tmp_path / "b.bvh")
     with pytest.raises(RecordingError, match="not a file"):
         read_bvh(tmp_path)
+
+
+@pytest.mark.parametrize("filler", [b"\n", b"0 "])
+def test_a_small_gzip_file_does_not_fill_the_memory(tmp_path, filler):
+    path = tmp_path / "a.bvh.gz"
+    path.write_bytes(gzip.compress(B.encode() + filler * (1 << 27)))
+    tracemalloc.start()
+    with pytest.raises(RecordingError, match="grows more than"):
+        read_bvh(path)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 3 << 26
 
 
 def test_every_cut_of_a_file_is_read_whole_or_refused(tmp_path):

@@ -1,6 +1,7 @@
 """Data sets of a workspace: import, names, trash, changes, what happens to damaged ones."""
 
 import multiprocessing
+import os
 import shutil
 from dataclasses import replace
 
@@ -171,6 +172,33 @@ def test_a_damaged_data_set_is_said_plainly(workspace):
     with pytest.raises(WorkspaceError, match="import it again"):
         Workspace(workspace.path).open("one")
     shutil.rmtree(folder)
+    with pytest.raises(WorkspaceError, match="import it again"):
+        Workspace(workspace.path).open("one")
+
+
+def test_a_data_set_that_is_cut_off_while_it_is_open_ends_no_process(workspace):
+    """To read numbers that a mapped file has lost is SIGBUS."""
+    workspace.add_dataset("one", make_dataset())
+    assert workspace.open("one").n_frames == 81
+    motion = workspace.path / "datasets" / workspace.info("one").folder / "motion.npy"
+    content = motion.read_bytes()
+    os.truncate(motion, 200)
+    with pytest.raises(WorkspaceError, match="import it again"):
+        workspace.open("one")
+    motion.write_bytes(content)
+    assert workspace.open("one").n_frames == 81
+
+
+@pytest.mark.parametrize("damage", ["nan", "deep", "no object"])
+def test_a_data_set_of_what_is_no_motion_is_said_plainly(workspace, damage):
+    workspace.add_dataset("one", make_dataset())
+    folder = workspace.path / "datasets" / workspace.info("one").folder
+    if damage == "nan":
+        numbers = np.load(folder / "motion.npy")
+        numbers[7] = np.nan
+        np.save(folder / "motion.npy", numbers)
+    else:
+        (folder / "dataset.json").write_text("[" * 200_000 + "]" * 200_000 if damage == "deep" else "[]")
     with pytest.raises(WorkspaceError, match="import it again"):
         Workspace(workspace.path).open("one")
 

@@ -11,7 +11,6 @@ distance, ahead, aside float32, each ``(n_runs,)`` (see core.motion_map.key_pose
 
 from __future__ import annotations
 
-import csv
 import io
 import json
 import re
@@ -24,6 +23,7 @@ from core.errors import AnalysisError, ParameterError
 from core.motion_map.layers import frame_nodes
 from core.motion_map.motion_map import MotionMap
 from core.motion_map.path_queries import search_path
+from core.spreadsheets import SheetWriter
 from core.workspace import Workspace, WorkspaceError
 from webapp.features.motion_map.names import MapHeader
 from webapp.features.motion_map.paths import path_of
@@ -146,7 +146,7 @@ def nodes_csv(motion_map: MotionMap) -> str:
     nodes, starts = frame_nodes(motion_map)
     regions, ny = motion_map.regions.ravel(), motion_map.grid[1]
     text = io.StringIO()
-    rows = csv.writer(text, lineterminator="\n")
+    rows = SheetWriter(text)
     rows.writerow(["clip", "frame", "seconds", "node_x", "node_y", "region"])
     for k, clip in enumerate(motion_map.clips):
         scale, frames = motion_map.clip_fps[k] / motion_map.fps, motion_map.clip_frames[k]

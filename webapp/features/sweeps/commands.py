@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import json
 import time
@@ -21,6 +20,7 @@ from core.motifs.suggestion import suggest
 from core.motifs.sweep import graphs_of
 from core.motifs.sweep_table import SweepTable
 from core.progress import Report
+from core.spreadsheets import SheetWriter
 from core.workspace import WorkspaceError, atomic_file
 from webapp.cli.expected import say_expected
 from webapp.cli.progress_bar import progress_bar
@@ -71,7 +71,7 @@ def rows_as_csv(points: tuple[MotifParameters, ...], figures: list[Figures], axe
     scores = [name for name in SCORES if any(name in entry for entry in figures)]
     more = [name for name in axes if name not in _FIRST]
     text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
+    writer = SheetWriter(text)
     writer.writerow([*_FIRST, *METRICS, "seconds", *scores, *more])
     for point, entry in zip(points, figures, strict=True):
         kappa = int(entry["kappa"]) if point.kappa == "auto" else point.kappa

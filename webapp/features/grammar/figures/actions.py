@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 from collections.abc import Mapping, Sequence
 from typing import Any
@@ -10,6 +9,7 @@ from urllib.parse import quote, urlencode
 
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
+from core.spreadsheets import SheetWriter
 from core.workspace import MotifNote
 from webapp.shell.names import Colour
 from webapp.ui.brief_names import brief_names
@@ -130,7 +130,7 @@ def segments_csv(dataset: Dataset, segments: Sequence[Sequence[Segment]], notes:
     """A line for each segment: action, its name, frames (end exclusive), seconds and main label."""
     by_clip = labels_by_clip(dataset)
     text = io.StringIO()
-    lines = csv.writer(text, lineterminator="\n")
+    lines = SheetWriter(text)
     lines.writerow(["action", "name", "clip", "start_frame", "end_frame", "seconds", "label"])
     for action, occurrences in enumerate(segments):
         name = notes[action].name if action in notes else ""

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-import csv
 import io
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
+
+from core.spreadsheets import SheetWriter
 
 if TYPE_CHECKING:
     from core.grammar.rules import Rule
@@ -51,7 +52,7 @@ def rules_csv(ways: Sequence[Rule], start: str, actions: Mapping[int, str]) -> s
     """A line for each rule: the phrase, what may stand for it, and how often it does. actions: names by number."""
     names = phrase_names(ways, start)
     text = io.StringIO()
-    lines = csv.writer(text, lineterminator="\n")
+    lines = SheetWriter(text)
     lines.writerow(["phrase", "symbol", "may be", "symbols", "times"])
     for way in sorted(ways, key=lambda way: (list(names).index(way.left), -way.count)):
         words = ", ".join(names[part] if isinstance(part, str) else actions.get(part, str(part)) for part in way.right)

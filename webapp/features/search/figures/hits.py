@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import io
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
@@ -15,6 +14,7 @@ from core.mocap.dataset import Dataset
 from core.poses.body_parts import CHILDREN, LEAVES
 from core.retrieval.hits import Explanation, Hit
 from core.retrieval.queries import Query, QueryPart
+from core.spreadsheets import SheetWriter
 from webapp.features.search.names import Strip
 from webapp.features.search.queries import nodes_of, write_hit
 from webapp.ui.tables import clock, strip_address
@@ -143,7 +143,7 @@ def query_request(dataset: Dataset, sources: Sequence[Dataset], query: Query) ->
 def hits_csv(dataset: Dataset, rows: Sequence[tuple[Hit, str]]) -> str:
     """Hits as CSV: rank, clip, frames, seconds, score and label."""
     out = io.StringIO()
-    table = csv.writer(out, lineterminator="\n")
+    table = SheetWriter(out)
     table.writerow(("rank", "clip", "start_frame", "end_frame", "start_seconds", "end_seconds", "score", "label"))
     for rank, (hit, label) in enumerate(rows, 1):
         segment, fps = hit.segment, dataset.clip(hit.segment.clip).fps
