@@ -9,7 +9,7 @@ from core.workspace import WorkspaceError, shared_workspace
 from webapp import jobs
 from webapp.jobs import changes, following, job_bar
 from webapp.marks import all_marks, mark_of_request
-from webapp.shell import access, compression, frame, messages, person_menu, playback, state
+from webapp.shell import access, callback_requests, compression, frame, messages, person_menu, playback, state
 from webapp.shell.assets import PARTS, VENDOR, assets_folder
 from webapp.shell.feature import features
 from webapp.shell.loading import LoadingDash
@@ -50,6 +50,7 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> Loadi
         app.drawings |= feature.drawings
     marks = all_marks()
     access.protect(app.server, workspace, token, lambda: mark_of_request(app, marks))
+    callback_requests.register(app)
     compression.register(app.server)
     messages.register(app.server)
     blueprints = [upload_blueprint(workspace, Limits.from_environment()), *stage_routes.blueprints(workspace)]

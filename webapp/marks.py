@@ -5,6 +5,7 @@ from __future__ import annotations
 from dash import Dash
 from flask import request
 
+from webapp.shell.callback_requests import sent_json
 from webapp.shell.feature import features
 from webapp.shell.rights import OPEN, READS, Rights, callback_name, name_of
 
@@ -61,6 +62,6 @@ def mark_of_request(app: Dash, marks: dict[str, str]) -> str | None:
     if endpoint is None:
         return READS
     if endpoint == CALLBACKS:
-        body = request.get_json(silent=True)
+        body = sent_json()
         return marks.get(callback_name(app.callback_map, body.get("output") if isinstance(body, dict) else None))
     return DASH.get(endpoint) or marks.get(name_of(app.server.view_functions[endpoint]))

@@ -15,6 +15,7 @@ from flask.typing import ResponseReturnValue
 from core.workspace import Person, Workspace, WorkspaceError
 from core.workspace.people import OWNER, refusal, start_acting
 from webapp.shell import rights, sessions, sign_in, visitors
+from webapp.shell.callback_requests import sent_json
 from webapp.shell.messages import error_page
 from webapp.shell.origin import is_encrypted, is_foreign
 
@@ -159,7 +160,7 @@ def _is_active() -> bool:
     if request.method in ("GET", "HEAD"):
         return not request.path.startswith(("/api/", "/_", "/assets/"))
     if request.path.endswith("/_dash-update-component"):
-        body = request.get_json(silent=True)
+        body = sent_json()
         changed = body.get("changedPropIds") if isinstance(body, dict) else None
         return not (isinstance(changed, list) and all(str(name).endswith(".n_intervals") for name in changed))
     return True

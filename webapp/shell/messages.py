@@ -8,9 +8,11 @@ import dash_mantine_components as dmc
 from dash import dcc, html, set_props
 from dash.development.base_component import Component
 from flask import Flask, request
+from flask.typing import ResponseReturnValue
 from werkzeug.exceptions import HTTPException
 
 from core.errors import MotionscapeError
+from webapp.shell.callback_requests import misfit, refusal
 from webapp.shell.errors import log_bug, sentence
 from webapp.shell.icons import icon
 from webapp.shell.names import NOTICES
@@ -40,7 +42,9 @@ def register(server: Flask) -> None:
         return error_page(400, "That cannot be done", sentence(error))
 
     @server.errorhandler(Exception)
-    def _bug(error: Exception) -> tuple[str, int]:
+    def _bug(error: Exception) -> ResponseReturnValue:
+        if reason := misfit():
+            return refusal(reason)
         details = f"The details are in the server's log, as error {log_bug(request.path, error)}."
         return error_page(500, "Something went wrong", f"It is our fault, not yours. {details}")
 

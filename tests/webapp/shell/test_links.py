@@ -50,6 +50,10 @@ def test_any_text_is_read_without_raising(path: str, query: str):
     assert all(isinstance(problem, str) and problem.endswith(".") for problem in problems)
 
 
+def test_half_characters_do_not_break_a_link():
+    assert format_link(View("library", "\ud800", {"clip": "a\udfff"})) == "/library?dataset=%3F&clip=a%3F"
+
+
 def test_the_root_is_the_library_and_unknown_pages_are_named():
     assert page_of("/") == "library" and page_of("/motifs/") == "motifs" and page_of("/admin") is None
     assert "admin" in parse("/admin", "")[1][0]
