@@ -23,6 +23,12 @@ def query_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--lower", metavar=stretch, help="take the legs from here and the rest from --query")
     parser.add_argument("--queries", type=Path, metavar="queries.json", help="many queries: a JSON list of them")
     parser.add_argument(
+        "--words",
+        action="append",
+        metavar="TEXT",
+        help="what to search for in words, such as 'walk then turn left'; may be given several times",
+    )
+    parser.add_argument(
         "--weights", type=_weights, metavar="PART=N,...", help="how much parts count: left_arm=.35,right_arm=.45,..."
     )
     parser.add_argument("--top", type=_top, metavar="N", help="hits (default: every clip, or 20 stretches)")

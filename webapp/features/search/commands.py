@@ -1,4 +1,4 @@
-"""``motionscape search``: motions like one of a clip, of a stretch, or of two stretches at once."""
+"""``motionscape search``: motions like one of a clip, of a stretch, or of two stretches at once, or as words say."""
 
 from __future__ import annotations
 
@@ -22,8 +22,9 @@ from webapp.cli.expected import say_expected
 from webapp.cli.progress_bar import progress_bar
 from webapp.cli.result_files import write_json
 from webapp.cli.sources import open_source, stored_dataset
+from webapp.features.search import word_commands
+from webapp.features.search.word_commands import FORMAT
 
-FORMAT = "motionscape/hits/1"
 _STRETCH = re.compile(r"(.+):(\d{1,9})-(\d{1,9})", re.DOTALL)
 _SHOWN = 5  # hits that are printed
 
@@ -42,6 +43,8 @@ def search(arguments: Namespace) -> int:
 
     Raises ParameterError, WorkspaceError, RecordingError, ValueError or OSError in plain words.
     """
+    if arguments.words is not None:
+        return word_commands.search(arguments)
     values = {p.name: getattr(arguments, p.name) for p in analyses.parameters("search")}
     analyses.normalise(analyses.Request("", "search", values))  # refuses before anything is read
     texts = _texts(arguments)
@@ -67,7 +70,9 @@ def search(arguments: Namespace) -> int:
 def _texts(arguments: Namespace) -> list[tuple[str, str | None]]:
     """The queries as they were given, each with what its lower body comes from."""
     if (arguments.query is None) == (arguments.queries is None):
-        raise WorkspaceError("Say what to search for: --query CLIP[:START-END], or --queries FILE with many.")
+        raise WorkspaceError(
+            "Say what to search for: --query CLIP[:START-END], --queries FILE with many, or --words TEXT."
+        )
     if arguments.query is not None:
         return [(arguments.query, arguments.lower)]
     if arguments.lower is not None:

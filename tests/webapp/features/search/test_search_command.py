@@ -95,3 +95,34 @@ def test_what_cannot_be_asked_is_one_clear_line(source, tmp_path, capsys, line, 
         code = ended.code
     said = capsys.readouterr().err
     assert code == 2 and words in said and said.count("\n") == 1
+
+
+def test_words_find_clips_and_stretches(source, tmp_path):
+    document = found(tmp_path, source, "--words", "walking", "--words", "walk then lie down")
+    assert document["format"] == "motionscape/hits/1" and list(document["queries"]) == ["walking", "walk then lie down"]
+    answer = document["queries"]["walking"]
+    assert {hit["clip"] for hit in answer["hits"]} == {"a_01", "b_01", "c_01"} and answer["milliseconds"] >= 0
+    assert all(
+        0 <= hit["score"] <= 1 and {"word", "start", "end", "score"} == set(hit["words"][0]) for hit in answer["hits"]
+    )
+    assert document["queries"]["walk then lie down"]["hits"][0]["score"] < 0.5 < answer["hits"][0]["score"]
+    stretches = found(tmp_path, source, "--words", "walking", "--level", "interval", "--top", "2")["queries"]["walking"]
+    assert 1 <= len(stretches["hits"]) <= 2 and stretches["hits"][0]["start"] < stretches["hits"][0]["end"]
+
+
+def test_words_that_are_not_known_are_said(source, tmp_path, capsys):
+    answer = found(tmp_path, source, "--words", "somersalt")["queries"]["somersalt"]
+    assert answer["hits"] == [] and "somersault" in answer["unknown"]["somersalt"]
+    assert "'somersalt' is not known; known are" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        (["--words", " "], "say what to look for"),
+        (["--words", "walk", "--query", "a_01"], "--words goes without --query"),
+    ],
+)
+def test_words_that_cannot_be_searched_for_are_refused(source, tmp_path, capsys, line, said):
+    assert main(["search", source, *line, "--out", str(tmp_path / "hits.json"), "--quiet"]) == 2
+    assert said in capsys.readouterr().err and not (tmp_path / "hits.json").exists()
