@@ -1,4 +1,4 @@
-"""Words for arms, hands and the trunk: scores of every frame, 0 to 1, from the signals of a clip."""
+"""Words for arms, hands and the trunk: scores ``(n,)`` of every frame, 0 to 1, from a clip's signals."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Words for the whole body and the legs: scores of every frame, 0 to 1, from the signals of a clip."""
+"""Words for the whole body and the legs: scores ``(n,)`` of every frame, 0 to 1, from a clip's signals."""
 
 from __future__ import annotations
 
