@@ -29,6 +29,7 @@ SHARED = Rights(
         "ui.method_page.find_result",
         "ui.method_page.show_estimate",
         "ui.method_page.show_form",
+        "ui.method_page.show_left_out",
         "ui.method_page.show_status",
     ),
     asks=("jobs.job_bar.act", "ui.method_page.run"),

@@ -163,6 +163,7 @@
 
 export const GRAMMAR_RUN = "grammar-run";
 export const GRAMMAR_ESTIMATE = "grammar-estimate";
+export const GRAMMAR_LEFT_OUT = "grammar-left-out";
 export const GRAMMAR_FOLD = "grammar-fold";
 export const GRAMMAR_SUMMARY = "grammar-summary";
 export const GRAMMAR_FORM = "grammar-form";

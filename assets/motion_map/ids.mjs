@@ -81,6 +81,7 @@
 
 export const MAP_RUN = "map-run";
 export const MAP_ESTIMATE = "map-estimate";
+export const MAP_LEFT_OUT = "map-left-out";
 export const MAP_FOLD = "map-fold";
 export const MAP_SUMMARY = "map-summary";
 export const MAP_FORM = "map-form";

@@ -228,6 +228,7 @@
 
 export const SEARCH_RUN = "search-run";
 export const SEARCH_ESTIMATE = "search-estimate";
+export const SEARCH_LEFT_OUT = "search-left-out";
 export const SEARCH_FOLD = "search-fold";
 export const SEARCH_SUMMARY = "search-summary";
 export const SEARCH_FORM = "search-form";
@@ -287,6 +288,7 @@ export const STUDY_WISH = /** @type {StoreId<Wish>} */ ("study-wish");
 export const STUDY_PERSON = /** @type {StoreId<Person>} */ ("study-person");
 export const RANKING_RUN = "ranking-run";
 export const RANKING_ESTIMATE = "ranking-estimate";
+export const RANKING_LEFT_OUT = "ranking-left-out";
 export const RANKING_FOLD = "ranking-fold";
 export const RANKING_SUMMARY = "ranking-summary";
 export const RANKING_FORM = "ranking-form";

@@ -134,6 +134,7 @@ export const FIRST_PICTURE = "first-picture";
 export const FIRST_DEPENDENCIES = "first-dependencies";
 export const MOTIFS_RUN = "motifs-run";
 export const MOTIFS_ESTIMATE = "motifs-estimate";
+export const MOTIFS_LEFT_OUT = "motifs-left-out";
 export const MOTIFS_FOLD = "motifs-fold";
 export const MOTIFS_SUMMARY = "motifs-summary";
 export const MOTIFS_FORM = "motifs-form";

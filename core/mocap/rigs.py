@@ -109,8 +109,11 @@ def comparable(dataset: Dataset) -> Dataset:
     return dataset if len(groups) < 2 else dataset.select(groups[0].clips)
 
 
-def left_out(dataset: Dataset) -> str:
-    """What :func:`comparable` leaves out, and what to do about it, in words; empty where it leaves out nothing."""
+WITH_CLIPS = "choose them with --clips to analyse them among their own kind"
+
+
+def left_out(dataset: Dataset, advice: str = WITH_CLIPS) -> str:
+    """What :func:`comparable` leaves out, and the ``advice`` what to do, in words; empty where nothing is left out."""
     first, *others = comparable_groups(dataset) or [Group("", (), 0)]
     if not others:
         return ""
@@ -119,8 +122,18 @@ def left_out(dataset: Dataset) -> str:
     count = sum(len(group.clips) for group in others)
     return (
         f"{count} clip{'s' * (count > 1)} left out, for their bodies cannot be compared with those of {first.words} "
-        f"({named}{rest}); choose them with --clips to analyse them among their own kind"
+        f"({named}{rest}); {advice}"
     )
+
+
+def kinds_in_words(dataset: Dataset) -> str:
+    """The kinds of bodies in a dataset that a search keeps apart, in words; empty where there is one only."""
+    groups = comparable_groups(dataset, parts_with_people=True)
+    if len(groups) < 2:
+        return ""
+    counted = (f"{group.words} ({len(group.clips):,} clip{'s' * (len(group.clips) > 1)})" for group in groups[:4])
+    more = f" and {len(groups) - 4} kinds more" if len(groups) > 4 else ""
+    return f"a search finds clips of its query's kind of body only; there are {'; '.join(counted)}{more}"
 
 
 def _more(group: Group) -> str:

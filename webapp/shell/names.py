@@ -86,6 +86,7 @@ class MethodNames(Group):
     def __init__(self, page: str):
         self.run = Id(f"{page}-run")
         self.estimate = Id(f"{page}-estimate")
+        self.left_out = Id(f"{page}-left-out")
         self.fold = Id(f"{page}-fold")
         self.summary = Id(f"{page}-summary")
         self.form = Id(f"{page}-form")

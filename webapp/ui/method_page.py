@@ -20,6 +20,8 @@ from dash.development.base_component import Component
 
 from core import analyses
 from core.errors import ParameterError
+from core.methods import METHODS
+from core.mocap.rigs import kinds_in_words, left_out
 from core.workspace import Job, Workspace, WorkspaceError
 from webapp import jobs
 from webapp.jobs.names import JOBS_FINISHED, JOBS_SEEN
@@ -73,9 +75,10 @@ def run_button(method: MethodPage) -> Component:
 
 
 def settings_fold(method: MethodPage) -> Component:
-    """The settings, folded; the line that is always visible lists those that differ from the defaults."""
+    """The settings, folded; the line that is always visible lists those that differ from the defaults. Below it stands
+    which clips the method leaves out, where there are any."""
     head = [html.Span("Settings", className="settings-title"), html.Span(id=method.names.summary, className="muted")]
-    return dmc.Accordion(
+    fold = dmc.Accordion(
         id=method.names.fold,
         variant="contained",
         className="settings",
@@ -85,6 +88,7 @@ def settings_fold(method: MethodPage) -> Component:
             children=[dmc.AccordionControl(head), dmc.AccordionPanel(html.Div(id=method.names.form))],
         ),
     )
+    return html.Div([fold, html.Div(id=method.names.left_out, className="left-out muted", role="note")])
 
 
 def status_place(method: MethodPage) -> Component:
@@ -104,6 +108,7 @@ def register(app: Dash, workspace: Workspace, method: MethodPage) -> None:
     _run(app, workspace, method)
     _expect(app, workspace, method)
     _look(app, workspace, method)
+    _kinds(app, workspace, method)
 
 
 def _form(app: Dash, method: MethodPage) -> None:
@@ -175,6 +180,28 @@ def _expect(app: Dash, workspace: Workspace, method: MethodPage) -> None:
         form_values, problems = read_form(method.shown, ids, values) if ids else ({}, {})
         shown = {} if problems else settings.view_of(method.page, form_values)
         return expected_words(workspace, method.page, dataset, {**(view or {}), **shown})
+
+
+def _kinds(app: Dash, workspace: Workspace, method: MethodPage) -> None:
+    @app.callback(Output(method.names.left_out, "children"), Input(DATASET, "data"), Input(REVISION, "data"))
+    def show_left_out(dataset, _revision):
+        return left_out_words(workspace, method.page, dataset)
+
+
+def left_out_words(workspace: Workspace, page: str, dataset: str | None) -> str:
+    """Which clips of a data set the method of a page leaves out, because their bodies cannot be compared."""
+    try:
+        there = workspace.open(dataset) if dataset else None
+    except WorkspaceError:
+        there = None
+    if there is None:
+        return ""
+    every_kind = METHODS[settings.methods()[page]].all_kinds
+    words = kinds_in_words(there) if every_kind else left_out(there, _ADVICE)
+    return f"{words[:1].upper()}{words[1:]}." if words else ""
+
+
+_ADVICE = "in a dataset of their own they are analysed among their own kind"
 
 
 def expected_words(workspace: Workspace, page: str, dataset: str | None, view: Mapping[str, Any] | None) -> str:

@@ -1,0 +1,34 @@
+"""What the page of a method says of clips whose bodies cannot be compared with the others."""
+
+from __future__ import annotations
+
+import pytest
+
+from core.mocap.dataset import Dataset
+from core.workspace import Workspace
+from tests.core.mocap.odd_clips import dog, spider, walking
+from webapp.ui.method_page import left_out_words
+
+
+@pytest.fixture(scope="module")
+def workspace(tmp_path_factory):
+    """A workspace with people alone, and with people and animals."""
+    space = Workspace(tmp_path_factory.mktemp("space"))
+    space.add_dataset("people", Dataset("people", (walking("a"), walking("b", speed=1.0))))
+    space.add_dataset("mixed", Dataset("mixed", (walking("a"), dog("rex"), spider("web"))))
+    return space
+
+
+@pytest.mark.parametrize("page", ["motifs", "map", "grammar"])
+def test_clips_of_other_kinds_are_named(workspace, page):
+    words = left_out_words(workspace, page, "mixed")
+    assert words.startswith("2 clips left out") and "rex" in words and "web" in words and words.endswith(".")
+    assert "--clips" not in words
+    assert left_out_words(workspace, page, "people") == left_out_words(workspace, page, "gone") == ""
+    assert left_out_words(workspace, page, None) == ""
+
+
+def test_a_search_names_the_kinds_that_it_keeps_apart(workspace):
+    words = left_out_words(workspace, "search", "mixed")
+    assert "people (1 clip)" in words and words.count("(1 clip)") == 3
+    assert left_out_words(workspace, "search", "people") == ""
