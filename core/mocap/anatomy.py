@@ -16,7 +16,15 @@ import numpy as np
 
 from core.errors import ParameterError
 from core.mocap import anatomy_shape as shape
-from core.mocap.anatomy_names import CHOOSING_ORDER, LIMB_NAMES, TRUNK_NAMES, ParsedName, parse_name, with_thigh
+from core.mocap.anatomy_names import (
+    CHOOSING_ORDER,
+    LIMB_NAMES,
+    TRUNK_NAMES,
+    ParsedName,
+    is_qualified,
+    parse_names,
+    with_thigh,
+)
 from core.mocap.body_kinds import ARM, LEG, BodyKind, kind_of_body, missing_parts
 from core.mocap.skeleton import Skeleton
 
@@ -111,7 +119,7 @@ def _joint(skeleton: Skeleton, name: str, joint: str | int | None) -> int | None
 
 @lru_cache(maxsize=256)
 def _find(skeleton: Skeleton, corrections: tuple[tuple[str, int | None], ...]) -> Anatomy:
-    parsed = [parse_name(name) for name in skeleton.names]
+    parsed = parse_names(skeleton.names)
     limbs = {(side, limb): _limb_by_name(skeleton, parsed, side, limb) for side in SIDES for limb in LIMB_NAMES}
     named = sum(_is_named(found, limb) for (_, limb), found in limbs.items())
     by_name = named > 0
@@ -151,7 +159,7 @@ def _is_named(found: dict[str, int], limb: str) -> bool:
 def _limb_by_name(skeleton: Skeleton, parsed: list[ParsedName], side: str, limb: str) -> dict[str, int]:
     """Joints of one limb that have a known name and hang from one another; nothing where they do not."""
     first: dict[str, int] = {}
-    helpers_last = sorted(enumerate(parsed), key=lambda item: skeleton.names[item[0]].startswith("_"))
+    helpers_last = sorted(enumerate(parsed), key=lambda item: is_qualified(skeleton.names[item[0]]))
     for j, (joint_side, part) in helpers_last:
         if joint_side == side and not skeleton.end_sites[j]:
             first.setdefault(part, j)
@@ -230,7 +238,10 @@ def _trunk(skeleton: Skeleton, parsed: list[ParsedName], joints: dict[str, int])
     head = named["head"]
     if min(arms) >= 0:
         chest = shape.common_ancestor(skeleton, *arms)
-        above = shape.longest_path(skeleton, chest, avoid=arms) if chest else []
+        if chest and chest == named["neck"]:  # the arms hang from the neck
+            chest = skeleton.parents[chest]
+        beside = [j for j in skeleton.children(chest) if parsed[j].side != "centre"]
+        above = shape.longest_path(skeleton, chest, avoid=[*arms, *beside]) if chest else []
         head = head if head is not None and chest in shape.ancestors(skeleton, head) else shape.head_of(skeleton, above)
         if chest:
             trunk["chest"] = chest

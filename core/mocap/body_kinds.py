@@ -30,6 +30,10 @@ _RATIOS = {
     "shin to thigh": (0.55, 1.7),
     "fore to upper": (0.5, 1.8),
 }
+_SIDE_BY_SIDE, _ACROSS = (
+    0.8,
+    0.6,
+)  # cosines between any two limbs, and between them and the trunk, of what has four legs
 _MOST_CHAINS = 6  # long branches of a person: two arms, two legs, head, and one that is worn
 
 
@@ -37,10 +41,13 @@ def kind_of_body(skeleton: Skeleton, joints: Mapping[str, int], by_name: bool) -
     """The kind of the body whose canonical ``joints`` (name -> joint index) were found, by their names or by shape.
 
     A human has both arms, both legs, and a head or a neck; and human proportions where the names do not say that it is
-    one, or speak of an animal besides. What has the proportions of nobody, or names of an animal's parts, is "other".
+    one, or speak of an animal besides. What stands on four legs at rest, whatever its joints are called, has the
+    proportions of nobody, or names of an animal's parts, is "other".
     """
     complete = not missing_parts(joints)
     animal = any(_NOT_HUMAN.fullmatch(word) for name in skeleton.names for word in _WORD.findall(name))
+    if complete and is_on_all_fours(skeleton, joints):
+        return "other"
     if complete and (by_name and not animal):
         return "human"
     if complete:
@@ -93,6 +100,24 @@ def is_proportioned(skeleton: Skeleton, joints: Mapping[str, int]) -> bool:
         for name, (value, of) in ratios.items()
         for low, high in [_RATIOS[name]]
     )
+
+
+def is_on_all_fours(skeleton: Skeleton, joints: Mapping[str, int]) -> bool:
+    """Whether arms and legs hang down side by side at rest, and the trunk lies across them."""
+    places = np.zeros((skeleton.n_joints, 3))
+    for joint, parent in enumerate(skeleton.parents):
+        if parent >= 0:
+            places[joint] = places[parent] + skeleton.offsets[joint]
+
+    limbs = [(joints[f"{side}_{top}"], joints[f"{side}_{tip}"]) for side in SIDES for top, _, tip in (ARM, LEG)]
+    down = np.array([_unit(places[tip] - places[top]) for top, tip in limbs])
+    shoulders, hips = (np.mean([places[joints[f"{s}_{p}"]] for s in SIDES], axis=0) for p in ("shoulder", "hip"))
+    across = abs(_unit(shoulders - hips) @ _unit(down.sum(axis=0)))
+    return bool((down @ down.T).min() > _SIDE_BY_SIDE and across < _ACROSS)
+
+
+def _unit(vector: np.ndarray) -> np.ndarray:
+    return vector / max(float(np.linalg.norm(vector)), 1e-9)
 
 
 def has_many_limbs(skeleton: Skeleton) -> bool:

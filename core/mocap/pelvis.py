@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 
 PELVIS = re.compile(r"((^|[^a-z])hip|hips|pelvis)[\W\d_]*$", re.IGNORECASE)
-TRUNK = re.compile(r"spine|chest|thorax|torso|abdomen|waist|back|neck|belly", re.IGNORECASE)
+TRUNK = re.compile(r"spine|chest|thorax|torso|abdomen|waist|back|neck|belly|上半身", re.IGNORECASE)
 
 
 def find_pelvis(names: Sequence[str], children: Sequence[Sequence[int]]) -> int:

@@ -23,7 +23,7 @@ UNITS = {
 """Name -> metres, and the name in words."""
 
 _GUESSED = ("m", "dm", "cmu", "in", "cm", "mm")
-_TYPICAL = 1.7  # metres: of units that come near it, the nearest
+_TYPICAL, _RARER = 1.7, 1.5  # metres: of units that come near it, the nearest; giants are rarer than children
 HEIGHTS = (1.2, 2.15)  # metres that people are tall, from a child of six or seven
 # Of what is no person, by the longest way along the bones, in units.
 _SPANS = {"m": (1.0, 4.5), "cmu": (20.0, 75.0), "in": (75.0, 130.0), "cm": (130.0, 450.0), "mm": (1300.0, 4500.0)}
@@ -87,8 +87,8 @@ def guess_unit(skeleton: Skeleton) -> UnitGuess:
     """
     anatomy = find_anatomy(skeleton)
     if anatomy.body != "other" and anatomy.body_height > 0:
-        apart = {name: abs(np.log(anatomy.body_height * UNITS[name][0] / _TYPICAL)) for name in _GUESSED}
-        name = min(apart, key=lambda unit: apart[unit])
+        apart = {name: np.log(anatomy.body_height * UNITS[name][0] / _TYPICAL) for name in _GUESSED}
+        name = min(apart, key=lambda unit: max(apart[unit] * _RARER, -apart[unit]))
         metres = UNITS[name][0]
         height = anatomy.body_height * metres
         return UnitGuess(name, metres, f"taken as {in_words(metres)}, for a body of {height:.2f} m")

@@ -26,6 +26,8 @@ _SAMPLED = 48  # frames that are looked at
 _ALONG = 0.8  # cosine of a body that stands along an axis
 _OFTEN, _MOSTLY = 0.3, 0.8  # share of the frames in which it does, where the rest pose does too, and where it does not
 _AT_REST = 0.7  # cosine from which the rest pose speaks for an axis
+_ON_FLOOR = 0.08  # of the body's height: how far the lowest joint may be from the floor
+_LEVEL = 0.15  # how much that may change where there is a floor
 _TRAVEL = 0.25  # of the body's height: who moves so far along what would be the vertical does not lie on the floor
 
 
@@ -86,8 +88,9 @@ def find_up(clip: Clip) -> str:
     """The axis, of the file the clip was read from, along which its body stands; ``clip.up`` where none is certain.
 
     A body that lies along another axis than Y may be a person on the floor. The file's axis it is where the rest pose
-    stands along it too, or where, nearly always along it, the body travels along what would else be the vertical.
-    Upside down it is only where the rest pose is too.
+    stands along it too, or where, nearly always along it, the body travels along what would else be the vertical, or
+    has its feet at 0 and a rest pose that says nothing. A rest pose along another axis also counts where a floor lies
+    along it and none along Y. Upside down it is only where the rest pose is too.
     """
     anatomy = find_anatomy(clip.skeleton)
     if anatomy.body == "other":
@@ -99,14 +102,38 @@ def find_up(clip: Clip) -> str:
         return clip.up
     shares = [(float(np.mean(sign * upright[:, axis] > _ALONG)), axis, sign) for axis in range(3) for sign in (1, -1)]
     share, axis, sign = max(shares)
-    if (axis, sign) == (1, 1):
-        return clip.up
     rest = _upright(anatomy, _resting(some))
-    agrees = rest is not None and sign * rest[0, axis] > _AT_REST and share > _OFTEN
-    travels = share > _MOSTLY and axis != 1 and np.ptp(positions[:, 0, 1]) > _TRAVEL * anatomy.body_height
-    if not agrees and not travels:
+    floor = _floor_along(anatomy, rest, positions) if rest is not None else None
+    if floor is not None:
+        axis, sign = floor
+    elif (axis, sign) == (1, 1):
         return clip.up
+    else:
+        agrees = rest is not None and sign * rest[0, axis] > _AT_REST and share > _OFTEN
+        told = rest is not None and np.abs(rest[0]).max() > _AT_REST
+        height = anatomy.body_height
+        travels = axis != 1 and np.ptp(positions[:, 0, 1]) > _TRAVEL * height
+        stands = (
+            axis != 1 and not told and abs(np.median((sign * positions[..., axis]).min(axis=1))) < _ON_FLOOR * height
+        )
+        if not agrees and not (share > _MOSTLY and (travels or stands)):
+            return clip.up
     return _axis_of_file(clip, axis, sign)
+
+
+def _floor_along(anatomy: Anatomy, rest: np.ndarray, positions: np.ndarray) -> tuple[int, int] | None:
+    """Axis (0 to 2) and direction along which the rest pose stands and a floor lies below a body that does not stand.
+
+    So a person who crawls in a file with another axis up: the lowest joint stays at one height along that axis, while
+    along Y it would rise and sink. None where this says nothing.
+    """
+    axis = int(np.abs(rest[0]).argmax())
+    sign = 1 if rest[0, axis] > 0 else -1
+    if axis == 1 or abs(rest[0, axis]) <= _AT_REST:
+        return None
+    lowest = [(sign * positions[..., axis]).min(axis=1), positions[..., 1].min(axis=1)]
+    along, along_y = (float(np.ptp(np.percentile(track, (5, 95)))) / anatomy.body_height for track in lowest)
+    return (axis, sign) if along < _LEVEL and along_y > _TRAVEL else None
 
 
 def axis_along(clip: Clip) -> str:
