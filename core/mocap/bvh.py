@@ -23,7 +23,7 @@ from core.mocap.units import guess_unit, span
 
 _STILL = 1e-6  # of the body's span: position channels that stay within it do not move
 _LOOKED_AT = 32  # frames that are looked at to tell displacements from places
-_NEARLY_ZERO, _MOST_DISPLACED, _FEWEST_DISPLACED = 0.1, 0.8, 3  # of OFFSET, of the joints, joints
+_NEAR, _MOST_DISPLACED, _FEWEST_DISPLACED = 0.3, 0.8, 2  # of OFFSET's length, of the joints, joints
 
 
 def read_bvh(path: str | Path, unit: float | None = None, fps: float | None = None) -> Clip:
@@ -147,21 +147,23 @@ def _rotation_columns(joints: Sequence[RawJoint]) -> tuple[np.ndarray, np.ndarra
 
 
 def _are_displacements(raw: RawBvh, pelvis: int) -> bool:
-    """Whether position channels are meant to be added to OFFSET: nearly all stay at 0 although OFFSET does not.
+    """Whether position channels are meant to be added to OFFSET: most joints that have them stay near 0, not near it.
 
-    Few joints say nothing: one may well be meant to lie on its parent.
+    One joint says nothing: it may well be meant to lie on its parent.
     """
-    columns, sizes = [], []
-    for _j, joint in enumerate(raw.joints[pelvis + 1 :], pelvis + 1):
+    columns, offsets = [], []
+    for joint in raw.joints[pelvis + 1 :]:
         if len(joint.channels) > 3 and (places := _places(joint)) and any(joint.offset or ()):
             columns.append(places)
-            sizes.append(max(map(abs, joint.offset or ())))
+            offsets.append(joint.offset)
     if len(columns) < _FEWEST_DISPLACED:
         return False
-    limits = _NEARLY_ZERO * np.array(sizes)
+    there = np.array(offsets, float)
+    near = _NEAR * np.linalg.norm(there, axis=1)
     for step in (len(raw.values), max(1, len(raw.values) // _LOOKED_AT)):  # one frame rules most files out
-        largest = np.nan_to_num(np.abs(raw.values[::step][:, columns])).max(axis=(0, 2))
-        if np.count_nonzero(largest <= limits) <= _MOST_DISPLACED * len(limits):
+        usual = np.median(np.nan_to_num(raw.values[::step][:, columns]), axis=0)
+        displaced = (np.linalg.norm(usual, axis=1) < near) & (np.linalg.norm(usual - there, axis=1) > near)
+        if np.count_nonzero(displaced) <= _MOST_DISPLACED * len(there):
             return False
     return True
 

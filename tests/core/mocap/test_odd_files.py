@@ -226,6 +226,32 @@ def test_positions_that_are_displacements_are_added_to_offset(tmp_path):
     np.testing.assert_allclose(odd.root_positions[0, 1] / odd.skeleton.unit, 91, rtol=1e-5)
 
 
+SIX = "CHANNELS 6 Xposition Yposition Zposition Zrotation Xrotation Yrotation"
+
+
+@pytest.mark.parametrize(
+    ("movement", "added"),
+    [
+        ([[0, 0, 0], [0, 0, 0]], True),  # two joints alone have position channels
+        ([[3, 0, 0], [0, 2, 0]], True),  # stretched for a while, by more than a tenth of the bone
+        ([[0, 20, 0], [9, -4, 0]], False),  # OFFSET once more
+        ([[0, 24, 0], [9, -3, 1]], False),  # places that move
+    ],
+)
+def test_displacements_of_some_joints_are_told_from_places(tmp_path, movement, added):
+    head = HEAD.replace("CHANNELS 3 Zrotation Xrotation Yrotation", SIX, 1)
+    head = head.replace("CHANNELS 3 Yrotation Xrotation Zrotation", SIX, 1)
+    rows = []
+    for k in range(N):
+        chest, leg = ([value * (k % 3 == 0) for value in place] if added else place for place in movement)
+        rows.append(" ".join(map(str, [0, 90, k, 0, 0, 0, *chest, 0, 0, 0, *leg, 0, 0, 0])))
+    clip = _read(tmp_path, head + "\n".join(rows) + "\n")
+    assert ("displacements" in {finding.kind for finding in clip.findings}) == added
+    heights = joint_positions(clip)[1] / clip.skeleton.unit
+    where = dict(zip(clip.skeleton.names, heights - heights[0], strict=True))
+    np.testing.assert_allclose(where["LeftLeg"], [9, -4, 0] if added else movement[1], atol=1e-3)
+
+
 A, M = samples.ASF, samples.AMC
 
 
