@@ -222,6 +222,14 @@ def _span(low: float, high: float) -> str:
     """``2 to 5 min``: from ``low`` to ``high`` seconds as people say it."""
     if high < 5:
         return "a few seconds"
-    unit, word = next((u, w) for u, w in ((3600.0, "h"), (60.0, "min"), (1.0, "s")) if high >= 1.5 * u)
-    first, last = (float(f"{value / unit:.1g}") if value < 10 * unit else round(value / unit) for value in (low, high))
-    return f"{first:g} to {last:g} {word}" if first < last else f"about {last:g} {word}"
+    first, last = _in_words(low), _in_words(high)
+    if first == last:
+        return f"about {last}"
+    short = first.removesuffix(last[last.index(" ") :])  # "2 to 5 min", but "40 s to 2 min"
+    return f"{short} to {last}"
+
+
+def _in_words(seconds: float) -> str:
+    unit, word = next((u, w) for u, w in ((3600.0, "h"), (60.0, "min"), (1.0, "s")) if seconds >= 1.5 * u or u == 1)
+    number = float(f"{seconds / unit:.1g}") if seconds < 10 * unit else round(seconds / unit)
+    return f"{max(number, 1):g} {word}"

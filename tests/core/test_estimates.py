@@ -107,7 +107,13 @@ def test_shipped_points_grow():
 
 @pytest.mark.parametrize(
     ("seconds", "words"),
-    [((0.5, 3), "a few seconds"), ((20, 61), "20 to 61 s"), ((110, 300), "2 to 5 min"), ((4000, 9000), "1 to 2 h")],
+    [
+        ((0.5, 3), "a few seconds"),
+        ((20, 61), "20 to 61 s"),
+        ((110, 300), "2 to 5 min"),
+        ((4000, 9000), "67 min to 2 h"),
+        ((40, 100), "40 s to 2 min"),
+    ],
 )
 def test_spans_are_said_in_words(seconds, words):
     assert estimates.Estimate(seconds, (1e8, 1.3e9), 0).words == f"{words}, up to 1.3 GB"

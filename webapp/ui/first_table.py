@@ -15,10 +15,11 @@ def first_table(props: Mapping[str, Any], _link: str = "") -> str:
     """The head and the first rows of a table; props: those of AgGrid."""
     columns = [column for column in props.get("columnDefs") or () if not column.get("hide")]
     chosen = "rowSelection" in (props.get("dashGridOptions") or {})
+    rows_of = props.get("rowData") or (props.get("getRowsResponse") or {}).get("rowData") or ()
     head = "".join(_head(column) for column in columns)
     rows = "".join(
         f"<tr>{'<td><i></i></td>' if chosen else ''}{''.join(_cell(column, row) for column in columns)}</tr>"
-        for row in (props.get("rowData") or ())[:MOST_ROWS]
+        for row in rows_of[:MOST_ROWS]
     )
     boxes = ("<col style='width:40px'>", "<th><i></i></th>") if chosen else ("", "")
     widths = "".join(_width(column) for column in columns)

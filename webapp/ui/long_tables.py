@@ -53,6 +53,10 @@ class LongTable:
         shown = order[start : min(end, start + 10 * BLOCK)].tolist()
         return {"rowData": [self._row(k) for k in shown], "rowCount": len(order)}
 
+    def first(self) -> dict[str, Any]:
+        """The block that the table shows first."""
+        return self.block({"startRow": 0, "endRow": BLOCK})
+
     def order(self, filters: object = None, sorting: object = None) -> np.ndarray:
         """Numbers ``(n,)`` of the rows that match, in the order in which they are shown."""
         key = json.dumps([filters or {}, sorting or []], sort_keys=True)

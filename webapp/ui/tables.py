@@ -74,16 +74,22 @@ MOTIF_COLUMNS = [
 
 
 def grid(
-    table_id: str, columns: list[dict], rows: list[Row] | None, label: str, *, row_height: int = 46, **options: Any
+    table_id: str,
+    columns: list[dict],
+    rows: list[Row] | Mapping[str, Any] | None,
+    label: str,
+    *,
+    row_height: int = 46,
+    **options: Any,
 ) -> html.Div:
     """A table whose rows a click or Enter chooses (assets/shell/selecting.mjs). ``options``: more of AG Grid's own.
 
-    rows: None where they stay on the server (see long_tables).
+    rows: all of them, or of those that stay on the server (long_tables) the first block, if it is there.
     """
     table = dag.AgGrid(
         id=table_id,
         columnDefs=columns,
-        **({"rowModelType": "infinite"} if rows is None else {"rowData": rows}),
+        **({"rowData": rows} if isinstance(rows, list) else {"rowModelType": "infinite", "getRowsResponse": rows}),
         defaultColDef={
             "sortable": True,
             "resizable": True,

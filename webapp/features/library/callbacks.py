@@ -139,8 +139,9 @@ def detail(workspace: Workspace, name: str | None, view: Mapping[str, str] | Non
     tab, files = _shown_parts(view)
     columns, report_columns = tables.clip_columns(dataset), tables.REPORT_COLUMNS
     if long_lists.is_long(workspace, name):
+        first = long_lists.clips_of(workspace, name).first()
         shown = {
-            "clips": grid(names.CLIPS_TABLE, tables.long_columns(columns), None, "Clips", **tables.LONG_CHOICE),
+            "clips": grid(names.CLIPS_TABLE, tables.long_columns(columns), first, "Clips", **tables.LONG_CHOICE),
             "report": grid(names.REPORT_TABLE, tables.long_columns(report_columns), None, "Import report", **OPTIONS),
             "rows": dcc.Store(id=names.REPORT_ROWS),
         }

@@ -10,7 +10,7 @@ from typing import Any
 from core.motifs.graph import MotifGraph
 from webapp.shell.results import find_edge
 
-MOST = 80  # motifs that are drawn at once
+MOST = 120  # motifs that are drawn at once
 NEAR = 50  # motifs that are drawn around a chosen one
 MOST_EDGES = 200  # successions that are drawn at once: those seen most often
 LARGEST, AROUND = "largest", "around"

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import json
+
 import pytest
+from plotly.utils import PlotlyJSONEncoder
 
 from core.errors import ParameterError
 from core.mocap.clip import Label, Segment
@@ -11,7 +14,7 @@ from core.mocap.reports import FileReport, Finding, ImportReport
 from core.workspace import DatasetInfo, Workspace, WorkspaceError
 from tests.webapp.generated import walk
 from tests.webapp.stored import misfit
-from webapp.features.library import adding, long_lists, names, reading
+from webapp.features.library import adding, callbacks, long_lists, names, reading
 from webapp.features.library import layout as pages_layout
 from webapp.features.library.cards import dataset_cards, duration
 from webapp.features.library.figures import tables as library_tables
@@ -159,6 +162,8 @@ def test_of_thousands_of_clips_the_server_sends_those_that_are_asked_for(tmp_pat
     block = table.block(request)
     assert [row["clip"] for row in block["rowData"]] == ["b 1", "b 10"] and block["rowCount"] == 4
     assert table.block(request)["rowData"][0] == library_tables.clip_rows(workspace.open("many"))[0]
+    tables_of = callbacks.detail(workspace, "many", {})
+    assert '"getRowsResponse": {"rowData": [{"key": "b 1"' in json.dumps(tables_of, cls=PlotlyJSONEncoder)
     only_b = {"clip": {"filterType": "text", "type": "startsWith", "filter": "b"}}
     assert long_lists.matching(workspace, "many", only_b) == ["b 1", "b 10"]
     every = {"dataset": "many", "filter": only_b}
