@@ -54,7 +54,7 @@ def replacing(path: str | Path) -> Iterator[Path]:
         raise
     finally:
         for left in (fresh, old):
-            _remove(left)
+            remove(left)
 
 
 @contextmanager
@@ -76,12 +76,13 @@ def sweep_abandoned(folder: Path, older_than: float = ABANDONED_AFTER) -> int:
     for path in folder.glob(f"{TEMPORARY}*"):
         with suppress(OSError):
             if time.time() - path.stat().st_mtime > older_than:
-                _remove(path)
+                remove(path)
                 removed += 1
     return removed
 
 
-def _remove(path: Path) -> None:
+def remove(path: Path) -> None:
+    """Removes a file, or a folder with all that is in it, as far as that is possible."""
     if path.is_dir() and not path.is_symlink():
         shutil.rmtree(path, ignore_errors=True)
     else:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import sqlite3
 import threading
 import time
@@ -76,6 +77,8 @@ CREATE TABLE IF NOT EXISTS audit (
 """
 _LATER = {"jobs": ("expected TEXT NOT NULL DEFAULT ''", "held TEXT NOT NULL DEFAULT ''")}
 """Columns that tables of older workspaces lack."""
+
+TABLES = tuple(re.findall(r"CREATE TABLE IF NOT EXISTS (\w+)", SCHEMA))
 
 
 class Database:

@@ -314,9 +314,19 @@ class DatasetStore:
         with self._database.transaction("find the datasets") as table:
             for card in sorted(self.folder.glob(f"*/{_CARD}")):
                 with suppress(OSError, ValueError, TypeError, sqlite3.IntegrityError):
-                    info = DatasetInfo(**json.loads(card.read_text(encoding="utf-8")))
-                    if card.parent.name == info.folder and check_name(info.name) == info.name:
-                        _insert(table, info)
+                    _insert(table, _read_card(card))
+
+    def adopt(self, folder: str) -> DatasetInfo | None:
+        """Enters a data set of this folder that the table does not know; None where the folder holds none."""
+        try:
+            card = _read_card(self._path(folder) / _CARD)
+            free = replace(card, name=self.free_name(card.name))
+            with self._database.transaction(f"enter the dataset {free.name!r}") as table:
+                _insert(table, free)
+        except (OSError, ValueError, TypeError):
+            return None
+        self._write_card(free)
+        return free
 
 
 def _may_see(info: DatasetInfo) -> bool:
@@ -342,6 +352,14 @@ _COLUMNS = ", ".join(_FIELDS)
 def _insert(table: sqlite3.Connection, info: DatasetInfo) -> None:
     marks = ", ".join("?" * len(_FIELDS))
     table.execute(f"INSERT INTO datasets ({_COLUMNS}) VALUES ({marks})", tuple(asdict(info).values()))
+
+
+def _read_card(card: Path) -> DatasetInfo:
+    """What a card says; raises OSError, TypeError, ValueError where it does not belong to its folder."""
+    info = DatasetInfo(**json.loads(card.read_text(encoding="utf-8")))
+    if card.parent.name != info.folder or check_name(info.name) != info.name:
+        raise ValueError(f"{card} is of another dataset")
+    return info
 
 
 def _info(dataset: Dataset, name: str, folder: str) -> DatasetInfo:

@@ -58,8 +58,8 @@ _TABLE = {
     "unable to open": "the job table cannot be opened; check that the workspace folder exists and is writable",
 }
 _DAMAGED = (
-    "workspace.sqlite is damaged. Stop Motionscape, rename that file and start again: "
-    "datasets and results are found again, only the list of past jobs is lost"
+    "workspace.sqlite is damaged. Stop Motionscape and run motionscape doctor WORKSPACE --repair, or rename that file "
+    "and start again: datasets and results are found again"
 )
 
 

@@ -182,12 +182,13 @@ class JobTable:
         running: int = self._database.rows("SELECT count(*) FROM jobs WHERE state = 'running'")[0][0]
         return running
 
-    def bury_dead(self) -> None:
-        """Marks running jobs as failed whose worker is gone; they may be submitted again."""
-        rows = self._database.rows("SELECT * FROM jobs WHERE state = 'running'")
-        if any(_is_gone(row) for row in rows):
+    def bury_dead(self) -> int:
+        """Marks running jobs as failed whose worker is gone; they may be submitted again. How many there were."""
+        gone = sum(_is_gone(row) for row in self._database.rows("SELECT * FROM jobs WHERE state = 'running'"))
+        if gone:
             with self._database.transaction("look after the jobs") as table:
                 _bury_dead(table)
+        return gone
 
     @contextmanager
     def working(self, job_id: int) -> Iterator[Callable[[str, float], None]]:

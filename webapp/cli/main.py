@@ -120,6 +120,11 @@ def commands() -> dict[str, Command]:
             later(f"{_USERS}:audit_arguments"),
             later(f"{_USERS}:audit"),
         ),
+        "doctor": Command(
+            "Check everything in a workspace, and repair what can be repaired.",
+            later("webapp.cli.doctor_command:doctor_arguments"),
+            later("webapp.cli.doctor_command:doctor"),
+        ),
     }
     for feature in features():
         commands_by_name.update(feature.commands)

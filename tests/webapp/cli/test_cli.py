@@ -24,6 +24,7 @@ KINDS = (
         "serve",
         "user",
         "audit",
+        "doctor",
         "import",
         "import-bundle",
         "labels",
