@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any, Literal
@@ -17,11 +17,13 @@ from core.grammar.learned import LearnedGrammar
 from core.groups.comparison import Motions, compare_groups
 from core.groups.design import Design, Unit
 from core.groups.documents import to_json
+from core.groups.maps import Stay, map_differences
 from core.groups.parameters import GroupParameters
 from core.groups.tables import Item
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.motifs.graph import MotifGraph
+from core.motion_map.motion_map import MotionMap
 from core.progress import Report, silent
 
 GAIT = "gait cycle"
@@ -29,9 +31,10 @@ GAIT = "gait cycle"
 
 @dataclass(frozen=True)
 class CompareParameters(GroupParameters):
-    """A comparison as a request. of: what is counted. design: groups and units as JSON, see :func:`design_json`.
+    """A comparison as a request.
 
-    settings: of the motif graph or the grammar that is counted, as JSON; the usual ones where empty.
+    of: what is counted; settings: of the motif graph or the grammar that is counted, as JSON, the usual ones where
+    empty. on_map: on the motion map too. design: groups and units as JSON, see :func:`design_json`.
     """
 
     of: Literal["motifs", "grammar", "labels"] = field(
@@ -39,12 +42,12 @@ class CompareParameters(GroupParameters):
     )
     design: str = field(default="", metadata={"help": "Groups and units, as JSON."})
     settings: str = field(default="", metadata={"help": "Settings of the motifs or the grammar, as JSON."})
+    on_map: bool = field(default=False, metadata={"help": "Compare where on the motion map the groups are, too."})
 
     def need(self) -> tuple[tuple[str, dict[str, Any]], ...]:
-        """The result that is counted: method and its parameters."""
-        if self.of == "labels":
-            return ()
-        return ((self.of, json.loads(self.settings) if self.settings else {}),)
+        """The results that are compared: methods and their parameters."""
+        counted = () if self.of == "labels" else ((self.of, json.loads(self.settings) if self.settings else {}),)
+        return (*counted, *((("map", {}),) if self.on_map else ()))
 
 
 def design_json(design: Design) -> str:
@@ -68,11 +71,13 @@ def compare_dataset(
     dataset: Dataset,
     values: CompareParameters,
     report: Report = silent,
-    counted: MotifGraph | LearnedGrammar | None = None,
+    *given: MotifGraph | LearnedGrammar | MotionMap,
 ) -> dict[str, Any]:
     """The document groups.json for a request. Raises ParameterError, Cancelled."""
     plain = GroupParameters(values.permutations, values.resamples, values.alpha, values.seed)
-    return compared(dataset, design_of(values.design), counted, plain, report)
+    counted = next((one for one in given if not isinstance(one, MotionMap)), None)
+    motion_map = next((one for one in given if isinstance(one, MotionMap)), None)
+    return compared(dataset, design_of(values.design), counted, plain, report, motion_map)
 
 
 def compared(
@@ -81,8 +86,12 @@ def compared(
     counted: MotifGraph | LearnedGrammar | None,
     parameters: GroupParameters,
     report: Report = silent,
+    motion_map: MotionMap | None = None,
 ) -> dict[str, Any]:
-    """The document groups.json of a design: of motifs, of actions, or (None) of the labels of the dataset."""
+    """The document groups.json of a design: of motifs, of actions, or (None) of the labels of the dataset.
+
+    motion_map: where postures are compared as well.
+    """
     motions: dict[str, Motions] = {}
     if isinstance(counted, MotifGraph):
         items = motif_items(counted)
@@ -94,7 +103,17 @@ def compared(
     used = {clip for unit in design.units for clip in unit.clips}
     motions[GAIT] = strides(dataset, used, report)
     found = compare_groups(dataset, design, items, motions, parameters, report)
-    return to_json(found, dataset)
+    on_map = map_differences(design, stays_on(motion_map), motion_map.grid, parameters) if motion_map else []
+    return to_json(found, dataset) | {"map": on_map}
+
+
+def stays_on(motion_map: MotionMap) -> Iterator[Stay]:
+    """The stays of clips on the nodes of a map."""
+    runs = motion_map.runs
+    for clip, node, frames in zip(
+        runs.clip.tolist(), runs.node.tolist(), (runs.end - runs.start).tolist(), strict=True
+    ):
+        yield motion_map.clips[clip], node, float(frames)
 
 
 def motif_items(graph: MotifGraph, names: Mapping[int, str] | None = None) -> tuple[Item, ...]:

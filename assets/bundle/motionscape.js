@@ -6377,6 +6377,21 @@
     }
     return names2;
   }
+  function mapChart({ groups, grid: [across, down], difference, clusters }) {
+    const size = 10;
+    const most = Math.max(1e-9, ...difference.map(Math.abs));
+    const svg = svgElement("svg", { class: "groups-map", viewBox: `0 0 ${across * size} ${down * size}`, role: "img", "aria-label": "Differences on the motion map" });
+    const certain = new Map(clusters.flatMap(({ nodes, p }) => nodes.map(([i, j]) => [i * down + j, p])));
+    difference.forEach((value, k) => {
+      const [i, j] = [Math.floor(k / down), k % down];
+      const cell2 = svgElement("rect", { x: i * size, y: j * size, width: size, height: size, class: `groups-cell${certain.has(k) ? " certain" : ""}` });
+      cell2.style.fill = value < 0 ? COLOURS2[0] : COLOURS2[1];
+      cell2.style.fillOpacity = String(Math.abs(value) / most);
+      tipOn(cell2, () => [`${value > 0 ? groups[1] : groups[0]} is here ${figure(Math.abs(value))} % of the time more`, ...certain.has(k) ? [`p ${chance(certain.get(k) ?? null)} over the whole map`] : []]);
+      svg.append(cell2);
+    });
+    return svg;
+  }
   function curveChart({ curve, unit: unit2, groups, n, means, spreads, clusters, q }) {
     const all = means.flatMap((mean, g) => mean.flatMap((value, k) => [value - spreads[g][k], value + spreads[g][k]]));
     const [low, high] = [Math.min(...all), Math.max(...all)];
@@ -6561,6 +6576,8 @@
       }
       const ways = made.transitions.filter((row7) => row7.groups.join(" → ") === pair && row7.difference !== null);
       if (ways.length) yield element("section", "card", element("h2", "", `What follows what, ${pair}`), element("p", "muted", "The stronger the colour, the larger the difference of the probability; outlined where it is beyond chance. Arrows: differences of at least 10 %."), element("div", "groups-pair", differenceGraph(ways, play2), transitionMatrix(ways, play2)));
+      const place5 = (made.map ?? []).find((one) => one.groups.join(" → ") === pair);
+      if (place5) yield element("section", "card", element("h2", "", `Postures on the motion map, ${pair}`), element("p", "muted", place5.clusters.length ? "Coloured by who is there more often; outlined where that is beyond chance." : "Coloured by who is there more often; nowhere beyond chance."), mapChart(place5));
       const curves = made.curves.filter((curve) => curve.groups.join(" → ") === pair).sort((a, b) => a.q - b.q);
       if (curves.length) yield curvesOf(pair, curves);
     }

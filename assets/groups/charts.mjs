@@ -1,7 +1,7 @@
 // Charts of a comparison: effects in order, what follows what, curves with their bands.
 import { asButton, tipOn } from "../blocks/tip.mjs";
 import { element, svgElement } from "../shared/dom.mjs";
-/** @import { Curve, Row } from "./types.d.ts" */
+/** @import { Curve, OnMap, Row } from "./types.d.ts" */
 
 const MEASURES = { share: "share of time", rate: "how often", duration: "how long", mean: "", probability: "" };
 const [WIDTH, HEIGHT] = [340, 150];
@@ -130,6 +130,23 @@ function namesOf(rows) {
     if (b.length === 1) names.set(source, a).set(target, b[0]);
   }
   return names;
+}
+
+/** Where on the motion map the groups are more often; what differs beyond chance is outlined. @param {OnMap} found */
+export function mapChart({ groups, grid: [across, down], difference, clusters }) {
+  const size = 10;
+  const most = Math.max(1e-9, ...difference.map(Math.abs));
+  const svg = svgElement("svg", { class: "groups-map", viewBox: `0 0 ${across * size} ${down * size}`, role: "img", "aria-label": "Differences on the motion map" });
+  const certain = new Map(clusters.flatMap(({ nodes, p }) => nodes.map(([i, j]) => [i * down + j, p])));
+  difference.forEach((value, k) => {
+    const [i, j] = [Math.floor(k / down), k % down];
+    const cell = svgElement("rect", { x: i * size, y: j * size, width: size, height: size, class: `groups-cell${certain.has(k) ? " certain" : ""}` });
+    cell.style.fill = value < 0 ? COLOURS[0] : COLOURS[1];
+    cell.style.fillOpacity = String(Math.abs(value) / most);
+    tipOn(cell, () => [`${value > 0 ? groups[1] : groups[0]} is here ${figure(Math.abs(value))} % of the time more`, ...(certain.has(k) ? [`p ${chance(certain.get(k) ?? null)} over the whole map`] : [])]);
+    svg.append(cell);
+  });
+  return svg;
 }
 
 /** Means and bands of a curve in two groups, with the stretches where they differ. @param {Curve} curve */

@@ -5,7 +5,7 @@ import { element, find, withAttributes } from "../shared/dom.mjs";
 import { ask } from "../shared/server.mjs";
 import { percent, plural } from "../shared/words.mjs";
 import { player } from "../stage/player.mjs";
-import { curveChart, differenceGraph, effectChart, nameOf, transitionMatrix } from "./charts.mjs";
+import { curveChart, differenceGraph, effectChart, mapChart, nameOf, transitionMatrix } from "./charts.mjs";
 import { GROUPS_PLACE } from "./ids.mjs";
 /** @import { View } from "../shared/types.d.ts" */
 /** @import { Answer, Choices, Comparison, Piece, Row } from "./types.d.ts" */
@@ -141,6 +141,8 @@ function* drawResult(made) {
     }
     const ways = made.transitions.filter((row) => row.groups.join(" → ") === pair && row.difference !== null);
     if (ways.length) yield element("section", "card", element("h2", "", `What follows what, ${pair}`), element("p", "muted", "The stronger the colour, the larger the difference of the probability; outlined where it is beyond chance. Arrows: differences of at least 10 %."), element("div", "groups-pair", differenceGraph(ways, play), transitionMatrix(ways, play)));
+    const place = (made.map ?? []).find((one) => one.groups.join(" → ") === pair);
+    if (place) yield element("section", "card", element("h2", "", `Postures on the motion map, ${pair}`), element("p", "muted", place.clusters.length ? "Coloured by who is there more often; outlined where that is beyond chance." : "Coloured by who is there more often; nowhere beyond chance."), mapChart(place));
     const curves = made.curves.filter((curve) => curve.groups.join(" → ") === pair).sort((a, b) => a.q - b.q);
     if (curves.length) yield curvesOf(pair, curves);
   }

@@ -54,6 +54,14 @@ export interface Comparison {
   comparisons: Row[];
   transitions: Row[];
   curves: Curve[];
+  map?: OnMap[];
+}
+
+export interface OnMap {
+  groups: [string, string];
+  grid: [number, number];
+  difference: number[];
+  clusters: { nodes: [number, number][]; sign: number; p: number }[];
 }
 
 export interface Answer {

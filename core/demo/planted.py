@@ -20,14 +20,14 @@ Difference = Literal["nothing", "kicks", "slower", "wider"]
 DIFFERENCES: tuple[Difference, ...] = ("nothing", "kicks", "slower", "wider")
 SLOWER, WIDER, KICKS = 0.9, 15.0, 2  # of the tempo; degrees; times as often
 _FILLING = ("idle", "jump", "punch", "squat", "idle")
-_PIECES = 24  # actions of a routine beside walking
+PIECES = 24  # actions of a routine beside walking
 
 
-def person(number: int, difference: Difference, seed: int = 0) -> tuple[Clip, tuple[Label, ...]]:
+def person(number: int, difference: Difference, seed: int = 0, pieces: int = PIECES) -> tuple[Clip, tuple[Label, ...]]:
     """A routine of a minute or two by someone with a body and a manner of their own.
 
-    kicks: kicks twice as often as others; slower: moves a tenth slower; wider: holds the arms 15 degrees wider. The
-    same number and seed give the same person, whatever the difference.
+    pieces: actions beside walking. kicks: kicks twice as often as others; slower: moves a tenth slower; wider: holds
+    the arms 15 degrees wider. The same number and seed give the same person, whatever the difference.
     """
     rng = np.random.default_rng([seed, number])
     size, tempo, amplitude, lean = rng.normal([1.05, 1, 1, 0], [0.05, 0.04, 0.06, 1.5])
@@ -36,7 +36,7 @@ def person(number: int, difference: Difference, seed: int = 0) -> tuple[Clip, tu
         one = replace(one, tempo=one.tempo * SLOWER)
     often = 0.2 * (KICKS if difference == "kicks" else 1)
     sentence = ["walk"]
-    for k in range(_PIECES):
+    for k in range(pieces):
         sentence.append("kick" if rng.uniform() < often else _FILLING[int(rng.integers(len(_FILLING)))])
         if k % 3 == 2:
             sentence.append("walk")
@@ -55,7 +55,7 @@ def with_wider_arms(clip: Clip, degrees: float = WIDER) -> Clip:
 
 
 def planted_groups(
-    difference: Difference, per_group: int, seed: int = 0, report: Report = silent
+    difference: Difference, per_group: int, seed: int = 0, pieces: int = PIECES, report: Report = silent
 ) -> tuple[Dataset, Properties]:
     """Two groups of people, A without and B with a difference, one clip each, and their properties ``subject`` and
     ``group``. Raises Cancelled from ``report``."""
@@ -65,7 +65,7 @@ def planted_groups(
     for number in range(2 * per_group):
         report("making people", number / (2 * per_group))
         group = "A" if number < per_group else "B"
-        clip, own = person(number, difference if group == "B" else "nothing", seed)
+        clip, own = person(number, difference if group == "B" else "nothing", seed, pieces)
         clips.append(clip)
         labels += own
         values[clip.name] = {"subject": clip.name, "group": group}

@@ -117,10 +117,7 @@ def compare_groups(
     with timed("tests", seconds):
         report("testing", 0.0)
         use = use_table(design, items, clips)
-        columns = [(item.kind, item.id, item.name, measure, unit) for item in items for measure, unit in MEASURES]
-        rows = _tested(design, columns, use.reshape(len(use), -1), parameters)
-        of_figures = [("figure", name, name, "mean", unit) for name, unit in FIGURES.items()]
-        rows += _tested(design, of_figures, figures, parameters)
+        rows = table_rows(design, [(item.kind, item.id, item.name) for item in items], use, figures, parameters)
         report("testing", 0.5)
         pairs, shares, _ = transitions(design, items)
         names = [(f"{items[a].id}>{items[b].id}", f"{items[a].name} to {items[b].name}") for a, b in pairs]
@@ -136,8 +133,25 @@ def compare_groups(
     }
     least = min(smallest_p(design.pair(a, b), parameters.permutations) for a, b in combinations(design.groups, 2))
     return GroupComparison(
-        design, parameters, tuple(items), tuple(rows), tuple(following), curves, least, minutes, by_clip, seconds
+        design, parameters, tuple(items), rows, tuple(following), curves, least, minutes, by_clip, seconds
     )
+
+
+def table_rows(
+    design: Design,
+    items: Sequence[tuple[str, str, str]],
+    use: FloatArray,
+    figures: FloatArray,
+    parameters: GroupParameters,
+) -> tuple[Comparison, ...]:
+    """The rows of a table of use, ``(n_units, n_items, 3)``, and one of figures, ``(n_units, n_figures)``.
+
+    items: kind, id and name of each. The correction is over all rows of a table, for all pairs of groups together.
+    """
+    columns = [(*item, measure, unit) for item in items for measure, unit in MEASURES]
+    of_figures = [("figure", name, name, "mean", unit) for name, unit in FIGURES.items()]
+    rows = _tested(design, columns, use.reshape(len(use), -1), parameters)
+    return (*rows, *_tested(design, of_figures, figures, parameters))
 
 
 def _tested(

@@ -16,7 +16,7 @@ __all__ = ["address", "show"]
 
 @pytest.fixture
 def workspace(tmp_path) -> Workspace:
-    dataset, properties = planted_groups("wider", 6)
+    dataset, properties = planted_groups("wider", 6, pieces=8)
     workspace = Workspace(tmp_path / "workspace")
     workspace.add_dataset("people", dataset)
     workspace.properties.put(workspace.info("people").id, properties)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 
@@ -9,28 +11,31 @@ from core.comparing import compared, design_json, design_of
 from core.demo.planted import person, planted_groups
 from core.errors import ParameterError
 from core.groups.design import Design, Unit, make_design
+from core.groups.maps import densities, map_differences
 from core.groups.parameters import GroupParameters
 from core.groups.tables import Item, transitions, use_table
 from core.mocap.clip import Segment
 
 
-def words(difference: str, per_group: int = 6) -> str:
-    dataset, properties = planted_groups(difference, per_group)
-    design = make_design(properties, dataset.names, "group")
-    return " ".join(one["text"] for one in compared(dataset, design, None, GroupParameters())["words"])
+def document_of(difference: str, per_group: int) -> dict:
+    dataset, properties = planted_groups(difference, per_group, pieces=6)
+    return compared(dataset, make_design(properties, dataset.names, "group"), None, GroupParameters())
 
 
-def test_planted_differences_are_said_in_words():
-    assert "B walks" in words("slower") and "slower" in words("slower")
-    assert "arm" in words("wider") and "wider" in words("wider")
-    assert words("nothing").startswith("A and B do not differ beyond chance in any of")
+def test_planted_differences_are_found_and_said():
+    wider = " ".join(one["text"] for one in document_of("wider", 6)["words"])
+    assert re.search("B holds the (left|right) arm .* wider", wider)
+    slower = {row["name"]: row for row in document_of("slower", 8)["comparisons"] if row["kind"] == "figure"}
+    speed = slower["Walking speed"]
+    assert speed["difference"] < 0 and speed["p"] < 0.05 and speed["n"] == [8, 8]
+    assert document_of("nothing", 4)["words"][0]["text"].startswith("A and B do not differ beyond chance in any of")
 
 
 def test_one_person_moves_alike_whatever_is_planted():
-    plain, labels = person(3, "nothing")
-    wide, same = person(3, "wider")
+    plain, labels = person(3, "nothing", pieces=4)
+    wide, same = person(3, "wider", pieces=4)
     assert labels == same and np.array_equal(plain.root_positions, wide.root_positions)
-    assert [label.action for label in person(3, "slower")[1]] == [label.action for label in labels]
+    assert [label.action for label in person(3, "slower", pieces=4)[1]] == [label.action for label in labels]
 
 
 CLIPS = {"a": (300, 30.0), "b": (600, 60.0), "c": (300, 30.0), "d": (300, 30.0)}
@@ -64,3 +69,21 @@ def test_a_design_survives_as_text():
     assert design_of(design_json(DESIGN)) == DESIGN
     with pytest.raises(ParameterError, match="cannot be read"):
         design_of("[1, 2]")
+
+
+def test_postures_are_compared_where_they_are_on_a_map():
+    stays = [(clip, node, 50.0) for clip in "abc" for node in (0, 1)] + [("d", 8, 100.0)]
+    shares = densities(DESIGN, stays, (3, 3))
+    assert shares.shape == (3, 3, 3) and shares.sum((1, 2)) == pytest.approx(100)
+    assert shares[2].argmax() == 8 and shares[0].argmax() in (0, 1)
+    units = tuple(Unit(f"{g}{k}", g, (f"{g}{k}",)) for g in "xy" for k in range(6))
+    rng = np.random.default_rng(0)
+    many = [
+        (unit.clips[0], int(node), 1.0)
+        for unit in units
+        for node in [*rng.integers(0, 64, 60), *([27] * 30 if unit.group == "y" else [])]
+    ]
+    design = Design("g", ("x", "y"), units, "subject")
+    (found,) = map_differences(design, many, (8, 8), GroupParameters(permutations=300))
+    assert found["clusters"][0]["sign"] == 1 and [3, 3] in found["clusters"][0]["nodes"]
+    assert found["clusters"][0]["p"] < 0.05 and len(found["difference"]) == 64

@@ -29,6 +29,7 @@ def compare_groups(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--subject", metavar="COLUMN", help="property that names who moves (default: one called subject, person ...)"
     )
+    parser.add_argument("--map", action="store_true", help="compare where on a motion map the groups are as well")
     parser.add_argument(
         "--paired",
         choices=("auto", "yes", "no"),

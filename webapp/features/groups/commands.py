@@ -7,6 +7,7 @@ from argparse import Namespace
 from pathlib import Path
 from typing import Any
 
+from core import analyses
 from core.comparing import compared
 from core.grammar import learned as grammar_files
 from core.grammar.learned import LearnedGrammar
@@ -35,7 +36,8 @@ def compare_groups(arguments: Namespace) -> int:
         if counted is None and not dataset.labels:
             raise WorkspaceError("These recordings have no labels to count: give motifs or a grammar with --from.")
         design = _design(arguments, dataset)
-        document = compared(dataset, design, counted, parameters, report)
+        motion_map = analyses.compute(dataset, "map", {}, report) if arguments.map else None
+        document = compared(dataset, design, counted, parameters, report, motion_map)
     if arguments.out.suffix.lower() == ".csv":
         with atomic_file(arguments.out) as file:
             file.write(to_csv(document).encode())

@@ -54,7 +54,7 @@ def request_of(workspace: Workspace, dataset: str, link: Mapping[str, str]) -> a
         groups=chosen,
         paired=_paired(link.get("paired", "")),
     )
-    values: dict[str, Any] = {"of": counted, "design": design_json(design)}
+    values: dict[str, Any] = {"of": counted, "design": design_json(design), "on_map": True}
     if counted != "labels":
         values["settings"] = json.dumps(dict(settings.request_of(counted, dataset, link).parameters))
     return analyses.Request(dataset, "groups", values)
