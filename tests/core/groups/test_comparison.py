@@ -17,13 +17,13 @@ from core.groups.tables import Item, transitions, use_table
 from core.mocap.clip import Segment
 
 
-def document_of(difference: str, per_group: int) -> dict:
-    dataset, properties = planted_groups(difference, per_group, pieces=6)
+def document_of(difference: str, per_group: int, pieces: int = 6) -> dict:
+    dataset, properties = planted_groups(difference, per_group, pieces=pieces)
     return compared(dataset, make_design(properties, dataset.names, "group"), None, GroupParameters())
 
 
 def test_planted_differences_are_found_and_said():
-    wider = " ".join(one["text"] for one in document_of("wider", 6)["words"])
+    wider = " ".join(one["text"] for one in document_of("wider", 8, pieces=12)["words"])
     assert re.search("B holds the (left|right) arm .* wider", wider)
     slower = {row["name"]: row for row in document_of("slower", 8)["comparisons"] if row["kind"] == "figure"}
     speed = slower["Walking speed"]
