@@ -13,6 +13,7 @@ from webapp.shell import access, callback_requests, compression, frame, messages
 from webapp.shell.assets import PARTS, VENDOR, assets_folder
 from webapp.shell.feature import features
 from webapp.shell.loading import LoadingDash
+from webapp.shell.places import places_blueprint
 from webapp.shell.uploads import Limits, upload_blueprint
 from webapp.stage import player
 from webapp.stage import routes as stage_routes
@@ -54,6 +55,7 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> Loadi
     compression.register(app.server)
     messages.register(app.server)
     blueprints = [upload_blueprint(workspace, Limits.from_environment()), *stage_routes.blueprints(workspace)]
+    blueprints.append(places_blueprint(workspace))
     blueprints += [blueprint for feature in features() for blueprint in feature.routes(workspace)]
     for blueprint in blueprints:
         app.server.register_blueprint(blueprint)

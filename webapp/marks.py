@@ -16,6 +16,7 @@ SHARED = Rights(
         "jobs.changes.announce",
         "jobs.following.follow",
         "jobs.job_bar.poll",
+        "shell.places.places",
         "shell.playback.play",
         "shell.sign_in.who_am_i",
         "shell.state.show_datasets",

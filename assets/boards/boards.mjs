@@ -6,7 +6,7 @@ import { OpenBoard } from "./board.mjs";
 import { BOARDS_PLACE } from "./ids.mjs";
 import { showList } from "./list.mjs";
 import { isDark, shown } from "./state.mjs";
-import "./palette.mjs";
+import "./places.mjs";
 import "./save_view.mjs";
 /** @import { Selection, View } from "../shared/types.d.ts" */
 

@@ -560,6 +560,8 @@
   var NAV = "nav-";
   var DATASET_PICKER = "dataset-picker";
   var NOTICES = "notices";
+  var SHARE = "share";
+  var SCHEME_TOGGLE = "scheme-toggle";
   var URL2 = "url";
   var DATASET = (
     /** @type {StoreId<string>} */
@@ -3727,6 +3729,7 @@
   function setStageWidth(pixels2) {
     const width = Math.round(Math.min(Math.max(pixels2, 320), innerWidth - 84 - 367));
     document.documentElement.style.setProperty("--stage-width", width + "px");
+    document.querySelector(".splitter")?.setAttribute("aria-valuenow", String(Math.round(100 * width / innerWidth)));
     return width;
   }
   function remember(width) {
@@ -3775,9 +3778,304 @@
   }
   whenParsed(start);
 
+  // shared/dialogs.mjs
+  function button(name, act2, className = "") {
+    const node = element("button", `boards-button ${className}`.trim(), name);
+    node.type = "button";
+    node.addEventListener("click", act2);
+    return node;
+  }
+  function iconButton(symbol, name, act2) {
+    const node = button("", act2, "boards-icon");
+    node.append(icon(symbol, 16));
+    node.title = name;
+    node.setAttribute("aria-label", name);
+    return node;
+  }
+  function openWindow(title, ...parts2) {
+    const dialog2 = element("dialog", "boards-dialog", element("h2", "", title), ...parts2);
+    dialog2.setAttribute("aria-label", title);
+    dialog2.addEventListener("close", () => dialog2.remove());
+    dialog2.addEventListener("click", (event) => {
+      if (targetOf(event) === /** @type {unknown} */
+      dialog2) dialog2.close();
+    });
+    document.body.append(dialog2);
+    dialog2.showModal();
+    return dialog2;
+  }
+  function openForm(title, fields, action, save2) {
+    const problem2 = element("p", "form-problem");
+    problem2.setAttribute("role", "alert");
+    const form2 = element("form", "boards-form", ...fields.map(fieldOf), problem2);
+    const send4 = element("button", "boards-button primary", action);
+    const dialog2 = openWindow(title, form2);
+    form2.append(element("div", "boards-actions", button("Cancel", () => dialog2.close()), send4));
+    form2.addEventListener("submit", async (event) => {
+      event.preventDefault();
+      send4.disabled = true;
+      try {
+        await save2(Object.fromEntries([...new FormData(form2)].map(([name, value]) => [name, String(value)])));
+        dialog2.close();
+      } catch (error) {
+        problem2.textContent = error instanceof Error ? error.message : String(error);
+      }
+      send4.disabled = false;
+    });
+    form2.querySelector("input, textarea, select")?.focus();
+    return dialog2;
+  }
+  function fieldOf({ name, label, value = "", kind = "line", choices: choices2 = [], hint = "" }) {
+    let control;
+    if (kind === "choice") {
+      control = element("select", "", ...choices2.map(([key, words4]) => withAttributes(element("option", "", words4), { value: key })));
+    } else control = kind === "text" ? withAttributes(element("textarea"), { rows: 7 }) : element("input");
+    control.name = name;
+    control.value = value;
+    return element("label", "boards-field", element("span", "", label), control, hint && element("small", "muted", hint));
+  }
+  function openMenu(anchor, entries) {
+    const menu = element("div", "boards-menu", ...entries.map(([name, act2]) => {
+      const entry = button(name, () => {
+        close();
+        act2();
+      });
+      entry.setAttribute("role", "menuitem");
+      return entry;
+    }));
+    menu.setAttribute("role", "menu");
+    const { left, right, bottom } = anchor.getBoundingClientRect();
+    const stop = new AbortController();
+    const close = () => {
+      stop.abort();
+      menu.remove();
+    };
+    (document.fullscreenElement ?? document.body).append(menu);
+    menu.style.top = `${Math.min(bottom + 4, innerHeight - menu.offsetHeight - 8)}px`;
+    menu.style.left = `${Math.max(8, Math.min(left, right - menu.offsetWidth, innerWidth - menu.offsetWidth - 8))}px`;
+    const leave3 = (event) => {
+      if (!menu.contains(
+        /** @type {Node} */
+        event.target
+      )) close();
+    };
+    document.addEventListener("pointerdown", leave3, { signal: stop.signal, capture: true });
+    menu.addEventListener("keydown", (event) => {
+      const at3 = [...menu.children].indexOf(
+        /** @type {Element} */
+        document.activeElement
+      );
+      const step3 = { ArrowDown: 1, ArrowUp: -1 }[event.key];
+      if (event.key === "Escape") close();
+      else if (step3) menu.children[(at3 + step3 + entries.length) % entries.length].focus();
+    });
+    menu.firstElementChild.focus();
+  }
+  var line2 = null;
+  function say(words4, undo) {
+    line2?.remove();
+    const shown9 = element("div", "boards-toast", element("span", "", words4), undo ? button("Undo", () => {
+      shown9.remove();
+      undo();
+    }) : null);
+    shown9.setAttribute("role", "status");
+    line2 = shown9;
+    (document.querySelector("dialog[open]") ?? document.fullscreenElement ?? document.body).append(shown9);
+    setTimeout(() => shown9.remove(), undo ? 12e3 : 4e3);
+  }
+  function ago(moment) {
+    const minutes = Math.max(0, (Date.now() / 1e3 - moment) / 60);
+    if (minutes < 1) return "just now";
+    if (minutes < 60) return `${Math.floor(minutes)} min ago`;
+    return minutes < 1440 ? `${Math.floor(minutes / 60)} h ago` : new Date(moment * 1e3).toLocaleDateString("en-CA");
+  }
+
+  // shell/keys.mjs
+  var KEYS2 = [
+    ["Everywhere", [["Ctrl K", "go to a page, a clip, a motif, a setting, a board"], ["?", "these keys"], ["Ctrl Z", "undo the last change"], ["Tab", "to the next control"], ["Esc", "close a window"]]],
+    ["Tables", [["↑ ↓", "from row to row"], ["Enter", "play the row, or open its link"], ["Space", "choose the row"]]],
+    ["Motif graph", [["arrows", "move"], ["+ −", "closer, further away"], ["0", "show all"]]]
+  ];
+  var writing = (event) => closest(event, "input:not([type=checkbox], [type=radio], [type=range]), textarea, select, [contenteditable=true]") !== null;
+  var section = (title, entries) => element("section", "", element("h3", "", title), element("dl", "keys-list", ...entries));
+  function showKeys() {
+    const stage2 = allWithin(document, ".ms-help dt, .ms-help dd").map((node) => (
+      /** @type {Element} */
+      node.cloneNode(true)
+    ));
+    openWindow("Keyboard shortcuts", element(
+      "div",
+      "keys",
+      ...KEYS2.map(([title, keys]) => section(title, keys.flatMap(([key, what]) => [element("dt", "", key), element("dd", "", what)]))),
+      section("Stage, when it has the focus", stage2)
+    ));
+  }
+  document.addEventListener("keydown", (event) => {
+    if (event.defaultPrevented || event.altKey || writing(event) || document.querySelector("dialog[open]")) return;
+    const control = event.ctrlKey || event.metaKey;
+    if (event.key === "?" && !control) showKeys();
+    else if (event.key.toLowerCase() === "z" && control && !event.shiftKey && lastUndo()) lastUndo()?.click();
+    else return;
+    event.preventDefault();
+  });
+  function lastUndo() {
+    const buttons = allWithin(document, '[data-store="undo"], .boards-toast button').filter((button5) => button5.getClientRects().length && button5.textContent === "Undo");
+    return buttons.at(-1);
+  }
+
+  // shell/menus.mjs
+  var SAID = ["aria-haspopup", "aria-expanded", "aria-controls"];
+  function hand(box4) {
+    const button5 = box4.querySelector("button");
+    if (box4.tagName !== "DIV" || box4.hasAttribute("role") || !button5) return;
+    for (const name of SAID) {
+      const value = box4.getAttribute(name);
+      if (value === null) continue;
+      button5.setAttribute(name, value);
+      box4.removeAttribute(name);
+    }
+  }
+  new MutationObserver((changes) => {
+    for (const { type, target: target2, addedNodes } of changes) {
+      if (type === "attributes") hand(
+        /** @type {Element} */
+        target2
+      );
+      for (const node of addedNodes) {
+        if (!(node instanceof Element)) continue;
+        if (node.hasAttribute("aria-haspopup")) hand(node);
+        for (const box4 of node.querySelectorAll("div[aria-haspopup]")) hand(box4);
+      }
+    }
+  }).observe(document.documentElement, { subtree: true, childList: true, attributeFilter: ["aria-haspopup", "aria-expanded"] });
+
+  // shared/places.mjs
+  var sources = [() => allWithin(document, ".nav-link").map((link2) => ({ name: link2.textContent ?? "", about: "page", address: link2.getAttribute("href") ?? "/" }))];
+  var addPlaces = (find2) => {
+    sources.push(find2);
+  };
+  async function findPlaces(text) {
+    const found = await Promise.all(sources.map(async (find2) => {
+      try {
+        return await find2(text);
+      } catch {
+        return [];
+      }
+    }));
+    return matching(found.flat(), text);
+  }
+  function matching(places, text) {
+    const words4 = text.toLowerCase().split(/\s+/).filter(Boolean);
+    const found = places.filter(({ name, about }) => words4.every((word) => `${name} ${about}`.toLowerCase().includes(word)));
+    const wanted2 = words4.join(" ");
+    const distance = ({ name }) => {
+      const called = name.toLowerCase();
+      return [called === wanted2, called.startsWith(wanted2), called.startsWith(words4[0] ?? ""), true].indexOf(true);
+    };
+    return found.sort((a, b) => distance(a) - distance(b));
+  }
+
+  // shared/server.mjs
+  var NAME = "motionscape-name";
+  var Refused = class extends Error {
+    /** @param {number} status @param {any} answer */
+    constructor(status2, answer2) {
+      super(answer2?.error || `The server answered with an error (${status2}).`);
+      this.status = status2;
+      this.answer = answer2 ?? {};
+    }
+  };
+  var person = {
+    get name() {
+      return localStorage.getItem(NAME) ?? "";
+    },
+    set name(name) {
+      localStorage.setItem(NAME, name.trim().slice(0, 80));
+    }
+  };
+  async function ask2(path2, body2, mark3 = "") {
+    const options = body2 ? { method: "POST", headers: { "Content-Type": "application/json", "X-Motionscape": "boards" }, body: JSON.stringify({ author: person.name, ...body2 }) } : { headers: mark3 ? { "If-None-Match": mark3 } : {}, cache: mark3 ? "no-store" : "no-cache" };
+    const answer2 = await fetch(`/api/${path2}`, options).catch(() => {
+      throw new Error("The server cannot be reached. Is Motionscape still running?");
+    });
+    if (answer2.status === 304) return null;
+    const content = await answer2.json().catch(() => null);
+    if (!answer2.ok) throw new Refused(answer2.status, content);
+    if (content && !body2 && answer2.headers.get("ETag")) content.etag = answer2.headers.get("ETag");
+    return content;
+  }
+
+  // shell/palette.mjs
+  var MOST = 14;
+  var PATIENCE2 = 5e3;
+  addPlaces(async (text) => {
+    const link2 = encodeURIComponent(location.pathname + location.search);
+    return (
+      /** @type {any} */
+      (await ask2(`places?link=${link2}&text=${encodeURIComponent(text)}`)).places
+    );
+  });
+  var command = (name, about, act2) => ({ name, about, address: "", act: act2 });
+  addPlaces(() => [
+    command("Keyboard shortcuts", "?", showKeys),
+    command("Light or dark", "command", () => find(SCHEME_TOGGLE)?.click()),
+    command("Copy a link to this view", "command", () => find(SHARE)?.click())
+  ]);
+  document.addEventListener("keydown", (event) => {
+    if (event.key.toLowerCase() !== "k" || !(event.ctrlKey || event.metaKey) || event.shiftKey || event.altKey) return;
+    if (document.querySelector("dialog[open]")) return;
+    event.preventDefault();
+    openPalette();
+  });
+  async function openPalette() {
+    const field = withAttributes(element("input"), { type: "search", placeholder: "A page, a clip, a motif, a setting, a board ...", "aria-label": "Go to", autocomplete: "off" });
+    const list3 = withAttributes(element("div", "boards-found"), { role: "group", "aria-label": "Found" });
+    const dialog2 = openWindow("Go to", element("div", "boards-form", field, list3));
+    const go = (place5) => {
+      dialog2.close();
+      if (place5.act) place5.act();
+      else openPage(place5.address);
+      if (place5.opens) unfold(place5.opens);
+    };
+    let asked2 = 0;
+    const show6 = async () => {
+      const number2 = ++asked2;
+      const found = (await findPlaces(field.value)).slice(0, MOST);
+      if (number2 !== asked2) return;
+      list3.replaceChildren(...found.map((place5) => {
+        const entry = element("button", "boards-button", element("span", "ellipsis", place5.name), element("span", "muted ellipsis", place5.about));
+        entry.type = "button";
+        entry.addEventListener("click", () => go(place5));
+        return entry;
+      }), found.length ? "" : element("p", "muted", "Nothing is called so."));
+    };
+    field.addEventListener("input", show6);
+    dialog2.addEventListener("keydown", (event) => {
+      const entries = allWithin(list3, "button");
+      const at3 = entries.indexOf(
+        /** @type {any} */
+        document.activeElement
+      );
+      if (event.key === "Escape") dialog2.close();
+      else if (event.key === "Enter" && at3 < 0) entries[0]?.click();
+      else if (event.key === "ArrowDown") entries[Math.min(at3 + 1, entries.length - 1)]?.focus();
+      else if (event.key === "ArrowUp") (at3 > 0 ? entries[at3 - 1] : field).focus();
+      else return;
+      event.preventDefault();
+    });
+    field.focus();
+    await show6();
+  }
+  function unfold(id, begun = performance.now()) {
+    const head3 = find(id)?.querySelector("button[aria-expanded]");
+    if (head3) {
+      if (head3.getAttribute("aria-expanded") === "false") head3.click();
+    } else if (performance.now() - begun < PATIENCE2) requestAnimationFrame(() => unfold(id, begun));
+  }
+
   // stage/ahead.mjs
   var REST = 90;
-  var PATIENCE2 = 400;
+  var PATIENCE3 = 400;
   var KEPT = 15e3;
   var OTHER = ["motifs", "motif", "motion", "edge", "transition", "action", "segment", "clip", "start", "end", "as", "time", "speed", "layout", "camera"];
   var requests = /* @__PURE__ */ new Map();
@@ -3791,7 +4089,7 @@
     const page2 = location.pathname.split("/").filter(Boolean).pop() || "library";
     return `${need(STAGE).dataset.api || "/api"}/stage/${page2}?${pairs}`;
   }
-  function ask2(selection) {
+  function ask3(selection) {
     const where = address(selection);
     if (!requests.has(where)) {
       const answer2 = fetch(where).then((response) => response.ok ? response.json() : null, () => null);
@@ -3812,7 +4110,7 @@
     prepare(selection, later3 = false) {
       clearTimeout(timer);
       if (!usable(selection)) return;
-      const fetchIt = async () => player.prefetch(await ask2(selection));
+      const fetchIt = async () => player.prefetch(await ask3(selection));
       if (later3) timer = setTimeout(fetchIt, REST);
       else fetchIt();
     },
@@ -3827,12 +4125,12 @@
       if (usable(selection)) current = play(selection);
     },
     /** Until what was played last is on the Stage, but not for long: work that can wait leaves the browser free. */
-    settled: () => Promise.race([current, new Promise((done) => setTimeout(done, PATIENCE2))])
+    settled: () => Promise.race([current, new Promise((done) => setTimeout(done, PATIENCE3))])
   };
   async function play(selection) {
     const mine2 = ++turn;
     const before2 = player.requestCount;
-    const request5 = await ask2(selection);
+    const request5 = await ask3(selection);
     if (!request5 || mine2 !== turn || before2 !== player.requestCount) return;
     await player.show(request5);
     for (let frame = 0; frame < 2; frame++) await new Promise(requestAnimationFrame);
@@ -3873,8 +4171,8 @@
     reactElement("span", { className: "icon icon-" + MARKS[props.value], style: { width: 14, height: 14 }, "aria-hidden": "true" }),
     props.value === "error" ? "not read" : props.value
   ) : null;
-  var KEYS2 = ["clip", "motif", "edge"];
-  var same = (a, b) => Boolean(a && b) && KEYS2.some((key) => key in a) && KEYS2.every((key) => String(a[key] ?? "") === String(b[key] ?? ""));
+  var KEYS3 = ["clip", "motif", "edge"];
+  var same = (a, b) => Boolean(a && b) && KEYS3.some((key) => key in a) && KEYS3.every((key) => String(a[key] ?? "") === String(b[key] ?? ""));
   var chosen = null;
   var among = (own2) => own2?.motif !== void 0 && Boolean(chosen?.motifs?.split("-").includes(String(own2.motif)));
   gridFunctions.isChosen = (params) => same(params.data && params.data.selection, chosen) || among(params.data && params.data.selection);
@@ -3965,7 +4263,7 @@
   );
 
   // jobs/job_bar.mjs
-  function button(action, job, className, ...children) {
+  function button2(action, job, className, ...children) {
     const made = element("button", "job-button " + className, ...children);
     made.type = "button";
     made.dataset.store = JOB_ACTION;
@@ -3988,7 +4286,7 @@
       element("span", "job-title ellipsis", title),
       progress,
       element("span", "job-stage number", element("span", "job-words"), percent3, element("span", "job-expected")),
-      element("div", "job-actions", button("start", id, "job-start for-editors", "Start anyway"), button("cancel", id, "job-cancel", "Cancel"))
+      element("div", "job-actions", button2("start", id, "job-start for-editors", "Start anyway"), button2("cancel", id, "job-cancel", "Cancel"))
     );
   }
   function update(row7, { stage: stage2, percent: percent3, stopping, held: held2, expected }) {
@@ -4008,7 +4306,7 @@
   }
   function failed({ id, title, error }) {
     const sign = element("span", "job-mark-failed", icon("error", 18));
-    const dismiss = button("dismiss", id, "job-button-plain", icon("close", 16));
+    const dismiss = button2("dismiss", id, "job-button-plain", icon("close", 16));
     dismiss.setAttribute("aria-label", "Dismiss");
     return element(
       "div",
@@ -4016,7 +4314,7 @@
       sign,
       element("span", "job-title ellipsis", title),
       element("span", "job-message", error),
-      element("div", "job-actions", button("retry", id, "", "Try again"), dismiss)
+      element("div", "job-actions", button2("retry", id, "", "Try again"), dismiss)
     );
   }
   register("jobs", {
@@ -4042,36 +4340,6 @@
     }
   });
 
-  // shared/server.mjs
-  var NAME = "motionscape-name";
-  var Refused = class extends Error {
-    /** @param {number} status @param {any} answer */
-    constructor(status2, answer2) {
-      super(answer2?.error || `The server answered with an error (${status2}).`);
-      this.status = status2;
-      this.answer = answer2 ?? {};
-    }
-  };
-  var person = {
-    get name() {
-      return localStorage.getItem(NAME) ?? "";
-    },
-    set name(name) {
-      localStorage.setItem(NAME, name.trim().slice(0, 80));
-    }
-  };
-  async function ask3(path2, body2, mark3 = "") {
-    const options = body2 ? { method: "POST", headers: { "Content-Type": "application/json", "X-Motionscape": "boards" }, body: JSON.stringify({ author: person.name, ...body2 }) } : { headers: mark3 ? { "If-None-Match": mark3 } : {}, cache: mark3 ? "no-store" : "no-cache" };
-    const answer2 = await fetch(`/api/${path2}`, options).catch(() => {
-      throw new Error("The server cannot be reached. Is Motionscape still running?");
-    });
-    if (answer2.status === 304) return null;
-    const content = await answer2.json().catch(() => null);
-    if (!answer2.ok) throw new Refused(answer2.status, content);
-    if (content && !body2 && answer2.headers.get("ETag")) content.etag = answer2.headers.get("ETag");
-    return content;
-  }
-
   // blocks/registry.mjs
   var offered = {};
   var offer = (blocks) => Object.assign(offered, blocks);
@@ -4089,118 +4357,6 @@
   }
   var plural = (n, one, more2 = `${one}s`) => `${n} ${n === 1 ? one : more2}`;
   var percent = (share2) => `${Math.round(100 * share2)} %`;
-
-  // shared/dialogs.mjs
-  function button2(name, act2, className = "") {
-    const node = element("button", `boards-button ${className}`.trim(), name);
-    node.type = "button";
-    node.addEventListener("click", act2);
-    return node;
-  }
-  function iconButton(symbol, name, act2) {
-    const node = button2("", act2, "boards-icon");
-    node.append(icon(symbol, 16));
-    node.title = name;
-    node.setAttribute("aria-label", name);
-    return node;
-  }
-  function openWindow(title, ...parts2) {
-    const dialog2 = element("dialog", "boards-dialog", element("h2", "", title), ...parts2);
-    dialog2.setAttribute("aria-label", title);
-    dialog2.addEventListener("close", () => dialog2.remove());
-    dialog2.addEventListener("click", (event) => {
-      if (targetOf(event) === /** @type {unknown} */
-      dialog2) dialog2.close();
-    });
-    document.body.append(dialog2);
-    dialog2.showModal();
-    return dialog2;
-  }
-  function openForm(title, fields, action, save2) {
-    const problem2 = element("p", "form-problem");
-    problem2.setAttribute("role", "alert");
-    const form2 = element("form", "boards-form", ...fields.map(fieldOf), problem2);
-    const send4 = element("button", "boards-button primary", action);
-    const dialog2 = openWindow(title, form2);
-    form2.append(element("div", "boards-actions", button2("Cancel", () => dialog2.close()), send4));
-    form2.addEventListener("submit", async (event) => {
-      event.preventDefault();
-      send4.disabled = true;
-      try {
-        await save2(Object.fromEntries([...new FormData(form2)].map(([name, value]) => [name, String(value)])));
-        dialog2.close();
-      } catch (error) {
-        problem2.textContent = error instanceof Error ? error.message : String(error);
-      }
-      send4.disabled = false;
-    });
-    form2.querySelector("input, textarea, select")?.focus();
-    return dialog2;
-  }
-  function fieldOf({ name, label, value = "", kind = "line", choices: choices2 = [], hint = "" }) {
-    let control;
-    if (kind === "choice") {
-      control = element("select", "", ...choices2.map(([key, words4]) => withAttributes(element("option", "", words4), { value: key })));
-    } else control = kind === "text" ? withAttributes(element("textarea"), { rows: 7 }) : element("input");
-    control.name = name;
-    control.value = value;
-    return element("label", "boards-field", element("span", "", label), control, hint && element("small", "muted", hint));
-  }
-  function openMenu(anchor, entries) {
-    const menu = element("div", "boards-menu", ...entries.map(([name, act2]) => {
-      const entry = button2(name, () => {
-        close();
-        act2();
-      });
-      entry.setAttribute("role", "menuitem");
-      return entry;
-    }));
-    menu.setAttribute("role", "menu");
-    const { left, right, bottom } = anchor.getBoundingClientRect();
-    const stop = new AbortController();
-    const close = () => {
-      stop.abort();
-      menu.remove();
-    };
-    (document.fullscreenElement ?? document.body).append(menu);
-    menu.style.top = `${Math.min(bottom + 4, innerHeight - menu.offsetHeight - 8)}px`;
-    menu.style.left = `${Math.max(8, Math.min(left, right - menu.offsetWidth, innerWidth - menu.offsetWidth - 8))}px`;
-    const leave3 = (event) => {
-      if (!menu.contains(
-        /** @type {Node} */
-        event.target
-      )) close();
-    };
-    document.addEventListener("pointerdown", leave3, { signal: stop.signal, capture: true });
-    menu.addEventListener("keydown", (event) => {
-      const at3 = [...menu.children].indexOf(
-        /** @type {Element} */
-        document.activeElement
-      );
-      const step3 = { ArrowDown: 1, ArrowUp: -1 }[event.key];
-      if (event.key === "Escape") close();
-      else if (step3) menu.children[(at3 + step3 + entries.length) % entries.length].focus();
-    });
-    menu.firstElementChild.focus();
-  }
-  var line2 = null;
-  function say(words4, undo) {
-    line2?.remove();
-    const shown9 = element("div", "boards-toast", element("span", "", words4), undo ? button2("Undo", () => {
-      shown9.remove();
-      undo();
-    }) : null);
-    shown9.setAttribute("role", "status");
-    line2 = shown9;
-    (document.querySelector("dialog[open]") ?? document.fullscreenElement ?? document.body).append(shown9);
-    setTimeout(() => shown9.remove(), undo ? 12e3 : 4e3);
-  }
-  function ago(moment) {
-    const minutes = Math.max(0, (Date.now() / 1e3 - moment) / 60);
-    if (minutes < 1) return "just now";
-    if (minutes < 60) return `${Math.floor(minutes)} min ago`;
-    return minutes < 1440 ? `${Math.floor(minutes / 60)} h ago` : new Date(moment * 1e3).toLocaleDateString("en-CA");
-  }
 
   // boards/state.mjs
   var shown3 = {
@@ -4271,7 +4427,7 @@
       const mark3 = this.mark;
       let answer2;
       try {
-        answer2 = await ask3(`boards/${this.board}/blocks/${this.block.id}`);
+        answer2 = await ask2(`boards/${this.board}/blocks/${this.block.id}`);
       } catch (error) {
         answer2 = { state: "broken", content: null, words: error instanceof Error ? error.message : String(error), job: null };
       }
@@ -4284,11 +4440,11 @@
       this.item.dataset.state = state3;
       this.note.replaceChildren();
       const computes = state3 === "missing" && !job && !this.still && kindOf(this.block.kind)?.computes;
-      if (content === null) this.clear(element("div", "muted board-empty", words4, computes ? button2("Compute", () => this.compute()) : null));
+      if (content === null) this.clear(element("div", "muted board-empty", words4, computes ? button("Compute", () => this.compute()) : null));
       else if (JSON.stringify(content) !== this.last) this.draw(content);
-      if (state3 === "changed") this.note.append(words4, this.still ? "" : button2("Recompute", () => this.actions.renew(this)));
+      if (state3 === "changed") this.note.append(words4, this.still ? "" : button("Recompute", () => this.actions.renew(this)));
       else if (state3 === "gone") this.note.append(words4);
-      else if (computes && content !== null) this.note.append(words4, button2("Compute", () => this.compute()));
+      else if (computes && content !== null) this.note.append(words4, button("Compute", () => this.compute()));
       if (job?.state === "failed") this.note.append(job.error);
       else if (job) {
         this.note.append(`Computing: ${percent(job.fraction)}`);
@@ -4296,7 +4452,7 @@
       }
     }
     async compute() {
-      await ask3(`boards/${this.board}/blocks/${this.block.id}/compute`, {}).catch((error) => this.note.replaceChildren(error.message));
+      await ask2(`boards/${this.board}/blocks/${this.block.id}/compute`, {}).catch((error) => this.note.replaceChildren(error.message));
       await this.load();
     }
     /** @param {any} content */
@@ -4378,8 +4534,8 @@
       const actions4 = element(
         "div",
         "boards-comment-actions",
-        button2(folded2 ? "Reopen" : "Resolve", () => this.send({ action: act2, id: comment.id })),
-        folded2 ? null : button2("Answer", () => {
+        button(folded2 ? "Reopen" : "Resolve", () => this.send({ action: act2, id: comment.id })),
+        folded2 ? null : button("Answer", () => {
           actions4.replaceWith(this.form("Answer", "Answer", (text) => this.send({ action: "add", text, place: this.place(), parent: comment.id })));
           node.querySelector("textarea")?.focus();
         })
@@ -4415,7 +4571,7 @@
     offer(text, names2) {
       const begun = /@([\w.-]*)$/.exec(text.value.slice(0, text.selectionStart));
       const known4 = begun ? (this.board?.names ?? []).filter((name) => name.toLowerCase().startsWith(begun[1].toLowerCase())).slice(0, 5) : [];
-      names2.replaceChildren(...known4.map((name) => button2(`@${name}`, () => {
+      names2.replaceChildren(...known4.map((name) => button(`@${name}`, () => {
         const at3 = text.selectionStart;
         text.setRangeText(`@${name.replace(/\s+/g, ".")} `, at3 - (begun?.[0].length ?? 0), at3, "end");
         names2.replaceChildren();
@@ -4425,7 +4581,7 @@
     /** @param {Record<string, any>} body */
     async send(body2) {
       if (body2.action === "add" && !this.board?.me && !person.name) person.name = window.prompt("Your name, for the others:") ?? "";
-      await ask3("comments", body2);
+      await ask2("comments", body2);
       await this.again();
     }
   };
@@ -4438,7 +4594,7 @@
   var viewOf = (kind) => Object.fromEntries(Object.entries(shown3.view).filter(([key, text]) => text && kind?.keys.includes(key)));
   function addBlock(board, row7, take3) {
     const kinds2 = known.listing?.kinds ?? [];
-    const dialog2 = openWindow("Add a block", element("div", "boards-kinds", ...kinds2.map((kind) => button2(kind.label, () => {
+    const dialog2 = openWindow("Add a block", element("div", "boards-kinds", ...kinds2.map((kind) => button(kind.label, () => {
       dialog2.close();
       fillIn(board, kind, row7, take3);
     }))), element("p", "muted", "A block takes over the settings of the page as they are now; a Stage loop plays what is selected."));
@@ -4447,7 +4603,7 @@
     const settings = { title: kind.kind === "text" || kind.kind === "numbers" ? "" : kind.label, view: viewOf(kind), options: {} };
     if (kind.kind === "stage") settings.options = { selection: JSON.stringify(shown3.selection) };
     const [w, h] = kind.size;
-    const add3 = async (filled2) => take3(await ask3(`boards/${board.id}`, { action: "add", block: { kind: kind.kind, x: 0, y: row7, w, h, settings: filled2 } }));
+    const add3 = async (filled2) => take3(await ask2(`boards/${board.id}`, { action: "add", block: { kind: kind.kind, x: 0, y: row7, w, h, settings: filled2 } }));
     if (!["text", "view"].includes(kind.kind)) return add3(settings);
     return openForm(`Add: ${kind.label}`, fieldsOf(board, kind.kind, settings), "Add", (values) => add3(settingsOf(settings, values)));
   }
@@ -4462,20 +4618,20 @@
       }
     });
   }
-  var saveBlock = (board, { id, kind, version: own2 }, settings, version = own2) => ask3(`boards/${board.id}`, { action: "change", version, block: { id, kind, settings } });
+  var saveBlock = (board, { id, kind, version: own2 }, settings, version = own2) => ask2(`boards/${board.id}`, { action: "change", version, block: { id, kind, settings } });
   function tellConflict(board, block2, mine2, { error, theirs, author }, take3) {
     const column = (title, text, choice2) => element("div", "boards-version", element("h3", "", title), element("pre", "", text), choice2);
     const dialog2 = openWindow("Someone was faster", element("p", "", error), element(
       "div",
       "boards-versions",
-      column("Yours", wordsOf2(mine2), theirs ? button2("Save mine over it", async () => {
+      column("Yours", wordsOf2(mine2), theirs ? button("Save mine over it", async () => {
         take3(await saveBlock(board, block2, mine2, theirs.version));
         dialog2.close();
-      }, "primary") : button2("Add mine again", async () => {
-        take3(await ask3(`boards/${board.id}`, { action: "add", block: { ...block2, settings: mine2 } }));
+      }, "primary") : button("Add mine again", async () => {
+        take3(await ask2(`boards/${board.id}`, { action: "add", block: { ...block2, settings: mine2 } }));
         dialog2.close();
       }, "primary")),
-      column(theirs ? `Of ${author || "someone else"}` : "Removed", theirs ? wordsOf2(theirs.settings) : "The block is no longer on the board.", button2("Keep theirs", () => dialog2.close()))
+      column(theirs ? `Of ${author || "someone else"}` : "Removed", theirs ? wordsOf2(theirs.settings) : "The block is no longer on the board.", button("Keep theirs", () => dialog2.close()))
     ));
     dialog2.classList.add("boards-conflict");
   }
@@ -4630,7 +4786,7 @@
     window.setTimeout(async () => {
       if (location.pathname !== new URL(address3, location.href).pathname || document.visibilityState !== "visible") return;
       const picture2 = await pictureOfPage().catch(() => "");
-      if (picture2) await ask3(`views/${id}`, { action: "picture", picture: picture2 }).catch(() => void 0);
+      if (picture2) await ask2(`views/${id}`, { action: "picture", picture: picture2 }).catch(() => void 0);
     }, SETTLED);
   }
   async function pictureOfPage() {
@@ -4700,7 +4856,7 @@
       "One file that opens without Motionscape and without a network. Its figures play, its graph and map can be explored."
     ), place5);
     const begin2 = (form2) => write(dialog2, place5, dataset2, board?.id ?? "", form2);
-    place5.append(element("div", "boards-actions", button2("As PDF", () => begin2("pdf")), button2("As HTML", () => begin2("html"), "primary")));
+    place5.append(element("div", "boards-actions", button("As PDF", () => begin2("pdf")), button("As HTML", () => begin2("html"), "primary")));
   }
   document.addEventListener("click", (event) => {
     const { report } = closest(event, "[data-report]")?.dataset ?? {};
@@ -4710,10 +4866,10 @@
     const address3 = `report/${encodeURIComponent(dataset2)}`;
     let again = "&again=yes";
     while (dialog2.open) {
-      const state3 = await ask3(`${address3}?form=${form2}&board=${board}${again}`).catch((error) => ({ error: error.message }));
+      const state3 = await ask2(`${address3}?form=${form2}&board=${board}${again}`).catch((error) => ({ error: error.message }));
       again = "";
       if (state3.error) {
-        place5.replaceChildren(element("p", "form-problem", state3.error), element("div", "boards-actions", button2("Close", () => dialog2.close())));
+        place5.replaceChildren(element("p", "form-problem", state3.error), element("div", "boards-actions", button("Close", () => dialog2.close())));
         return;
       }
       if (state3.ready) {
@@ -4734,14 +4890,14 @@
   // boards/list.mjs
   var COLOURS = { graph: 0, motifs: 0, matrix: 0, map: 1, overview: 2, tracks: 2, actions: 3, sweep: 4, hits: 5, stage: 6 };
   async function refresh() {
-    known.listing = await ask3("boards");
+    known.listing = await ask2("boards");
     return (
       /** @type {Listing} */
       known.listing
     );
   }
   async function showList(place5) {
-    const listing = await refresh();
+    const listing2 = await refresh();
     const search2 = withAttributes(element("input", "boards-search"), { type: "search", placeholder: "Search boards and views", "aria-label": "Search boards and views" });
     const [boards, views] = [element("div", "boards-cards"), element("div", "boards-cards")];
     const again = async () => {
@@ -4761,9 +4917,9 @@
     };
     search2.addEventListener("input", fill);
     fill();
-    const { damaged } = listing;
+    const { damaged } = listing2;
     place5.replaceChildren(
-      element("div", "boards-bar", element("h2", "", "Boards"), search2, shown3.dataset ? button2(`Report of ${shown3.dataset}`, () => openReport(shown3.dataset, null)) : null, button2("New board", openGallery, "primary for-editors")),
+      element("div", "boards-bar", element("h2", "", "Boards"), search2, shown3.dataset ? button(`Report of ${shown3.dataset}`, () => openReport(shown3.dataset, null)) : null, button("New board", openGallery, "primary for-editors")),
       ...damaged.length ? [element("p", "boards-warning", `${damaged.length} saved ${damaged.length > 1 ? "things are" : "thing is"} damaged and not listed: ${damaged.join(", ")}.`)] : [],
       boards,
       element("h2", "", "Saved views"),
@@ -4779,7 +4935,7 @@
   );
   var empty = (words4) => element("p", "muted", words4);
   function boardCard(board, again) {
-    const open6 = button2("", () => changeView({ board: board.id, screen: "" }), "boards-open");
+    const open6 = button("", () => changeView({ board: board.id, screen: "" }), "boards-open");
     open6.append(drawShape(board.shape), element("strong", "ellipsis", board.title));
     const about = [board.dataset, board.author, ago(board.updated)].filter(Boolean).join(" · ");
     const more2 = iconButton("dots", `More for ${board.title}`, () => openMenu(more2, [
@@ -4791,11 +4947,11 @@
     more2.classList.add("for-editors");
     return element("article", "boards-card", open6, element("div", "boards-card-foot", element("span", "muted ellipsis", about), more2));
   }
-  var change = (id, body2) => ask3(`boards/${id}`, body2).catch((error) => say(error.message));
+  var change = (id, body2) => ask2(`boards/${id}`, body2).catch((error) => say(error.message));
   var renameBoard = (board, again) => openForm("Rename the board", [
     { name: "title", label: "Title", value: board.title },
     { name: "note", label: "Note", kind: "text", value: board.note }
-  ], "Save", (values) => ask3(`boards/${board.id}`, { action: "rename", ...values }).then(again));
+  ], "Save", (values) => ask2(`boards/${board.id}`, { action: "rename", ...values }).then(again));
   async function deleteBoard(board, again) {
     if (!await change(board.id, { action: "delete" })) return;
     again();
@@ -4804,16 +4960,16 @@
   function viewCard(saved, again) {
     const picture2 = withAttributes(element("img", "boards-picture"), { src: saved.picture, alt: "", loading: "lazy" });
     picture2.addEventListener("error", () => picture2.replaceWith(element("div", "boards-picture boards-no-picture", new URL(saved.address, location.href).pathname.slice(1))));
-    const open6 = button2("", () => {
+    const open6 = button("", () => {
       followLink(saved.address);
       renewPicture(saved.id, saved.address);
     }, "boards-open");
     open6.append(picture2, element("strong", "ellipsis", saved.title));
     if (saved.note) open6.title = saved.note;
     const about = [saved.author, ago(saved.updated), ...saved.tags.map((tag) => `#${tag}`)].filter(Boolean).join(" · ");
-    const act2 = (body2) => ask3(`views/${saved.id}`, body2).then(again, (error) => say(error.message));
+    const act2 = (body2) => ask2(`views/${saved.id}`, body2).then(again, (error) => say(error.message));
     const more2 = iconButton("dots", `More for ${saved.title}`, () => openMenu(more2, [
-      ["Edit", () => openForm("Edit the saved view", viewFields(saved), "Save", (values) => ask3("views", { id: saved.id, version: saved.version, address: saved.address, ...values, tags: tagsOf(values.tags) }).then(again))],
+      ["Edit", () => openForm("Edit the saved view", viewFields(saved), "Save", (values) => ask2("views", { id: saved.id, version: saved.version, address: saved.address, ...values, tags: tagsOf(values.tags) }).then(again))],
       ["Versions", () => showHistory(`views/${saved.id}`, saved.title, (version) => act2({ action: "restore", version }))],
       ["Delete", async () => {
         await act2({ action: "delete" });
@@ -4831,13 +4987,13 @@
   var tagsOf = (text) => text.split(",").map((tag) => tag.trim()).filter(Boolean);
   var followLink = (address3) => openPage(address3);
   async function showHistory(path2, title, restore) {
-    const { history: history2 } = await ask3(`${path2}/history`);
+    const { history: history2 } = await ask2(`${path2}/history`);
     const dialog2 = openWindow(`History of ${title}`, element("ol", "boards-history", ...history2.map((entry, k) => element(
       "li",
       "",
       element("span", "", `Version ${entry.version}: ${entry.what}`),
       element("span", "muted", [entry.author, ago(entry.saved)].filter(Boolean).join(", ")),
-      k ? button2("Restore", () => {
+      k ? button("Restore", () => {
         dialog2.close();
         restore(entry.version);
       }) : element("span", "muted", "present")
@@ -4852,10 +5008,10 @@
       known.listing
     );
     return templates.map((template) => {
-      const card4 = button2("", () => {
+      const card4 = button("", () => {
         chosen3();
         openForm(`New board: ${template.title}`, [{ name: "title", label: "Title", value: template.name === "empty" ? "" : `${shown3.dataset}: ${template.title.toLowerCase()}` }], "Make it", async ({ title }) => {
-          const board = await ask3("boards", { template: template.name, title, dataset: shown3.dataset });
+          const board = await ask2("boards", { template: template.name, title, dataset: shown3.dataset });
           changeView({ board: board.id, screen: "" });
         });
       }, "boards-open boards-card");
@@ -4910,7 +5066,7 @@
     async open() {
       let board;
       try {
-        const all = [ask3(`boards/${this.id}`), known.listing ? null : refresh(), gridstack()];
+        const all = [ask2(`boards/${this.id}`), known.listing ? null : refresh(), gridstack()];
         board = /** @type {Board} */
         (await Promise.all(all))[0];
       } catch (error) {
@@ -4938,7 +5094,7 @@
     /** @param {unknown} error */
     fail(error) {
       const words4 = error instanceof Error ? error.message : String(error);
-      this.place.replaceChildren(element("div", "empty-state", element("h2", "", "This board cannot be shown"), element("p", "muted", words4), button2("All boards", () => changeView({ board: "", screen: "" }))));
+      this.place.replaceChildren(element("div", "empty-state", element("h2", "", "This board cannot be shown"), element("p", "muted", words4), button("All boards", () => changeView({ board: "", screen: "" }))));
     }
     poll() {
       this.timer = window.setTimeout(async () => {
@@ -4950,7 +5106,7 @@
     /** Ask whether the board has changed. @param {boolean} [surely] */
     async update(surely) {
       try {
-        const board = await ask3(`boards/${this.id}`, void 0, surely ? "" : this.mark);
+        const board = await ask2(`boards/${this.id}`, void 0, surely ? "" : this.mark);
         this.warn("");
         if (board && !this.closed) {
           this.mark = board.etag ?? "";
@@ -5056,19 +5212,19 @@
       const title = element("h2", "ellipsis", board.title);
       const more2 = iconButton("dots", "More", () => openMenu(more2, this.boardMenu()));
       const parts2 = [iconButton("left", "All boards", () => changeView({ board: "", screen: "" })), title, ...this.look === "present" ? [] : [this.datasetPicker(board), ...this.groupPicker(board), this.labelField(board)]];
-      if (!this.still) parts2.push(button2("Add block", () => addBlock(
+      if (!this.still) parts2.push(button("Add block", () => addBlock(
         /** @type {Board} */
         this.board,
         this.grid?.bottom() ?? 0,
         (made) => this.take(made)
       ), "primary"));
-      if (this.look !== "present") parts2.push(button2(wordsOf(board.comments), () => this.comments.open(
+      if (this.look !== "present") parts2.push(button(wordsOf(board.comments), () => this.comments.open(
         /** @type {Board} */
         this.board,
         "",
         "The whole board"
-      )), button2("Share board", () => this.share()));
-      parts2.push(button2(this.look === "present" ? "Leave" : "Present", () => this.present()));
+      )), button("Share board", () => this.share()));
+      parts2.push(button(this.look === "present" ? "Leave" : "Present", () => this.present()));
       if (!this.still) parts2.push(more2);
       this.bar.replaceChildren(...parts2);
     }
@@ -5114,7 +5270,7 @@
     /** Ask which clips are of a group, and fade the others. @param {string} group */
     async showGroup(group) {
       this.groupShown = group;
-      const answer2 = group ? await ask3(`boards/${this.id}/group?of=${encodeURIComponent(group)}`).catch((error) => this.warn(error.message)) : null;
+      const answer2 = group ? await ask2(`boards/${this.id}/group?of=${encodeURIComponent(group)}`).catch((error) => this.warn(error.message)) : null;
       if (this.groupShown !== group) return;
       this.among = answer2 ? Object.fromEntries(Object.entries(
         /** @type {Record<string, string[]>} */
@@ -5134,7 +5290,7 @@
       const changed2 = board.blocks.filter((block2) => block2.data === "changed");
       this.stale.replaceChildren(...changed2.length ? [
         element("span", "", `The data of ${changed2.length === 1 ? "a block has" : `${changed2.length} blocks has`} changed since ${changed2.length === 1 ? "it was" : "they were"} made.`),
-        this.still ? "" : button2("Recompute all", () => this.change({ action: "renew" }).then(() => {
+        this.still ? "" : button("Recompute all", () => this.change({ action: "renew" }).then(() => {
           for (const card4 of this.cards.values()) if (kindOf(card4.block.kind)?.computes) card4.compute();
         }))
       ] : []);
@@ -5142,7 +5298,7 @@
     /** Change the board; what the server gives back is shown. @param {Record<string, any>} body */
     async change(body2) {
       try {
-        this.take(await ask3(`boards/${this.id}`, body2));
+        this.take(await ask2(`boards/${this.id}`, body2));
       } catch (error) {
         say(error instanceof Error ? error.message : String(error));
         await this.update(true);
@@ -5196,7 +5352,7 @@
       return [
         ["Rename", () => renameBoard(board, () => this.update(true))],
         ["Duplicate", async () => {
-          const copy2 = await ask3(`boards/${this.id}`, { action: "duplicate" });
+          const copy2 = await ask2(`boards/${this.id}`, { action: "duplicate" });
           changeView({ board: copy2.id });
         }],
         ["Report", () => openReport(board.filters.dataset || shown3.dataset, board)],
@@ -5217,7 +5373,7 @@
       const parts2 = [row7("To look at", "Whoever has it sees this board and nothing else.", links.read)];
       if (links.edit) {
         parts2.push(row7("To change", "Whoever has it can change this board as well.", links.edit));
-        parts2.push(button2("Renew the links", () => this.change({ action: "renew-links" }).then(() => say("The links that were given away open this board no more."))));
+        parts2.push(button("Renew the links", () => this.change({ action: "renew-links" }).then(() => say("The links that were given away open this board no more."))));
       }
       const dialog2 = openWindow("Share this board", element("div", "boards-form", ...parts2));
       dialog2.querySelector("input")?.select();
@@ -5242,61 +5398,18 @@
   var SAVE_VIEW = "save-view";
   var COMMENTS_BUTTON = "comments-button";
 
-  // boards/palette.mjs
-  var MOST = 12;
-  document.addEventListener("keydown", (event) => {
-    if (event.key.toLowerCase() !== "k" || !(event.ctrlKey || event.metaKey) || event.shiftKey || event.altKey) return;
-    if (document.querySelector("dialog[open]")) return;
-    event.preventDefault();
-    openPalette();
-  });
-  async function openPalette() {
-    let places = allWithin(document, ".nav-link").map((link2) => ({ name: link2.textContent ?? "", about: "page", address: link2.getAttribute("href") ?? "/" }));
-    const field = withAttributes(element("input"), { type: "search", placeholder: "A page, a board or a saved view", "aria-label": "Go to", autocomplete: "off" });
-    const list3 = element("div", "boards-found");
-    const dialog2 = openWindow("Go to", element("div", "boards-form", field, list3));
-    const go = (address3) => {
-      dialog2.close();
-      followLink(address3);
-    };
-    const show6 = () => {
-      const found = matching(places, field.value).slice(0, MOST);
-      list3.replaceChildren(...found.map(({ name, about, address: address3 }) => {
-        const entry = element("button", "boards-button", element("span", "ellipsis", name), element("span", "muted ellipsis", about));
-        entry.type = "button";
-        entry.addEventListener("click", () => go(address3));
-        return entry;
-      }), found.length ? "" : element("p", "muted", "Nothing is called so."));
-    };
-    field.addEventListener("input", show6);
-    dialog2.addEventListener("keydown", (event) => {
-      const entries = allWithin(list3, "button");
-      const at3 = entries.indexOf(
-        /** @type {any} */
-        document.activeElement
-      );
-      if (event.key === "Enter" && at3 < 0) entries[0]?.click();
-      else if (event.key === "ArrowDown") entries[Math.min(at3 + 1, entries.length - 1)]?.focus();
-      else if (event.key === "ArrowUp") (at3 > 0 ? entries[at3 - 1] : field).focus();
-      else return;
-      event.preventDefault();
-    });
-    show6();
-    field.focus();
-    const { boards, views } = await refresh().catch(() => ({ boards: [], views: [] }));
-    places = [
+  // boards/places.mjs
+  var FRESH = 5e3;
+  var listing = null;
+  var asked = 0;
+  addPlaces(async () => {
+    if (!listing || performance.now() - asked > FRESH) [listing, asked] = [refresh(), performance.now()];
+    const { boards, views } = await listing;
+    return [
       ...boards.map(({ id, title, note }) => ({ name: title, about: `board ${note}`.trim(), address: `/boards?board=${id}` })),
-      ...views.map(({ title, note, tags, address: address3 }) => ({ name: title, about: ["view", note, ...tags.map((tag) => `#${tag}`)].filter(Boolean).join(" "), address: address3 })),
-      ...places
+      ...views.map(({ title, note, tags, address: address3 }) => ({ name: title, about: ["view", note, ...tags.map((tag) => `#${tag}`)].filter(Boolean).join(" "), address: address3 }))
     ];
-    show6();
-  }
-  function matching(places, text) {
-    const words4 = text.toLowerCase().split(/\s+/).filter(Boolean);
-    const found = places.filter(({ name, about }) => words4.every((word) => `${name} ${about}`.toLowerCase().includes(word)));
-    const begins = ({ name }) => Number(words4.length > 0 && name.toLowerCase().startsWith(words4[0]));
-    return found.sort((a, b) => begins(b) - begins(a));
-  }
+  });
 
   // boards/save_view.mjs
   document.addEventListener("click", async (event) => {
@@ -5307,7 +5420,7 @@
     const name = { name: "author", label: "Your name", value: person.name, hint: "where the server does not know it" };
     openForm("Save this view", [...viewFields({ title }), name], "Save", async (values) => {
       if (values.author.trim()) person.name = values.author;
-      await ask3("views", { ...values, address: address3, picture: picture2, tags: tagsOf(values.tags) });
+      await ask2("views", { ...values, address: address3, picture: picture2, tags: tagsOf(values.tags) });
       notify("View saved", "It is listed on the Boards page.", "accent");
     });
   });
@@ -5366,7 +5479,7 @@
     /** @param {CommentData} comment */
     said(comment) {
       const node = super.said(comment);
-      if (comment.frame !== void 0) node.prepend(button2(`at ${comment.seconds?.toFixed(2)} s`, () => this.seek(Number(comment.frame)), "boards-moment"));
+      if (comment.frame !== void 0) node.prepend(button(`at ${comment.seconds?.toFixed(2)} s`, () => this.seek(Number(comment.frame)), "boards-moment"));
       return node;
     }
     /** @param {number} frame */
@@ -5379,7 +5492,7 @@
       const query2 = location.search;
       const answer2 = (
         /** @type {Discussion | null} */
-        await ask3(`comments${query2 || "?"}`).catch(() => void 0)
+        await ask2(`comments${query2 || "?"}`).catch(() => void 0)
       );
       if (query2 !== location.search || answer2 === void 0) return;
       const other = answer2?.place !== this.about?.place;
@@ -6460,7 +6573,7 @@
       place5.replaceChildren(element("p", "muted", "Choose a dataset first."));
       return;
     }
-    if (other || !shown4.choices) shown4.choices = await ask3(`groups/${encodeURIComponent(dataset2)}`);
+    if (other || !shown4.choices) shown4.choices = await ask2(`groups/${encodeURIComponent(dataset2)}`);
     if (mark3 !== shown4.mark) return;
     const choices2 = (
       /** @type {Choices} */
@@ -6482,7 +6595,7 @@
     "empty-state",
     element("h2", "", "Nothing is known of the clips yet"),
     element("p", "muted", "Groups are made of properties of clips: who moves, in which condition, in which session. They come from a table, from the names of the clips, or by hand."),
-    withAttributes(button2("Properties of clips", () => void 0, "primary for-editors"), { "data-properties": dataset2 })
+    withAttributes(button("Properties of clips", () => void 0, "primary for-editors"), { "data-properties": dataset2 })
   );
   function form(choices2) {
     const { view: view4 } = shown4;
@@ -6527,7 +6640,7 @@
   async function look2(result, mark3) {
     let answer2;
     try {
-      answer2 = await ask3(`${address2()}/comparison?${query()}`);
+      answer2 = await ask2(`${address2()}/comparison?${query()}`);
     } catch (error2) {
       answer2 = { state: "failed", error: error2 instanceof Error ? error2.message : String(error2) };
     }
@@ -6537,8 +6650,8 @@
       result.replaceChildren(...drawResult(made));
       return;
     }
-    const begin2 = button2("Compare", async () => {
-      await ask3(`${address2()}/comparison`, Object.fromEntries(Object.entries(shown4.view))).catch((problem2) => result.prepend(element("p", "form-problem", problem2.message)));
+    const begin2 = button("Compare", async () => {
+      await ask2(`${address2()}/comparison`, Object.fromEntries(Object.entries(shown4.view))).catch((problem2) => result.prepend(element("p", "form-problem", problem2.message)));
       look2(result, mark3);
     }, "primary for-editors");
     if (state3 === "running") {
@@ -6561,7 +6674,7 @@
       element("p", "groups-who", ...made.groups.map((group, k) => withAttributes(element("span", "groups-group", `${group.name}: ${plural(group.units, unit2)}, ${group.minutes.toFixed(1)} min`), { "data-group": String(Math.min(k, 2)) }))),
       element("ul", "groups-words", ...made.words.map((one) => {
         const row7 = found(one);
-        return element("li", "", row7?.examples ? button2(one.text, () => play2(row7), "groups-sentence") : one.text);
+        return element("li", "", row7?.examples ? button(one.text, () => play2(row7), "groups-sentence") : one.text);
       })),
       ...made.remarks.map((remark) => element("p", "muted", remark)),
       element("p", "muted", `Test: ${made.test}, two-sided. Corrected: ${made.correction}. Effect: ${made.effect}. A click plays typical and extreme motion of both groups in step.`),
@@ -6583,12 +6696,12 @@
     }
   }
   function chartOf(title, rows2) {
-    const section = element("section", "card", element("h2", "", title), effectChart(rows2.slice(0, SHOWN), play2));
+    const section2 = element("section", "card", element("h2", "", title), effectChart(rows2.slice(0, SHOWN), play2));
     if (rows2.length > SHOWN) {
-      const more2 = button2(`All ${rows2.length}`, () => section.replaceChildren(element("h2", "", title), effectChart(rows2, play2)));
-      section.append(more2);
+      const more2 = button(`All ${rows2.length}`, () => section2.replaceChildren(element("h2", "", title), effectChart(rows2, play2)));
+      section2.append(more2);
     }
-    return section;
+    return section2;
   }
   function curvesOf(pair, curves) {
     const items = [...new Set(curves.map(({ item }) => item))];
@@ -7031,10 +7144,10 @@
         this.columns,
         ways,
         this.preview,
-        element("div", "boards-actions", file, button2("Close", () => this.dialog?.close()))
+        element("div", "boards-actions", file, button("Close", () => this.dialog?.close()))
       );
       try {
-        this.show(await ask3(this.path));
+        this.show(await ask2(this.path));
       } catch (error) {
         this.refuse(error);
         return;
@@ -7116,12 +7229,12 @@
     /** @param {Record<string, any>} body */
     async change(body2) {
       try {
-        const made = await ask3(this.path, body2);
+        const made = await ask2(this.path, body2);
         this.show(made);
         this.tell(made, body2.preview);
         if (body2.preview) return;
         say("Properties kept.", async () => {
-          this.show(await ask3(this.path, { action: "restore", version: made.before }));
+          this.show(await ask2(this.path, { action: "restore", version: made.before }));
           this.preview.replaceChildren();
         });
       } catch (error) {
@@ -7480,8 +7593,8 @@
     const head3 = element("summary", "gait-head");
     const select3 = sends(element("button", "gait-select", "Select"), "selection", { clip: data2.clip, start: one.start, end: one.end });
     select3.setAttribute("aria-label", `Select the frames of ${one.title}`);
-    head3.append(element("b", "", one.title), element("span", "muted number", one.facts), select3);
-    return folding("gait-bout", head3, open6, () => table2(data2.head, one.rows));
+    head3.append(element("b", "", one.title), element("span", "muted number", one.facts));
+    return element("div", "gait-row", folding("gait-bout", head3, open6, () => table2(data2.head, one.rows)), select3);
   }
   function events(data2) {
     const list3 = element("div", "gait-events");
@@ -7930,7 +8043,7 @@
     player.pause();
     seekFrame((frameNow2() ?? 0) + by);
   };
-  var KEYS3 = {
+  var KEYS4 = {
     ArrowLeft: (far) => step(far ? -10 : -1),
     ArrowRight: (far) => step(far ? 10 : 1),
     Home: () => seekFrame(0),
@@ -7945,9 +8058,9 @@
     " ": () => player[player.playing ? "pause" : "play"]()
   };
   document.addEventListener("keydown", (event) => {
-    if (targetOf(event).id !== CLIP_BOX || event.ctrlKey || event.metaKey || event.altKey || !KEYS3[event.key]) return;
+    if (targetOf(event).id !== CLIP_BOX || event.ctrlKey || event.metaKey || event.altKey || !KEYS4[event.key]) return;
     event.preventDefault();
-    KEYS3[event.key](event.shiftKey);
+    KEYS4[event.key](event.shiftKey);
   });
 
   // motifs/ids.mjs
@@ -8179,7 +8292,7 @@
     null
   );
   var seen;
-  var writing = 0;
+  var writing2 = 0;
   var motionOf = (motion) => (
     /** @type {BlendMotion} */
     now.data.bodies[now.body].motions.find((one) => one.motion === motion)
@@ -8238,8 +8351,8 @@
     if (link2) link2.setAttribute("href", `/api/bvh/${encodeURIComponent(mixtureName())}/blend`);
   }
   function write2() {
-    clearTimeout(writing);
-    writing = setTimeout(() => {
+    clearTimeout(writing2);
+    writing2 = setTimeout(() => {
       if (!now) return;
       now.written = linkText();
       changeView({ weights: now.written });
@@ -9159,7 +9272,7 @@
   var withoutGap = (path2, [a, b]) => path2.filter((motif, i) => !(i && path2[i - 1] === a && motif === b));
 
   // motifs/walk.mjs
-  var KEYS4 = ["walk", "extra", "gaps", "ends", "feet"];
+  var KEYS5 = ["walk", "extra", "gaps", "ends", "feet"];
   var OURS2 = "~walk~";
   var LONGEST2 = 300;
   var BEFORE = 0.5;
@@ -9171,8 +9284,8 @@
   var played = "";
   var added = false;
   var lit = -1;
-  var keysOf2 = (shown9) => Object.fromEntries(KEYS4.filter((key) => shown9?.[key]).map((key) => [key, shown9?.[key]]));
-  var same2 = (a, b) => KEYS4.every((key) => (a?.[key] || "") === (b?.[key] || ""));
+  var keysOf2 = (shown9) => Object.fromEntries(KEYS5.filter((key) => shown9?.[key]).map((key) => [key, shown9?.[key]]));
+  var same2 = (a, b) => KEYS5.every((key) => (a?.[key] || "") === (b?.[key] || ""));
   var onStage2 = () => Boolean(player.frameOf(0)?.dataset?.startsWith(OURS2));
   var motifs = () => now2.path || [];
   function write3(path2, more2 = {}) {
@@ -9665,10 +9778,10 @@
     step2(1);
   }
   function send() {
-    if (!pending.length || !find(STUDY_RATE) || sent && Date.now() - sent < PATIENCE3) return;
+    if (!pending.length || !find(STUDY_RATE) || sent && Date.now() - sent < PATIENCE4) return;
     sent = Date.now();
     setStore(STUDY_ANSWER, { answers: [...pending], at: sent });
-    setTimeout(send, PATIENCE3);
+    setTimeout(send, PATIENCE4);
   }
   function step2(by) {
     const which = mode();
@@ -9681,7 +9794,7 @@
     const same4 = before2[number2] && before2.length === all.length && nameOf3(before2[number2]) === nameOf3(all[number2]);
     return same4 ? number2 : Math.max(all.findIndex((row7) => !row7.value), 0);
   }
-  var PATIENCE3 = 2e4;
+  var PATIENCE4 = 2e4;
   var pending = [];
   var sent = 0;
   var person2 = {};
@@ -10050,7 +10163,7 @@
   });
 
   // grammar/compose.mjs
-  var KEYS5 = ["sentence", "pick", "up"];
+  var KEYS6 = ["sentence", "pick", "up"];
   var HISTORY = "motionscape-routines";
   var on = false;
   var now3 = (
@@ -10061,8 +10174,8 @@
   var played2 = "";
   var lit2 = -1;
   var past = { key: "", list: [], at: -1 };
-  var keysOf3 = (shown9) => Object.fromEntries(KEYS5.filter((key) => shown9?.[key]).map((key) => [key, shown9?.[key]]));
-  var same3 = (a, b) => KEYS5.every((key) => (a?.[key] || "") === (b?.[key] || ""));
+  var keysOf3 = (shown9) => Object.fromEntries(KEYS6.filter((key) => shown9?.[key]).map((key) => [key, shown9?.[key]]));
+  var same3 = (a, b) => KEYS6.every((key) => (a?.[key] || "") === (b?.[key] || ""));
   var ready = () => Boolean(now3.name) && same3(now3.inputs, keysOf3(view3));
   var here2 = () => on && Boolean(find(COMPOSE_TREE)?.offsetParent);
   var onStage3 = () => String(player.frameOf(0)?.dataset || "").startsWith("~derive~");
@@ -10129,7 +10242,7 @@
     need(COMPOSE_ERROR).classList.toggle("hidden", !error);
     need(COMPOSE_ERROR).textContent = error || "";
     const there = ready();
-    need(COMPOSE_STRING).dataset.shown = busy ? "" : KEYS5.map((key) => now3.inputs?.[key] || "").join(" ");
+    need(COMPOSE_STRING).dataset.shown = busy ? "" : KEYS6.map((key) => now3.inputs?.[key] || "").join(" ");
     need(COMPOSE_STATUS).textContent = busy ? "Making the routine …" : there ? `${plural(now3.actions.length, "action")}, ${now3.seconds.toFixed(1)} s. ${now3.novel ? "Nobody performed it like this." : "It occurs like this in the recordings."}` : error ? "" : "Press New routine: chance makes one that keeps to the rules.";
     for (const name of ["play", "larger", "smaller", "others", "undo", "redo"]) {
       const usable2 = {
@@ -10235,8 +10348,8 @@
   // grammar/others.mjs
   var LETTERS = "ABCDEFGH";
   var playing = "";
-  var KEYS6 = ["sentence", "pick", "up", "alt"];
-  var matches = (data2, view4) => KEYS6.every((key) => (data2?.inputs?.[key] || "") === (view4[key] || ""));
+  var KEYS7 = ["sentence", "pick", "up", "alt"];
+  var matches = (data2, view4) => KEYS7.every((key) => (data2?.inputs?.[key] || "") === (view4[key] || ""));
   function request4(data2) {
     return {
       dataset: data2.others[0].name,
@@ -11241,7 +11354,7 @@
       });
       return card4;
     }));
-    if (!keys.length) box4.append(element("p", "muted map-hint", "No keys yet: click a posture on the map."));
+    if (!keys.length) box4.append(withAttributes(element("p", "muted map-hint", "No keys yet: click a posture on the map."), { role: "listitem" }));
     if (focused >= 0) childrenOf(box4)[Math.min(focused, box4.children.length - 1)]?.focus?.({ preventScroll: true });
   }
   var hitsInWords = (n, keys) => !keys.length ? "" : n === 1 ? "1 hit" : `${n} hits`;
@@ -11256,7 +11369,7 @@
     clearTimeout(later2);
     if (!hits.length) {
       const hint = keys.length ? "Nothing passes these postures in this order. Let the keys reach farther, or remove one." : "Choose one or more postures on the map: every stretch of motion that passes through them in order is listed here.";
-      box4.replaceChildren(element("p", "muted map-hint", hint));
+      box4.replaceChildren(withAttributes(element("p", "muted map-hint", hint), { role: "listitem" }));
       return;
     }
     const row7 = (hit, k) => {

@@ -56,8 +56,8 @@ function bout(data, one, open) {
   const head = element("summary", "gait-head");
   const select = sends(element("button", "gait-select", "Select"), "selection", { clip: data.clip, start: one.start, end: one.end });
   select.setAttribute("aria-label", `Select the frames of ${one.title}`);
-  head.append(element("b", "", one.title), element("span", "muted number", one.facts), select);
-  return folding("gait-bout", head, open, () => table(data.head, one.rows));
+  head.append(element("b", "", one.title), element("span", "muted number", one.facts));
+  return element("div", "gait-row", folding("gait-bout", head, open, () => table(data.head, one.rows)), select);
 }
 
 /** @param {Gait} data */

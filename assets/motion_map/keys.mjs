@@ -1,5 +1,5 @@
 /* The side of the map: the posture under the pointer, the key sequence, how far keys reach, and the hits. */
-import { allWithin, childrenOf, element, find, icon, targetOf } from "../shared/dom.mjs";
+import { allWithin, childrenOf, element, find, icon, targetOf, withAttributes } from "../shared/dom.mjs";
 import { SELECTION } from "../shared/ids.mjs";
 import { clock } from "../shared/words.mjs";
 import { figurePicture } from "./figure.mjs";
@@ -113,7 +113,7 @@ export function drawStrip(map, keys, change) {
     });
     return card;
   }));
-  if (!keys.length) box.append(element("p", "muted map-hint", "No keys yet: click a posture on the map."));
+  if (!keys.length) box.append(withAttributes(element("p", "muted map-hint", "No keys yet: click a posture on the map."), { role: "listitem" }));
   if (focused >= 0) childrenOf(box)[Math.min(focused, box.children.length - 1)]?.focus?.({ preventScroll: true });
 }
 
@@ -142,7 +142,7 @@ export function drawHits(map, hits, keys, { dataset, version, chosen }) {
     const hint = keys.length
       ? "Nothing passes these postures in this order. Let the keys reach farther, or remove one."
       : "Choose one or more postures on the map: every stretch of motion that passes through them in order is listed here.";
-    box.replaceChildren(element("p", "muted map-hint", hint));
+    box.replaceChildren(withAttributes(element("p", "muted map-hint", hint), { role: "listitem" }));
     return;
   }
   /** @param {Hit} hit @param {number} k */

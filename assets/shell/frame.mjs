@@ -153,6 +153,7 @@ function watchTheme() {
 function setStageWidth(pixels) {
   const width = Math.round(Math.min(Math.max(pixels, 320), innerWidth - 84 - 367));
   document.documentElement.style.setProperty("--stage-width", width + "px");
+  document.querySelector(".splitter")?.setAttribute("aria-valuenow", String(Math.round((100 * width) / innerWidth)));
   return width;
 }
 

@@ -138,6 +138,19 @@ class Block:
 
 
 @dataclass(frozen=True)
+class Place:
+    """Something with a name that can be opened by its link.
+
+    about: what it is, in a few words. opens: id of a folded part of that page which is opened as well.
+    """
+
+    name: str
+    about: str
+    address: str
+    opens: str = ""
+
+
+@dataclass(frozen=True)
 class Feature:
     """A page and all that belongs to it.
 
@@ -147,6 +160,7 @@ class Feature:
     first_values: what the page shows of a dataset and a view (data of the stores), for the HTML that the browser gets
     first: id of a component -> its properties. Callbacks that fill the same places must then leave them as they are.
     drawings: id of a component that a library draws -> how the page's first picture draws it (first_picture.py).
+    places: what of a workspace can be found by name on this page, for what a link shows (:mod:`webapp.shell.places`).
     keys: of its links. methods: name of the settings in the link -> the method they belong to; ``<name>-<parameter>``.
     on_every_page: those of these names whose settings stand in the links of all pages, as ``<parameter>`` alone.
     routes: the blueprints it serves. stores: components that stay when another page is opened.
@@ -167,6 +181,7 @@ class Feature:
     shows: tuple[str, ...] = ()
     first_values: Callable[[Workspace, str, Mapping[str, str]], Values] = lambda workspace, dataset, view: {}
     drawings: Mapping[str, Callable[[Mapping[str, Any], str], str]] = field(default_factory=lambda: NOTHING)
+    places: Callable[[Workspace, Any], Iterable[Place]] = lambda workspace, shown: ()
     keys: LinkKeys = LinkKeys()
     methods: Mapping[str, str] = field(default_factory=lambda: NOTHING)
     on_every_page: tuple[str, ...] = ()

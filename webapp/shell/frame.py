@@ -40,7 +40,11 @@ def layout(stage: Component, job_bar: Component, stores: Sequence[Component]) ->
                         role="separator",
                         tabIndex="0",
                         title="Drag, or use the arrow keys, to resize the stage",
-                        **attributes(aria_label="Width of the stage", aria_orientation="vertical"),
+                        **attributes(
+                            aria_label="Width of the stage",
+                            aria_orientation="vertical",
+                            aria_valuenow="37",  # percent of the window; assets/shell/frame.mjs keeps it up to date
+                        ),
                     ),
                     html.Aside(stage, className="stage-panel", **attributes(aria_label="Stage")),
                     job_bar,
@@ -100,7 +104,7 @@ def _header() -> Component:
                 id=names.SHARE,
                 variant="default",
                 leftSection=icon("link", 16),
-                **attributes(aria_label="Copy a link to this view"),
+                **attributes(aria_label="Share: copy a link to this view"),
             ),
             html.Div(id=names.PERSON, className="person"),
             dmc.ColorSchemeToggle(

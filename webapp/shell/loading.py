@@ -67,7 +67,7 @@ class LoadingDash(CheckedDash):
         if shown:
             style_sheets = re.findall(r'<link rel="stylesheet" href="([^"]+)"', parts["css"])
             parts["app_entry"] = first_picture.picture(layout, shown, style_sheets, self.drawings) + parts["app_entry"]
-        return super().interpolate_index(**parts)
+        return super().interpolate_index(**parts).replace("<html>", '<html lang="en">', 1)
 
     def _first_layout(self) -> tuple[Any, str]:
         """The layout with what the requested address shows, so that the browser need not ask for it; and the link of

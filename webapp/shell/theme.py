@@ -12,7 +12,7 @@ SLATE = [  # Mantine's "dark" shades: text first, page last
 
 MANTINE = {
     "primaryColor": "accent",
-    "primaryShade": {"light": 7, "dark": 6},
+    "primaryShade": {"light": 7, "dark": 7},
     "colors": {"accent": ACCENT, "dark": SLATE},
     "fontFamily": "var(--font)",
     "fontFamilyMonospace": "ui-monospace, 'SF Mono', Menlo, Consolas, 'DejaVu Sans Mono', monospace",

@@ -39,7 +39,7 @@ def stage(api: str = "/api") -> html.Div:
             html.Div(
                 [
                     html.Div(className="ms-stage-title"),
-                    html.Div(className="ms-figures", **attributes(aria_label="Figures")),
+                    html.Div(className="ms-figures", role="group", **attributes(aria_label="Figures")),
                 ],
                 className="ms-stage-head",
             ),

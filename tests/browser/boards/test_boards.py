@@ -123,7 +123,7 @@ def test_changed_data_is_told_and_a_read_only_link_changes_nothing(show, board, 
 
 def test_a_board_begins_with_a_template_and_a_view_is_saved(show):
     page = show("/motifs?dataset=demo", viewport={"width": 1440, "height": 900})
-    page.get_by_role("button", name="Save this view for the team").click()
+    page.get_by_role("button", name="Save view: keep it for the team").click()
     form = page.get_by_role("dialog", name="Save this view")
     form.get_by_label("Title").fill("The graph of the demo")
     form.get_by_label("Tags").fill("demo, graph")

@@ -39,7 +39,7 @@ def test_with_the_read_link_one_sees_what_others_change_and_changes_nothing(ann,
     assert "key=" not in guest.url
     expect(guest.locator(".person")).to_contain_text("Guest")
     expect(guest.get_by_role("button", name="Add block")).to_have_count(0)
-    expect(guest.get_by_role("button", name="Save this view for the team")).to_be_hidden()
+    expect(guest.get_by_role("button", name="Save view: keep it for the team")).to_be_hidden()
     choose(ann, "words", "Change")
     ann.get_by_label("Text").fill("second")
     ann.get_by_role("button", name="Save", exact=True).click()

@@ -32,7 +32,7 @@ def ann(open_page, address: str, workspace: Workspace) -> Page:
 
 def invite(page: Page) -> str:
     """Saves what is shown, makes a board with a template, and gives the link with which others may change it."""
-    page.get_by_role("button", name="Save this view for the team").click()
+    page.get_by_role("button", name="Save view: keep it for the team").click()
     page.get_by_role("dialog").get_by_label("Title").fill("The graph")
     page.get_by_role("dialog").get_by_role("button", name="Save", exact=True).click()
     page.locator("#nav-boards").click()

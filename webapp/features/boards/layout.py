@@ -38,6 +38,6 @@ def header() -> list[Component]:
             className="for-editors",
             variant="default",
             leftSection=icon("star", 16),
-            **attributes(aria_label="Save this view for the team"),
+            **attributes(aria_label="Save view: keep it for the team"),
         ),
     ]

@@ -9,6 +9,7 @@ FEATURE = Feature(
     symbol="branches",
     page=later("webapp.features.grammar.layout:page"),
     register=later("webapp.features.grammar.callbacks:register"),
+    places=later("webapp.features.grammar.places:places"),
     keys=link_keys(names.View),
     methods={"grammar": "grammar"},
     routes=later("webapp.features.grammar.routes:blueprints"),

@@ -15,6 +15,7 @@ FEATURE = Feature(
     register=later("webapp.features.library.callbacks:register"),
     shows=("table",),
     first_values=later("webapp.features.library.callbacks:first_values"),
+    places=later("webapp.features.library.places:places"),
     keys=link_keys(names.View),
     routes=later("webapp.features.library.routes:blueprints"),
     stores=later("webapp.features.library.feature_files:stores"),

@@ -66,7 +66,7 @@ def dialog() -> Component:
                                 value=0,
                                 label=None,
                                 mb=10,
-                                **attributes(aria_labelledby=names.BODY_FRAME_LABEL),
+                                thumbLabel="Frame",
                             ),
                         ]
                     ),

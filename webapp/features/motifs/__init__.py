@@ -17,6 +17,7 @@ FEATURE = Feature(
     shows=("graph", "table"),
     first_values=later("webapp.features.motifs.callbacks:first_values"),
     drawings={names.MOTIF_GRAPH: later("webapp.features.motifs.figures.drawing:first_graph")},
+    places=later("webapp.features.motifs.places:places"),
     keys=link_keys(names.View),
     methods={"motifs": "motifs"},
     on_every_page=("motifs",),

@@ -159,7 +159,7 @@ def _graph_card(graph: MotifGraph, elements: list[dict], scheme: str) -> Compone
                                 value=threshold,
                                 size="xs",
                                 w=120,
-                                **attributes(aria_label="Hide successions seen less often"),
+                                thumbLabel="Hide successions seen less often",
                             ),
                         ],
                     ),
