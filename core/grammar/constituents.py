@@ -95,28 +95,79 @@ def merge_kinds(sentences: Sequence[Sentence], trees: Sequence[Node], sharing: s
 
     sharing: "rules" looks at kinds that have half of the rules of the smaller one in common; "side" asks besides that
     all their contexts have a side in common. Either makes new neighbours only where such are to be expected
-    (:class:`core.grammar.neighbours.Neighbours`). Raises ValueError for another word.
+    (:class:`core.grammar.neighbours.Neighbours`). One kind for two of which one may hold the other could repeat itself
+    without end, which no recording has shown. So these stay apart; where one would be shorter, the outer one gets the
+    rule that it may be an inner one, in place of the rules that both have. Raises ValueError for another word.
     """
     if sharing not in ("side", "rules"):
         raise ValueError(f"sharing must be side or rules, not {sharing!r}")
-    description = Description(trees)
-    contexts, words = contexts_of(sentences, trees), _words_of(sentences, trees)
-    neighbours = Neighbours(sentences)
+    neighbours, trees = Neighbours(sentences), tuple(trees)
+    while True:
+        description = Description(trees)
+        contexts, words = contexts_of(sentences, trees), _words_of(sentences, trees)
+        names = _merged(description, contexts, words, neighbours, sharing)
+        trees = tuple(renamed(tree, names) for tree in trees)
+        outer, inner = _widened(description, contexts, words, neighbours, sharing)
+        if not outer:
+            return _numbered_on(trees)
+        rights = description.rights(inner)
+        trees = tuple(_with_inner(tree, outer, inner, rights) for tree in trees)
+
+
+def _merged(
+    description: Description,
+    contexts: dict[str, set[tuple[int, int]]],
+    words: dict[str, set[Sentence]],
+    neighbours: Neighbours,
+    sharing: str,
+) -> dict[str, str]:
+    """Makes kinds one, in place, while that shortens the description; old name -> new name."""
     names: dict[str, str] = {}
     while True:
-        pairs = _pairs(description.rules)
+        inside = description.inside
+        pairs = {(a, b) for a, b in _pairs(description.rules) if a not in inside[b] and b not in inside[a]}
         if sharing == "side":
             pairs = {(a, b) for a, b in pairs if alike(contexts[a], contexts[b])}
         pairs = {(a, b) for a, b in pairs if neighbours.allow(contexts[a] | contexts[b], words[a] | words[b])}
         gains = sorted((description.gain(a, b), a, b) for a, b in pairs)
         if not gains or gains[0][0] >= -1e-9:
-            break
+            return names
         _, a, b = gains[0]
         description.merge(a, b)
         names = {old: a if new == b else new for old, new in names.items()} | {b: a}
         contexts[a] |= contexts.pop(b)
         words[a] |= words.pop(b)
-    return _numbered_on([renamed(tree, names) for tree in trees])
+
+
+def _widened(
+    description: Description,
+    contexts: Mapping[str, set[tuple[int, int]]],
+    words: Mapping[str, set[Sentence]],
+    neighbours: Neighbours,
+    sharing: str,
+) -> tuple[str, str]:
+    """The outer and the inner kind that would shorten the description most as one; empty for none."""
+    inside, best = description.inside, (-1e-9, "", "")
+    for pair in _pairs(description.rules):
+        outer, inner = pair if pair[1] in inside[pair[0]] else pair[::-1]
+        if inner not in inside[outer] or outer in inside[inner]:
+            continue
+        if sharing == "side" and not alike(contexts[outer], contexts[inner]):
+            continue
+        if neighbours.allow(contexts[outer], words[outer] | words[inner]):
+            best = min(best, (description.gain(*sorted(pair)), outer, inner))
+    return best[1], best[2]
+
+
+def _with_inner(tree: Node, outer: str, inner: str, rights: set[Right]) -> Node:
+    """The tree with an ``inner`` between each ``outer`` and its children where these are a right side of ``inner``."""
+    if tree.is_leaf:
+        return tree
+    children = tuple(_with_inner(child, outer, inner, rights) for child in tree.children)
+    tree = tree._replace(rule=0, children=children)
+    if tree.name != outer or _rule(tree)[1] not in rights:
+        return tree
+    return tree._replace(children=(tree._replace(symbol=inner),))
 
 
 class Description:
@@ -132,6 +183,26 @@ class Description:
         for rule in self.rules:
             for name in _names(rule):
                 self.holding[name].add(rule)
+
+    def rights(self, left: str) -> set[Right]:
+        """The right sides of a kind."""
+        return {right for name, right in self.rules if name == left}
+
+    @property
+    def inside(self) -> dict[str, set[str]]:
+        """Kind -> the kinds that may stand inside its constituents, at any depth."""
+        direct: dict[str, set[str]] = {left: set() for left in self.choices}
+        for left, right in self.rules:
+            direct[left].update(symbol for symbol in right if isinstance(symbol, str))
+        reached: dict[str, set[str]] = {}
+        for left, found in direct.items():
+            waiting, reached[left] = list(found), set()
+            while waiting:
+                kind = waiting.pop()
+                if kind not in reached[left]:
+                    reached[left].add(kind)
+                    waiting.extend(direct.get(kind, ()))
+        return reached
 
     def gain(self, a: str, b: str) -> float:
         """By how many bits the total changes (SYN equation 6, as :meth:`Grammar.bits`) where b becomes a."""

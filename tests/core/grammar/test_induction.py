@@ -40,6 +40,25 @@ def test_the_paper_s_basketball_strings(basketball) -> None:
     assert len(unseen) == 8 and sum(grammar.accepts(spelled(word)) for word in unseen) >= 3
 
 
+def test_no_wrong_basketball_string_of_up_to_six_letters_is_accepted_or_written(basketball) -> None:
+    words = {"".join(word) for n in range(1, 7) for word in itertools.product(LETTERS, repeat=n)}
+    assert {word for word in words if basketball.grammar.accepts(spelled(word))} <= SOURCE
+    grammar = basketball.grammar
+    written = {grammar.reconstruct(grammar.rule_indices(grammar.generate(seed))) for seed in range(100)}
+    assert written <= set(map(spelled, SOURCE))
+
+
+@settings(max_examples=40)
+@given(SENTENCES, st.sampled_from(["side", "rules"]))
+def test_merging_makes_no_kind_that_holds_itself(sentences, merge) -> None:
+    def holding_themselves(trees):
+        return {kind for kind, inside in Description(trees).inside.items() if kind in inside}
+
+    before = induce(sentences, merge="no", align_by="pairs")
+    if not holding_themselves(before.trees):
+        assert not holding_themselves(induce(sentences, merge=merge, align_by="pairs").trees)
+
+
 def test_basketball_shuffles_that_begin_or_end_otherwise_are_rejected(basketball) -> None:
     for word in SOURCE:
         for shuffled in set(itertools.permutations(word)):
