@@ -102,3 +102,19 @@ def limit_memory() -> None:
     soft, hard = resource.getrlimit(resource.RLIMIT_DATA)
     if soft == resource.RLIM_INFINITY or allowed < soft:
         resource.setrlimit(resource.RLIMIT_DATA, (allowed, hard))
+        _limited.set()
+
+
+_limited = threading.Event()  # this process has a limit of limit_memory
+
+
+def allow_mapped(size: int) -> None:
+    """Leaves a file of ``size`` bytes that is to be mapped privately out of the limit of :func:`limit_memory`.
+
+    The system counts such a file as memory, though its pages can be taken back: a collection may be larger than memory.
+    """
+    if _limited.is_set():
+        import resource
+
+        soft, hard = resource.getrlimit(resource.RLIMIT_DATA)
+        resource.setrlimit(resource.RLIMIT_DATA, (soft + size if hard == resource.RLIM_INFINITY else hard, hard))

@@ -18,6 +18,7 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
+from core.machine import allow_mapped
 from core.mocap.clip import Clip, Label
 from core.mocap.dataset import Dataset, clip_digest
 from core.mocap.errors import RecordingError
@@ -132,6 +133,7 @@ def load_dataset(folder: str | Path) -> Dataset:
         head = json.loads((folder / "dataset.json").read_text(encoding="utf-8"))
         if head["format"] != FORMAT:
             raise RecordingError(folder, f"a dataset of format {head['format']!r}", FORMAT)
+        allow_mapped((folder / "motion.npy").stat().st_size)
         # a file without numbers cannot be mapped
         numbers = np.load(folder / "motion.npy", mmap_mode="c" if head["clips"] else None, allow_pickle=False)
         _check_finite(numbers, folder)

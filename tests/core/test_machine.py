@@ -12,9 +12,11 @@ import pytest
 from core.demo import make_demo
 from core.errors import ParameterError
 from core.machine import MEMORY, TooLarge, check_fits, free_bytes, in_gigabytes
+from core.mocap.storage import writing_dataset
 from core.motifs.build import MotifParameters, find_motifs
 from core.motifs.matching import Matcher
 from tests.core.motifs.test_samples import repetitive
+from tests.toy_method import make_dataset
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -69,3 +71,20 @@ def test_a_process_that_wants_more_than_there_is_gets_an_error_it_can_tell():
     environment = {MEMORY: "0.2", "PYTHONPATH": str(ROOT)}
     done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True)
     assert done.stdout.split("\n") == ["told", "goes on", ""], done.stderr
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="only Linux counts what a process has asked for")
+def test_a_dataset_larger_than_the_memory_can_be_opened(tmp_path):
+    dataset = make_dataset()
+    with writing_dataset(tmp_path / "big", "big") as writer:
+        for clip in dataset.clips:
+            writer.add(clip)
+        writer._file.truncate(400_000_000)  # the rest of the file is empty, and takes no room
+        writer._written = (400_000_000 - 128) // 4
+    code = (
+        "from core.mocap.storage import load_dataset; from core.machine import limit_memory; limit_memory()\n"
+        f"print(load_dataset({str(tmp_path / 'big')!r}).n_frames)"
+    )
+    environment = {MEMORY: "0.2", "PYTHONPATH": str(ROOT)}
+    done = subprocess.run([sys.executable, "-c", code], env=environment, capture_output=True, text=True)
+    assert done.stdout == f"{dataset.n_frames}\n", done.stderr[-400:]
