@@ -97,6 +97,17 @@ _AXES = [f"{name}_{axis}" for name in ("hips", "l_knee", "r_knee", "head") for a
 POINTS_CSV = f"time,{','.join(_AXES)}\n" + "".join(f"{k / 30:.4f}{f',{k}.5,1e-1,-2' * 4}\n" for k in range(12))
 TIDY_CSV = "frame,joint,x,y,z\n" + "".join(f"{k},{j},{k},0.5,1\n" for k in range(9) for j in ("head", "hips", "knee"))
 NUMBERED = "".join(f"{4 * k} " + " ".join(f"{(j + k) / 7:.4f}" for j in range(60)) + "\n" for k in range(12))
+MOT = "Coordinates\ninDegrees=yes\nendheader\ntime\tknee_angle_r\tpelvis_tx\n" + "".join(
+    f"{k / 100}\t{k}.5\t0.{k}\n" for k in range(9)
+)
+_FRAMES = "".join(
+    f'<frame type="normal"><orientation>1 0 0 0 1 0 0 0</orientation><position>0 {k} 1 0 0 1.2</position></frame>'
+    for k in range(5)
+)
+MVNX = (
+    '<mvnx><subject frameRate="60"><segments><segment label="Pelvis" id="1"/><segment label="L5" id="2"/></segments>'
+    f"<frames>{_FRAMES}</frames></subject></mvnx>"
+)
 POINTS_JSON = json.dumps([{"joints": {j: [k, 0.5, 1] for j in ("head", "hips", "knee")}} for k in range(9)])
 ARRAY_JSON = json.dumps({"fps": 30, "joints": [[[k, j, 1] for j in range(17)] for k in range(9)]})
 BODY = '{"format": "motionscape/body/1", "rigs": [{"rig": ["a", "b"], "body": null, "joints": {"head": "b"}}]}'
@@ -193,6 +204,8 @@ class Readers:
             ".trc": (read_any, [TRC.encode()]),
             ".csv": (read_any, [POINTS_CSV.encode(), TIDY_CSV.encode()]),
             ".glb": (read_any, [_glb(self.folder)]),
+            ".mvnx": (read_any, [MVNX.encode()]),
+            ".mot": (read_any, [MOT.encode()]),
             ".c3d": (read_any, [_c3d(), _c3d(">")]),
             ".txt": (read_any, [NUMBERED.encode()]),
             ".json": (read_any, [POINTS_JSON.encode(), ARRAY_JSON.encode()]),

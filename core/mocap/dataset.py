@@ -20,6 +20,7 @@ from core.mocap.errors import RecordingError
 from core.mocap.label_files import find_label_files, find_labels
 from core.mocap.labels import fit_labels, read_labels
 from core.mocap.other_files import in_words
+from core.mocap.points.naming import preset_called
 from core.mocap.readers import read_clips
 from core.mocap.reading import Change, Reading, read_again, settled
 from core.mocap.recordings import Recording, Source, find_left_out, find_recordings, find_skeleton, name_recordings
@@ -124,6 +125,8 @@ def open_dataset(
     up: str | None = None,
     fps: float | None = None,
     body: str | Path | BodyCorrections | None = None,
+    points: str | None = None,
+    smooth: float | None = None,
     clips: Iterable[str] | str | None = None,
     labels: str | Path | None = None,
     on_error: Literal["raise", "report"] = "raise",
@@ -134,14 +137,15 @@ def open_dataset(
     skeleton: .asf for .amc files that have none beside them. unit: of length in the files (a name of
     core.mocap.units.UNITS, or metres); up: the axis that points up in them; both are found out from the body where not
     given. fps: frame rate of all recordings, in place of what they say (AMC says nothing: 120 where not given). body:
-    corrections of bodies, or the JSON file that holds them.
+    corrections of bodies, or the JSON file that holds them. points: the list of joints that files of points
+    have (a name of core.mocap.points.presets.PRESETS); smooth: cut-off in Hz of what they are smoothed with.
     clips: names of the clips to read (or one string, with commas); all others are left alone. labels: CSV file or
     folder; where not given, the label files of the source folders (see label_files). on_error "report": what cannot be
     read stands in the report instead of raising. Raises RecordingError for the first file that cannot be read, where
     there is nothing to read or a clip of ``clips`` does not exist, ValueError where fps is not positive.
     """
     read, files = [], []
-    how = reading(unit, up, fps, body)
+    how = reading(unit, up, fps, body, points, smooth)
     for file, clip in read_recordings(source, skeleton=skeleton, how=how, clips=clips, report=report):
         if isinstance(file, RecordingError):
             if on_error == "raise":
@@ -274,8 +278,16 @@ def reading(
     up: str | None = None,
     fps: float | None = None,
     body: str | Path | BodyCorrections | None = None,
+    points: str | None = None,
+    smooth: float | None = None,
 ) -> Reading:
     """What was said about recordings, from the words it was said with. Raises ParameterError, FormatError, OSError."""
     metres = metres_of(unit) if isinstance(unit, str) else unit
     corrections = read_corrections(body) if isinstance(body, str | Path) else body
-    return Reading(metres, axis_of(up) if up else None, fps, corrections)
+    if points and points != "auto":
+        preset_called(points)
+    return Reading(metres, axis_of(up) if up else None, fps, corrections, _unless_auto(points), smooth)
+
+
+def _unless_auto(word: str | None) -> str | None:
+    return None if not word or word == "auto" else word

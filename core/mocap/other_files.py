@@ -9,7 +9,12 @@ from pathlib import Path
 from core.mocap.text import recording_format
 
 _BLENDER = "open it in Blender and export BVH"
-_OPENSIM = "export BVH, or joint angles as BVH, with the program that wrote it"
+# Every file of a folder as GLB, in one line.
+_BLENDER_FOLDER = (
+    'open it in Blender and export BVH, or make GLB of all in a folder: blender -b --python-expr "import bpy, glob; '
+    "[(bpy.ops.wm.read_factory_settings(use_empty=True), bpy.ops.import_scene.fbx(filepath=f), "
+    "bpy.ops.export_scene.gltf(filepath=f[:-4] + '.glb')) for f in glob.glob('*.fbx')]\""
+)
 _PICKLE = (
     "it may run code when opened and is never read; where you trust it, load it in Python and save its arrays with "
     "numpy.savez('take.npz', poses=..., trans=..., mocap_framerate=60)"
@@ -17,7 +22,7 @@ _PICKLE = (
 _ARRAYS = "no joints or poses are recognised in it; save joints as an array (frames, joints, 3)"
 # How a file's name ends -> what the format is called, and how to come to BVH.
 _MOTION = {
-    ".fbx": ("FBX", _BLENDER),
+    ".fbx": ("FBX", _BLENDER_FOLDER),
     ".dae": ("Collada", _BLENDER),
     ".usd": ("USD", _BLENDER),
     ".usda": ("USD", _BLENDER),
@@ -30,8 +35,6 @@ _MOTION = {
     ".pmx": ("PMX", "it is a model without motion"),
     ".pmd": ("PMD", "it is a model without motion"),
     ".trb": ("TRB", "it holds markers; solve a skeleton with the program that recorded it and export BVH"),
-    ".mot": ("OpenSim MOT", _OPENSIM),
-    ".sto": ("OpenSim STO", _OPENSIM),
     ".npz": ("NumPy arrays", _ARRAYS),
     ".npy": ("NumPy array", _ARRAYS),
     ".pkl": ("pickle", _PICKLE),
@@ -50,7 +53,6 @@ _MOTION = {
     ".v": ("Vicon V", "export BVH from the program that recorded it"),
     ".tak": ("Motive take", "export BVH from Motive"),
     ".mvn": ("Xsens MVN", "export BVH from MVN"),
-    ".mvnx": ("Xsens MVNX", "export BVH from MVN"),
     ".zip": ("zip", "unpack it, or drop it on the Library page"),
     ".7z": ("7z", "unpack it"),
     ".rar": ("rar", "unpack it"),

@@ -10,6 +10,8 @@ from core.mocap.bvh import read_bvh_clips
 from core.mocap.c3d import read_c3d
 from core.mocap.clip import Clip
 from core.mocap.gltf import read_gltf
+from core.mocap.mvnx import read_mvnx
+from core.mocap.opensim import read_opensim
 from core.mocap.points import reading as points
 from core.mocap.points.array_files import read_arrays
 from core.mocap.points.json_files import frame_files, is_frame_file
@@ -25,7 +27,7 @@ def _bvh(path: Path, _ending: str, how: Reading) -> tuple[Clip, ...]:
 
 
 def _points(path: Path, ending: str, how: Reading) -> tuple[Clip, ...]:
-    return points.read_points(path, ending, how.fps)
+    return points.read_points(path, ending, how.fps, how.points, how.smooth)
 
 
 def _npz(path: Path, ending: str, how: Reading) -> tuple[Clip, ...]:
@@ -34,11 +36,19 @@ def _npz(path: Path, ending: str, how: Reading) -> tuple[Clip, ...]:
 
 
 def _c3d(path: Path, _ending: str, how: Reading) -> tuple[Clip, ...]:
-    return read_c3d(path, how.fps)
+    return read_c3d(path, how.fps, how.points, how.smooth)
 
 
 def _gltf(path: Path, _ending: str, how: Reading) -> tuple[Clip, ...]:
     return read_gltf(path, how.fps)
+
+
+def _mvnx(path: Path, _ending: str, how: Reading) -> tuple[Clip, ...]:
+    return read_mvnx(path, how.fps)
+
+
+def _opensim(path: Path, _ending: str, how: Reading) -> tuple[Clip, ...]:
+    return read_opensim(path, how.fps)
 
 
 READERS: dict[str, Reader] = {
@@ -47,12 +57,15 @@ READERS: dict[str, Reader] = {
     **dict.fromkeys((".glb", ".gltf", ".vrm", ".vrma"), _gltf),
     **dict.fromkeys(points.FORMATS, _points),
     ".npz": _npz,
+    ".mvnx": _mvnx,
+    ".mot": _opensim,
+    ".sto": _opensim,
 }
 """How a file's name ends -> its reader. AMC files, which need a skeleton beside them, have their own way."""
 FORMATS = (*READERS, ".amc")
 BESIDE = (".asf", ".bin")  # skeletons of AMC, buffers of glTF
 _MAYBE = points.MAYBE  # endings that many other files have
-NAMED = "BVH, ASF/AMC, C3D, glTF (GLB, VRM, VRMA), TRC, CSV, NPY, NPZ or JSON"
+NAMED = "BVH, ASF/AMC, C3D, glTF (GLB, VRM, VRMA), MVNX, MOT, STO, TRC, CSV, NPY, NPZ or JSON"
 """The formats in words, for messages."""
 
 

@@ -20,18 +20,23 @@ class Reading:
     """What someone said about recordings, beside what their files say.
 
     unit: metres per unit of the files; up: the axis that points up in them (``y``, ``z``, ``-x`` ...); None: found out
-    from the body. fps: frames per second; None: what the file says. body: which joints are which. Raises ParameterError
-    where fps is not positive.
+    from the body. fps: frames per second; None: what the file says. body: which joints are which. points: the list
+    of joints that files of points have (core.mocap.points.presets); smooth: cut-off in Hz of what they are smoothed
+    with. Raises ParameterError where a number is not positive.
     """
 
     unit: float | None = None
     up: str | None = None
     fps: float | None = None
     body: BodyCorrections | None = None
+    points: str | None = None
+    smooth: float | None = None
 
     def __post_init__(self) -> None:
         if self.fps is not None and not 0 < self.fps < 1e6:
             raise ParameterError(f"frame rate must be positive, not {self.fps}")
+        if self.smooth is not None and not 0 < self.smooth < 1e4:
+            raise ParameterError(f"a cut-off must be positive, not {self.smooth} Hz")
         if self.unit is not None and not 1e-6 <= self.unit <= 1000:
             raise ParameterError(f"a unit must be from 1e-6 to 1000 metres, not {self.unit}")
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -14,11 +14,11 @@ from core.mocap.kinematics import joint_positions
 from core.mocap.points.array_files import RATES, as_floats
 from core.mocap.points.cleaning import upward
 from core.mocap.points.solving import from_matrices
-from core.mocap.reports import Finding
 from core.mocap.skeleton import Skeleton
 from core.mocap.smpl_body import ENVIRONMENT, NAMES, PARENTS, STATURE, average_offsets, model_offsets
 from core.mocap.text import LARGEST, recording_format
 from core.mocap.upright import turned
+from core.mocap.world_poses import clip_of_world
 
 _POSES = ("poses", "smpl_poses", "pose", "full_pose", "fullpose", "body_pose", "pose_body", "poses_body")
 _ROOTS = ("root_orient", "global_orient", "pose_root", "orient")
@@ -151,24 +151,7 @@ def _soma(path: str | Path, arrays: Arrays, rate: float | None) -> Clip:
     if n not in known or world.shape != (len(joints), n, 3, 3) or joints.shape[2] != 3 or not len(joints):
         shapes = f"posed_joints {joints.shape} and global_rot_mats {world.shape}"
         raise RecordingError(path, shapes, "(frames, 30, 3) and (frames, 30, 3, 3)")
-    if not (np.isfinite(joints).all() and np.isfinite(world).all() and np.abs(joints).max() < LARGEST):
-        raise RecordingError(path, "joints or rotations that are no numbers", "finite numbers")
     names, parents = (tuple(part) for part in zip(*known[n], strict=True))
-    turns = from_matrices(world.reshape(-1, 3, 3)).reshape(len(joints), n, 4)
-    offsets, local, furthest = np.zeros((n, 3)), turns.copy(), 0.0
-    for j, parent in enumerate(parents):
-        if parent >= 0:
-            back = quat.conjugate(turns[:, parent])
-            local[:, j] = quat.multiply(back, turns[:, j])
-            away = quat.rotate(back, joints[:, j] - joints[:, parent])
-            offsets[j] = np.median(away, axis=0)
-            furthest = max(furthest, float(np.linalg.norm(away - offsets[j], axis=1).max()))
-    skeleton = Skeleton(names, parents, offsets)
-    notes = [f"joints with their rotations: bones of fixed lengths fit within {furthest * 1000:.1f} mm"]
-    if not rate:
-        notes.append("frame rate: the file does not say it; taken as 30 frames per second")
-    clip = _clip(path, skeleton, _Motion(local, joints[:, 0]), rate or 30.0, n, tuple(notes))
-    if furthest > 0.05:
-        words = f"joints lie up to {furthest * 1000:.0f} mm away from where their rotations put them"
-        return replace(clip, findings=(Finding("fit", words),))
-    return clip
+    turns = from_matrices(np.nan_to_num(world.reshape(-1, 3, 3))).reshape(len(joints), n, 4)
+    notes = () if rate else ("frame rate: the file does not say it; taken as 30 frames per second",)
+    return clip_of_world(path, names, parents, joints, turns, rate or 30.0, notes)

@@ -22,7 +22,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class ImportParameters:
-    """An import of an upload. ``skeleton``, ``labels``: files of it; the rest as in :class:`RereadParameters`."""
+    """An import of an upload.
+
+    skeleton, labels: files of it. points: the list of joints that files of points have; smooth: cut-off in Hz of what
+    they are smoothed with. The rest as in :class:`RereadParameters`.
+    """
 
     upload: str
     skeleton: str = ""
@@ -31,12 +35,14 @@ class ImportParameters:
     unit: str = ""
     up: str = ""
     body: str = ""
+    points: str = ""
+    smooth: float | None = field(default=None, metadata={"min": 0.1, "max": 1000})
 
 
 @dataclass(frozen=True)
 class AddParameters:
     """An upload that is added to a data set. ``labels``: those that come are added, or replace those that are there;
-    the rest as in :class:`RereadParameters`."""
+    the rest as in :class:`ImportParameters`."""
 
     upload: str
     labels: str = field(default="add", metadata={"choices": ("add", "replace")})
@@ -44,6 +50,8 @@ class AddParameters:
     unit: str = ""
     up: str = ""
     body: str = ""
+    points: str = ""
+    smooth: float | None = field(default=None, metadata={"min": 0.1, "max": 1000})
 
 
 @dataclass(frozen=True)
@@ -112,6 +120,8 @@ def import_upload(workspace: Workspace, name: str, values: ImportParameters, rep
         up=values.up,
         fps=values.fps,
         body=_corrections(values.body),
+        points=values.points,
+        smooth=values.smooth,
         report=report,
     )
 
@@ -125,6 +135,8 @@ def add_upload(workspace: Workspace, name: str, values: AddParameters, report: R
         up=values.up,
         fps=values.fps,
         body=_corrections(values.body),
+        points=values.points,
+        smooth=values.smooth,
         replace_labels=values.labels == "replace",
         report=report,
     )

@@ -23,6 +23,7 @@ from core.workspace.names import clean_name
 from core.workspace.notes import Notes
 from core.workspace.properties import PropertyStore
 from core.workspace.ratings import Ratings
+from core.workspace.readings import reading_of
 from core.workspace.results import ResultStore
 from core.workspace.uploads import Uploads
 from core.workspace.users import Users
@@ -109,6 +110,8 @@ class Workspace:
         up: str | None = None,
         fps: float | None = None,
         body: Source | BodyCorrections | None = None,
+        points: str | None = None,
+        smooth: float | None = None,
         clips: Sequence[str] | None = None,
         labels: Source | None = None,
         report: Report = silent,
@@ -120,7 +123,7 @@ class Workspace:
         NameRefused, WorkspaceError where no file can be read, ParameterError, FormatError (body corrections), or
         Cancelled from ``report``.
         """
-        how = _reading(unit, up, fps, body)
+        how = reading_of(unit, up, fps, body, points, smooth)
         what = _recordings(sources, skeleton=skeleton, how=how, clips=clips, labels=labels)
         return self._add(name, lambda folder, name: _importing().store_recordings(folder, name, what, report))
 
@@ -134,6 +137,8 @@ class Workspace:
         up: str | None = None,
         fps: float | None = None,
         body: Source | BodyCorrections | None = None,
+        points: str | None = None,
+        smooth: float | None = None,
         clips: Sequence[str] | None = None,
         labels: Source | None = None,
         replace_labels: bool = False,
@@ -146,7 +151,12 @@ class Workspace:
         come, those that are there go. Raises as :meth:`import_dataset`.
         """
         info = self.info(name)
-        options = {"skeleton": skeleton, "how": _reading(unit, up, fps, body), "clips": clips, "labels": labels}
+        options = {
+            "skeleton": skeleton,
+            "how": reading_of(unit, up, fps, body, points, smooth),
+            "clips": clips,
+            "labels": labels,
+        }
         what = _recordings(sources, before=self.open(name), replace_labels=replace_labels, **options)
         return self._change(info, lambda folder, name: _importing().store_recordings(folder, name, what, report))
 
@@ -271,6 +281,8 @@ class Workspace:
         up: str = "",
         fps: float | None = None,
         body: BodyCorrections | None = None,
+        points: str = "",
+        smooth: float | None = None,
         report: Report = silent,
     ) -> ImportReport:
         """Imports an upload as the data set ``name`` and then removes the upload.
@@ -280,7 +292,7 @@ class Workspace:
         where a name leaves the upload.
         """
         self.check_free(name)
-        what = self._unpacked(upload, skeleton, labels, _reading(unit, up, fps, body), report)
+        what = self._unpacked(upload, skeleton, labels, reading_of(unit, up, fps, body, points, smooth), report)
         imported = self._add(name, lambda folder, name: _importing().store_recordings(folder, name, what, report))
         self.uploads.remove(upload)
         return imported
@@ -294,6 +306,8 @@ class Workspace:
         up: str = "",
         fps: float | None = None,
         body: BodyCorrections | None = None,
+        points: str = "",
+        smooth: float | None = None,
         replace_labels: bool = False,
         report: Report = silent,
     ) -> ImportReport:
@@ -302,7 +316,9 @@ class Workspace:
         Raises as :meth:`add_files` and :meth:`add_labels`.
         """
         info, before = self.info(name), self.open(name)
-        what = self._unpacked(upload, "", "", _reading(unit, up, fps, body), report, labels_alone=True)
+        what = self._unpacked(
+            upload, "", "", reading_of(unit, up, fps, body, points, smooth), report, labels_alone=True
+        )
         what = replace(what, before=before, replace_labels=replace_labels)
         if _importing().holds_recordings(what.sources[0]):
             added = self._change(info, lambda folder, name: _importing().store_recordings(folder, name, what, report))
@@ -400,14 +416,6 @@ def _importing() -> ModuleType:
     from core.workspace import importing
 
     return importing
-
-
-def _reading(
-    unit: str | float | None, up: str | None, fps: float | None, body: Source | BodyCorrections | None
-) -> Reading:
-    from core.mocap.dataset import reading
-
-    return reading(unit or None, up or None, fps, Path(body) if isinstance(body, str | os.PathLike) else body)
 
 
 def _recordings(sources: Source | Sequence[Source], **how: object) -> Recordings:

@@ -16,6 +16,7 @@ def common(parser: argparse.ArgumentParser) -> None:
     """What every command that reads recordings accepts."""
     parser.add_argument("--skeleton", type=Path, metavar="FILE.asf", help="the skeleton of AMC files")
     reading_options(parser)
+    points_options(parser)
     parser.add_argument("--clips", type=names, metavar="A,B,C", help="only the clips of these names")
     parser.add_argument("--labels", type=Path, metavar="FILE|DIR", help="labels: a CSV file or a folder of them")
     parser.add_argument("--seed", type=whole, default=0, metavar="N", help="start of random choices (default 0)")
@@ -32,6 +33,26 @@ def reading_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--fps", type=_fps, metavar="N", help=fps)
     body = "which joints are which part of the body, as 'motionscape body' writes it"
     parser.add_argument("--body", type=Path, metavar="FILE.json", help=body)
+
+
+def points_options(parser: argparse.ArgumentParser) -> None:
+    """What can be said about files of points while they are read."""
+    points = "joints of files of points: kinect1, kinect2, mediapipe, body25, coco, h36m, smpl22, smpl24, or auto"
+    parser.add_argument("--points", type=_points, metavar="LIST", help=points)
+    smooth = "smooth points: take out what is faster than HZ, such as the jitter of depth cameras (6)"
+    parser.add_argument("--smooth", type=_fps, metavar="HZ", help=smooth)
+
+
+def _points(text: str) -> str:
+    from core.errors import ParameterError
+    from core.mocap.points.naming import preset_called
+
+    try:
+        if text != "auto":
+            preset_called(text)
+    except ParameterError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+    return text
 
 
 def _unit(text: str) -> str:

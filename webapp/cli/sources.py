@@ -52,6 +52,8 @@ def open_source(arguments: Namespace, report: Report) -> Dataset:
             up=arguments.up,
             fps=arguments.fps,
             body=arguments.body,
+            points=arguments.points,
+            smooth=arguments.smooth,
             clips=arguments.clips,
             labels=arguments.labels,
             report=report,
@@ -87,6 +89,6 @@ def _said(arguments: Namespace) -> bool:
 
 def refuse_reading_options(arguments: Namespace) -> None:
     """Raises WorkspaceError for options that only make sense while recordings are read."""
-    given = [f"--{name}" for name in ("skeleton", "labels") if getattr(arguments, name) is not None]
+    given = [f"--{name}" for name in ("skeleton", "labels", "points", "smooth") if getattr(arguments, name) is not None]
     if given:
         raise WorkspaceError(f"{' and '.join(given)}: only for files; this dataset has been imported already.")

@@ -14,7 +14,7 @@ from core.errors import MotionscapeError
 from core.mocap.bvh import read_bvh_clips
 from core.mocap.number_words import numbers_in
 
-POINTS = (".c3d", ".glb", ".trc", ".csv", ".txt", ".json", ".npy", ".npz")
+POINTS = (".c3d", ".glb", ".mot", ".mvnx", ".trc", ".csv", ".txt", ".json", ".npy", ".npz")
 FORMATS = (".bvh", ".bvh.gz", ".asf", ".amc", "_inspected.bvh", "_labels.csv", "_body.json", ".zip", *POINTS)
 FEW = settings(max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 

@@ -240,6 +240,8 @@ def _ask(app: Dash, workspace: Workspace) -> None:
         State(names.UPLOAD_UNIT, "value"),
         State(names.UPLOAD_UP, "value"),
         State(names.UPLOAD_FPS, "value"),
+        State(names.UPLOAD_POINTS, "value"),
+        State(names.UPLOAD_SMOOTH, "value"),
         prevent_initial_call=True,
     )
     def add_upload(_clicks, _submits, upload, target, new, labels, *how):

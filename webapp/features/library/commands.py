@@ -39,6 +39,8 @@ def import_(arguments: Namespace) -> int:
             up=arguments.up,
             fps=arguments.fps,
             body=arguments.body,
+            points=arguments.points,
+            smooth=arguments.smooth,
             clips=arguments.clips,
             labels=arguments.labels,
             report=report,
@@ -127,7 +129,7 @@ def _verdicts(arguments: Namespace, report: Report) -> Iterator[tuple[Any, Any]]
     from core.inspection import inspect_recording
     from core.mocap.dataset import reading
 
-    how = reading(arguments.unit, arguments.up, arguments.fps, arguments.body)
+    how = reading(arguments.unit, arguments.up, arguments.fps, arguments.body, arguments.points, arguments.smooth)
     paths = [path for path in _files(arguments.paths) if not arguments.clips or _stem(path) in arguments.clips]
     for k, path in enumerate(paths):
         report("inspecting", k / len(paths))

@@ -13,6 +13,7 @@ from dash.development.base_component import Component
 from core import analyses, requests
 from core.errors import ParameterError
 from core.mocap.dataset import Dataset
+from core.mocap.points.presets import PRESETS
 from core.mocap.units import UNITS, in_words
 from core.workspace import Workspace
 from core.workspace.tasks import names_of_clips
@@ -60,26 +61,54 @@ def fold() -> Component:
                 className="muted reading-hint",
             ),
             html.Div(controls(names.UPLOAD_UNIT, names.UPLOAD_UP, names.UPLOAD_FPS), className="reading-controls"),
+            html.Div(
+                "Files of points (TRC, C3D, CSV, NPY, NPZ, JSON) become a body. Their joints are known by name or "
+                "number, and the report says how well bones of fixed lengths fit.",
+                className="muted reading-hint",
+            ),
+            html.Div(_points_controls(), className="reading-controls"),
         ],
     )
+
+
+def _points_controls() -> list[Component]:
+    lists = [{"value": name, "label": preset.title} for name, preset in PRESETS.items()]
+    return [
+        _select(names.UPLOAD_POINTS, "Joints of points", [{"value": AUTO, "label": "As the file tells"}, *lists], AUTO),
+        dmc.NumberInput(
+            id=names.UPLOAD_SMOOTH,
+            label="Smooth points (cut-off in Hz)",
+            placeholder="Not smoothed",
+            min=0.1,
+            max=1000,
+            debounce=False,
+        ),
+    ]
 
 
 def options(unit: object, up: object, fps: object) -> dict[str, Any]:
     """What was chosen, as options of a request; nothing for what is left as it is. Raises ParameterError."""
     said: dict[str, Any] = {key: str(word) for key, word in (("unit", unit), ("up", up)) if word not in (None, KEEP)}
-    return said if fps in (None, "") else said | {"fps": _frame_rate(fps)}
+    return said if fps in (None, "") else said | {"fps": _number(fps)}
 
 
-def import_options(unit: object, up: object, fps: object) -> dict[str, Any]:
-    """As :func:`options` for an import, where finding out is what happens anyway. Raises ParameterError."""
-    return {key: value for key, value in options(unit, up, fps).items() if value != AUTO}
+def import_options(
+    unit: object, up: object, fps: object, points: object = None, smooth: object = None
+) -> dict[str, Any]:
+    """As :func:`options` for an import, where finding out is what happens anyway. Raises ParameterError.
+
+    points, smooth: the list of joints of files of points, and the cut-off of their smoothing.
+    """
+    said = options(unit, up, fps) | {"points": points or AUTO}
+    said |= {} if smooth in (None, "") else {"smooth": _number(smooth)}
+    return {key: value for key, value in said.items() if value != AUTO}
 
 
-def _frame_rate(value: object) -> float:
+def _number(value: object) -> float:
     try:
         return float(str(value))
     except ValueError:
-        raise ParameterError(f"A frame rate is a number, not {str(value)[:20]!r}.") from None
+        raise ParameterError(f"Expected a number, not {str(value)[:20]!r}.") from None
 
 
 def request_for(dataset: str, clips: Collection[str], unit: object, up: object, fps: object) -> analyses.Request:

@@ -127,7 +127,9 @@ def _query(text: str, lower: str | None, dataset: Dataset, arguments: Namespace)
             clips.append(stretches[-1][0].name)
         else:  # a recording that is not in the data set
             path, rest = file
-            reading = {name: getattr(arguments, name) for name in ("skeleton", "unit", "up", "fps", "body")}
+            reading = {
+                name: getattr(arguments, name) for name in ("skeleton", "unit", "up", "fps", "body", "points", "smooth")
+            }
             other = open_dataset(path, **reading)
             stretches.append(parse_stretch(f"{other.names[0]}{rest}", other))
     of_whole_clips = all(start is None for _, start, _ in stretches)

@@ -118,6 +118,8 @@ def test_what_has_arrived_decides_what_can_be_done_with_it():
 def test_what_was_chosen_of_reading_becomes_a_request():
     assert reading.import_options("auto", "auto", "") == {}
     assert reading.import_options("cm", "z", "24") == {"unit": "cm", "up": "z", "fps": 24.0}
+    of_points = reading.import_options("auto", "auto", "", "coco", 6)
+    assert of_points == {"points": "coco", "smooth": 6.0}
     with pytest.raises(ParameterError, match="a number"):
         reading.import_options("auto", "auto", "fast")
     again = reading.request_for("walks", ["b", "a"], "auto", "keep", None)

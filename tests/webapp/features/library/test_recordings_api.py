@@ -74,7 +74,7 @@ def test_the_command_writes_features_and_clips(workspace, tmp_path, capsys):
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        (["--out", "x.csv"], "npz, .parquet or .bvh"),
+        (["--out", "x.csv"], ".bvh or .glb"),
         (["--out", "x.bvh"], "choose it with --clips"),
         (["--out", "x.npz", "--frames", "1-2"], "--frames"),
         (["--out", "x.bvh", "--clips", "a_01", "--frames", "5-900"], "frames 0 to 120"),
