@@ -23,7 +23,7 @@ from core.workspace.names import clean_name
 from core.workspace.notes import Notes
 from core.workspace.properties import PropertyStore
 from core.workspace.ratings import Ratings
-from core.workspace.readings import reading_of
+from core.workspace.readings import reading_of, recordings_of
 from core.workspace.results import ResultStore
 from core.workspace.uploads import Uploads
 from core.workspace.users import Users
@@ -124,8 +124,8 @@ class Workspace:
         Cancelled from ``report``.
         """
         how = reading_of(unit, up, fps, body, points, smooth)
-        what = _recordings(sources, skeleton=skeleton, how=how, clips=clips, labels=labels)
-        return self._add(name, lambda folder, name: _importing().store_recordings(folder, name, what, report))
+        what = recordings_of(sources, skeleton=skeleton, how=how, clips=clips, labels=labels)
+        return self._add(name, lambda folder, name: _importing().storerecordings_of(folder, name, what, report))
 
     def add_files(
         self,
@@ -157,8 +157,8 @@ class Workspace:
             "clips": clips,
             "labels": labels,
         }
-        what = _recordings(sources, before=self.open(name), replace_labels=replace_labels, **options)
-        return self._change(info, lambda folder, name: _importing().store_recordings(folder, name, what, report))
+        what = recordings_of(sources, before=self.open(name), replace_labels=replace_labels, **options)
+        return self._change(info, lambda folder, name: _importing().storerecordings_of(folder, name, what, report))
 
     def change_reading(
         self, name: str, change: Change, clips: Collection[str] | None = None, report: Report = silent
@@ -204,7 +204,7 @@ class Workspace:
         to the motion. :meth:`revert` undoes it. Raises WorkspaceError where no row fits.
         """
         info, before = self.info(name), self.open(name)
-        what = _recordings(sources, before=before, replace_labels=replace)
+        what = recordings_of(sources, before=before, replace_labels=replace)
         return self._relabel(info, *_importing().add_labels(before, what))
 
     def _relabel(self, info: DatasetInfo, labels: tuple[Label, ...], report: ImportReport) -> ImportReport:
@@ -293,7 +293,7 @@ class Workspace:
         """
         self.check_free(name)
         what = self._unpacked(upload, skeleton, labels, reading_of(unit, up, fps, body, points, smooth), report)
-        imported = self._add(name, lambda folder, name: _importing().store_recordings(folder, name, what, report))
+        imported = self._add(name, lambda folder, name: _importing().storerecordings_of(folder, name, what, report))
         self.uploads.remove(upload)
         return imported
 
@@ -320,8 +320,8 @@ class Workspace:
             upload, "", "", reading_of(unit, up, fps, body, points, smooth), report, labels_alone=True
         )
         what = replace(what, before=before, replace_labels=replace_labels)
-        if _importing().holds_recordings(what.sources[0]):
-            added = self._change(info, lambda folder, name: _importing().store_recordings(folder, name, what, report))
+        if _importing().holdsrecordings_of(what.sources[0]):
+            added = self._change(info, lambda folder, name: _importing().storerecordings_of(folder, name, what, report))
         else:
             added = self._relabel(info, *_importing().add_labels(before, what))
         self.uploads.remove(upload)
@@ -336,7 +336,7 @@ class Workspace:
         folder = self.uploads.path(upload)
         with plain_errors("unpack the upload"):
             reports = unpack_archives(folder, report)
-        if not labels_alone and not _importing().holds_recordings(folder):
+        if not labels_alone and not _importing().holdsrecordings_of(folder):
             reasons = [message for file in reports if file.verdict != "ok" for message in file.messages]
             reasons += _importing().left_out_words(folder)
             raise WorkspaceError(
@@ -344,7 +344,7 @@ class Workspace:
             )
         given = self.uploads.file(upload, skeleton) if skeleton else _importing().only_skeleton(folder)
         chosen = self.uploads.file(upload, labels) if labels else None
-        return _recordings(folder, skeleton=given, how=how, labels=chosen, also=reports)
+        return recordings_of(folder, skeleton=given, how=how, labels=chosen, also=reports)
 
     def check_free(self, name: str) -> str:
         """``name`` in its final form; raises NameRefused where it cannot be used or is taken."""
@@ -416,11 +416,3 @@ def _importing() -> ModuleType:
     from core.workspace import importing
 
     return importing
-
-
-def _recordings(sources: Source | Sequence[Source], **how: object) -> Recordings:
-    paths = [sources] if isinstance(sources, str | os.PathLike) else list(sources)
-    if not paths:
-        raise WorkspaceError("Nothing to import: name at least one file or folder.")
-    recordings: Recordings = _importing().Recordings([Path(path) for path in paths], **how)
-    return recordings
