@@ -67,9 +67,11 @@ class _Reader:
         self.findings: list[Finding] = []
 
     def error(self, found: str, expected: str, line: int) -> RecordingError:
+        """An error that names the file and the line."""
         return RecordingError(self.path, found, expected, line)
 
     def read(self, data: bytes, start: int) -> None:
+        """Collects the frames from byte ``start``. Raises RecordingError where there is none, or a line is none."""
         first_line, number = line_at(data, start), -1
         lines = decoded(data[start:]).rstrip().split("\n")
         for k, text in enumerate(lines):
@@ -87,6 +89,7 @@ class _Reader:
             raise RecordingError(self.path, "no frames", "a frame's number and its bones")
 
     def frame_number(self, words: list[str], line: int, before: int) -> int:
+        """The number of a frame, one more than ``before``. Raises RecordingError where it is not."""
         found = numbers_in(words[0])
         value = found[0] if found and len(found) == 1 and len(words) == 1 else np.nan
         follows = value == before + 1 if before >= 0 else 0 <= value <= 2**53 and value == int(value)
@@ -96,6 +99,9 @@ class _Reader:
         return int(value)
 
     def row(self, frame: _Frame, words: list[str], line: int, last: bool) -> None:
+        """Puts the values of one bone into its frame; ``last``: of the file, which may be cut off there. Raises
+        RecordingError for what is no number, too many or too few values, and a bone that comes twice.
+        """
         name = words[0] if words[0] in self.index else words[0].lower()
         bone = self.index.get(name)
         parts = [numbers_in(word) for word in words[1:]]
@@ -137,6 +143,7 @@ class _Reader:
         return row
 
     def table(self) -> AmcTable:
+        """All frames, mended, with what was found. Raises RecordingError where too much is missing."""
         self.leave_out_cut_frame()
         self.leave_out_unknown()
         values = np.zeros((len(self.frames), int(self.first[-1])))
@@ -147,6 +154,7 @@ class _Reader:
         return AmcTable(values, self.lost_frames(values), self.findings)
 
     def leave_out_cut_frame(self) -> None:
+        """Drops the last frame where the file is cut off in it."""
         if len(self.frames) < 2:
             return
         last, before = self.frames[-1], self.frames[-2]
@@ -158,6 +166,9 @@ class _Reader:
             self.findings.append(Finding("cut", words))
 
     def leave_out_unknown(self) -> None:
+        """Says which bones the skeleton does not have. Raises RecordingError where some frames have them and others
+        not.
+        """
         always = set.intersection(*(set(frame.unknown) for frame in self.frames))
         for frame in self.frames:
             for name, line in frame.unknown.items():
@@ -199,6 +210,9 @@ class _Reader:
             self.findings.append(Finding("filled", words, first, int(gaps[-1]) + 1))
 
     def lost_frames(self, values: np.ndarray) -> np.ndarray:
+        """The frames that have NaN, ``(n_frames,)`` bool. Raises RecordingError where they are too many to be
+        filled.
+        """
         lost: np.ndarray = np.isnan(values).any(axis=1)
         if lost.sum() > MOST_FILLED * len(lost):
             first = int(np.flatnonzero(lost)[0])

@@ -60,9 +60,11 @@ class _Parser:
         self.ignored: dict[str, int] = {}  # unknown keywords -> line
 
     def error(self, found: str, expected: str = "", line: int | None = None) -> RecordingError:
+        """An error that names the file, and the line where it is known."""
         return RecordingError(self.path, found, expected, line)
 
     def parse(self, text: str) -> RawAsf:
+        """Reads the whole text. Raises RecordingError where a section is missing or damaged."""
         sections = self.sections(text)
         readers = {"units": self.units, "root": self.root, "bonedata": self.bonedata, "hierarchy": self.hierarchy}
         for name, read in readers.items():
@@ -109,6 +111,7 @@ class _Parser:
         return found
 
     def units(self, at: int, lines: list[Line]) -> None:
+        """The unit of length and that of angles. Raises RecordingError for an angle that is none, or a length of 0."""
         pairs = [(line, words[k : k + 2]) for line, words in lines for k in range(0, len(words), 2)]
         for line, words in pairs:
             key, value = words[0].lower(), words[1] if len(words) > 1 else ""
@@ -122,6 +125,7 @@ class _Parser:
                 self.asf.radians = value.lower().startswith("rad")
 
     def root(self, at: int, lines: list[Line]) -> None:
+        """The root's channels, axes, place and turn."""
         root = RawBone("root", at, dof=_ROOT_DOF)
         for line, words in lines:
             key, values = words[0].lower(), words[1:]
@@ -136,6 +140,7 @@ class _Parser:
         self.asf.root = root
 
     def bonedata(self, at: int, lines: list[Line]) -> None:
+        """All bones. Raises RecordingError where there is none, or one comes twice."""
         for start, block in self.blocks(at, lines):
             bone = self.bone(start, block)
             if bone.name in self.asf.bones or bone.name == "root":
@@ -162,6 +167,9 @@ class _Parser:
             raise self.error("'begin' without 'end': the file is cut off", "'end'", at)
 
     def bone(self, start: int, block: list[Line]) -> RawBone:
+        """One bone from the lines between ``begin`` and ``end``. Raises RecordingError for a line that means
+        nothing.
+        """
         bone = RawBone("", start)
         for line, words in block:
             key, values = words[0].lower(), words[1:]
@@ -186,6 +194,7 @@ class _Parser:
         return bone
 
     def check_bone(self, bone: RawBone) -> None:
+        """Raises RecordingError where name, direction or length are missing or impossible; notes what was only odd."""
         if not bone.name:
             raise self.error("a bone without a name", "a name", bone.line)
         where = f"the bone {quoted(bone.name)}"
@@ -205,6 +214,7 @@ class _Parser:
             self.stretched.append(bone.name)
 
     def name(self, values: list[str], line: int) -> str:
+        """The one word of a name. Raises RecordingError."""
         if len(values) != 1 or len(values[0]) > MAX_NAME:
             raise self.error(
                 "a bone name of " + ("no" if not values else "several or too long") + " words", "one", line
@@ -212,17 +222,20 @@ class _Parser:
         return values[0]
 
     def numbers(self, values: list[str], n: int, line: int, what: str) -> tuple[float, ...]:
+        """Exactly ``n`` numbers. Raises RecordingError."""
         if len(values) != n:
             raise self.error(f"{len(values)} values for {what}", str(n), line)
         return tuple(number(self.path, v, line, f"a number for {what}") for v in values)
 
     def order(self, values: list[str], line: int) -> str:
+        """The order of three axes, in small letters. Raises RecordingError."""
         order = values[0].lower() if len(values) == 1 else ""
         if sorted(order) != ["x", "y", "z"]:
             raise self.error(f"axis order {quoted(' '.join(values))}", "XYZ or another order of the three", line)
         return order
 
     def dof(self, values: list[str], line: int, known: tuple[str, ...]) -> tuple[str, ...]:
+        """Degrees of freedom, each of ``known`` and once. Raises RecordingError."""
         dof = tuple(v.lower() for v in values)
         for word in dof:
             if word not in known:
@@ -232,11 +245,13 @@ class _Parser:
         return dof
 
     def hierarchy(self, at: int, lines: list[Line]) -> None:
+        """Which bone hangs from which."""
         for start, block in self.blocks(at, lines):
             for line, words in block or [(start, [])]:
                 self.link(line, words)
 
     def link(self, line: int, words: list[str]) -> None:
+        """The bones of one line: the first is the parent of the others. Raises RecordingError for a second parent."""
         words = [self.known(name, line) for name in words]
         for child in words[1:]:
             if child == "root" or child in self.asf.parents:

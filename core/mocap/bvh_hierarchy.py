@@ -84,6 +84,7 @@ class _Parser:
         self.step()
 
     def parse(self) -> RawHierarchy:
+        """The hierarchy, up to the word MOTION. Raises RecordingError for anything that does not belong there."""
         start, word = self.next()
         if word.upper() != b"HIERARCHY":
             raise self.error(_quoted(word), "HIERARCHY, as every BVH file begins", start)
@@ -113,6 +114,7 @@ class _Parser:
         return RawHierarchy(self.joints, self.columns, start, self.scaled, self.commas)
 
     def error(self, found: str, expected: str, offset: int) -> RecordingError:
+        """An error that names the file and the line of a byte."""
         return RecordingError(self.path, found, expected, line_at(self.data, offset))
 
     def step(self, name: bool = False) -> None:
@@ -132,10 +134,12 @@ class _Parser:
         return found
 
     def back_to(self, offset: int, name: bool = False) -> None:
+        """Goes on reading at a byte; ``name``: what stands there is a name, also where it looks like a comment."""
         self.words = _WORD.finditer(self.data, offset)
         self.step(name)
 
     def close(self, start: int) -> None:
+        """A closing brace. Raises RecordingError where nothing is open, or the joint has no OFFSET."""
         if not self.open:
             raise self.error("}", "no more closing braces than opening ones", start)
         joint = self.joints[self.open.pop()]
@@ -143,6 +147,7 @@ class _Parser:
             raise self.error(f"{quoted(joint.name)} has no OFFSET", "an OFFSET for every joint", joint.start)
 
     def begin(self, start: int, key: str) -> None:
+        """ROOT or JOINT with its name and brace. Raises RecordingError where it stands in the wrong place."""
         parent = self.open[-1] if self.open else -1
         if key == "ROOT" and self.open:
             raise self.error("a ROOT inside a joint", "JOINT", start)
@@ -158,6 +163,7 @@ class _Parser:
         self.add(RawJoint(name, parent, start))
 
     def words_to_brace(self, of: str) -> list[str]:
+        """The words before an opening brace. Raises RecordingError where none follows."""
         words: list[str] = []
         while True:
             start, word = self.next()
@@ -169,6 +175,7 @@ class _Parser:
             words.append(decoded(word))
 
     def end_site(self, start: int, key: bytes) -> None:
+        """An End Site with its brace; it is called like its joint. Raises RecordingError outside of a joint."""
         if not self.open:
             raise self.error("'End Site' outside of a joint", "ROOT before it" if not self.joints else "MOTION", start)
         parent = self.open[-1]
@@ -178,17 +185,20 @@ class _Parser:
         self.add(RawJoint(f"{self.joints[parent].name}_end", parent, start, end_site=True))
 
     def add(self, joint: RawJoint) -> None:
+        """Opens a joint below the one that is open."""
         self.open.append(len(self.joints))
         if joint.parent >= 0:
             self.joints[joint.parent].children.append(len(self.joints))
         self.joints.append(joint)
 
     def current(self, key: str, start: int) -> RawJoint:
+        """The joint that is open. Raises RecordingError where none is."""
         if not self.open:
             raise self.error(f"{key} outside of a joint", "a joint around it", start)
         return self.joints[self.open[-1]]
 
     def offset(self, start: int) -> None:
+        """The three numbers of OFFSET. Raises RecordingError where they are not three, or come twice."""
         joint = self.current("OFFSET", start)
         if joint.offset is not None:
             raise self.error("a second OFFSET", "one OFFSET of 3 numbers a joint", start)
@@ -221,6 +231,7 @@ class _Parser:
         return found
 
     def channels(self, start: int) -> None:
+        """The names behind CHANNELS. Raises RecordingError where they are not as many as it says, or come twice."""
         joint = self.current("CHANNELS", start)
         if joint.channels:
             raise self.error(f"a second CHANNELS in {quoted(joint.name)}", "one CHANNELS a joint", start)
@@ -248,6 +259,7 @@ class _Parser:
             self.lines[line_at_hand] = names
 
     def take(self, joint: RawJoint, names: list[str]) -> None:
+        """Gives a joint its channels and their columns."""
         kept = [k for k, name in enumerate(names) if name[1:] != "scale"]
         if len(kept) < len(names):
             self.scaled.append(joint.name)

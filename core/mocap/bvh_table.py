@@ -78,6 +78,7 @@ class _Repair:
         self.replace_commas(decimal_commas)
 
     def error(self, found: str, expected: str, line: int) -> RecordingError:
+        """An error that names the file and the line."""
         return RecordingError(self.path, found, expected, line)
 
     def line_number(self, at: int) -> int:
@@ -87,7 +88,13 @@ class _Repair:
         return self.counted[1]
 
     def replace_commas(self, decimal: bool) -> None:
-        """Numbers with decimal commas become numbers with points; commas between numbers become spaces."""
+        """Numbers with decimal commas become numbers with points; commas and semicolons between numbers, spaces.
+
+        Raises RecordingError where a comma may mean either.
+        """
+        if self.data.count(b";", self.start) > self.data.count(b"\n", self.start):
+            self.notes.append("semicolons between the numbers: read as spaces")
+            self.data = self.data[: self.start] + self.data[self.start :].replace(b";", b" ")
         at = self.data.find(b",", self.start)
         if at < 0:
             return
@@ -103,6 +110,7 @@ class _Repair:
             raise self.error(f"{token_at(self.data, at - 1)} with a decimal comma", "decimal points, or commas", line)
 
     def table(self) -> Table:
+        """The frames with what was found. Raises RecordingError where too much is damaged, or there is none."""
         rows = self.rows()
         values = self.stream() if rows is None else rows
         n = len(values)
@@ -195,6 +203,7 @@ class _Repair:
         return values
 
     def too_many(self, which: str) -> RecordingError:
+        """The error that says which share of the frames is damaged, and how the first of them is."""
         row, fault = next(iter(self.faults.items()))
         found = f"{which} are damaged, the first is frame {row}: {fault.words(self.width)}"
         return self.error(found, f"at most {MOST_FILLED:.0%} of them, which can be filled", fault.line)
@@ -229,6 +238,7 @@ class _Repair:
         return table
 
     def all_numbers(self) -> np.ndarray:
+        """All numbers behind ``start``, ``(n,)``. Raises RecordingError for a word that is none."""
         text = self.data[self.start :].replace(b"\n", b" ")
         raw = np.frombuffer(text, np.uint8)
         _, status, offset, count = numbers.scan_rows(raw, 0, np.empty((1, 0)), LARGEST)

@@ -138,6 +138,14 @@ def test_a_flip_through_half_a_turn_is_filled_the_short_way(tmp_path):
     assert np.abs((odd.rotations[4, 0] * plain.rotations[4, 0]).sum()) > 1 - 1e-5
 
 
+def test_semicolons_between_numbers_with_points_or_commas(tmp_path):
+    plain = _read(tmp_path, HEAD + ROWS)
+    for rows in (ROWS.replace(" ", ";"), ROWS.replace(".", ",").replace(" ", ";")):
+        odd = _read(tmp_path, HEAD + rows)
+        np.testing.assert_array_equal(joint_positions(odd), joint_positions(plain))
+        assert any("semicolons" in note for note in odd.notes)
+
+
 def test_too_many_damaged_rows_are_refused(tmp_path):
     rows = ROWS.strip().split("\n")
     rows[::4] = [row.replace("-2", "nan") for row in rows[::4]]

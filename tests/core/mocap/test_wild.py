@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import csv
+import json
 import re
+from pathlib import Path
 
 import pytest
 
 from core.inspection import inspect_recording
+from webapp.cli.main import main
 
 # What the message must say, by the letter and number in front of a file's name.
 WORDS = {
@@ -75,6 +78,67 @@ def test_size_way_up_and_body(reports, kind):
     assert unit is None or facts.unit == unit
     assert height is None or facts.height == pytest.approx(height, abs=0.02)
     assert (body == "other") == (list(facts.joints) == ["pelvis"])
+
+
+# Verdict, frames and frames per second of every file, by the letter and number in front of its name; 40 frames at 30
+# and the verdict "warning" where nothing is said.
+READ = {
+    "A1": ("warning", 5, 30),
+    "A2": ("warning", 1, 10 / 3),
+    "A3": ("warning", 41, 30),
+    "A4": ("warning", 39, 30),
+    "B1": ("warning", 1, 24),
+    "C0": ("ok", 40, 30),
+    "C1": ("ok", 40, 30),
+    "C2": ("warning", 5, 30),
+    "C3": ("ok", 14, 24),
+    "E1": ("warning", 4, 30),
+    "E2": ("warning", 4, 30),
+    "E3": ("warning", 1, 25),
+    "G4": ("ok", 40, 30),
+    "H1": ("ok", 40, 30),
+    "H3": ("ok", 40, 30),
+    "H4": ("ok", 40, 30),
+    "H6": ("ok", 40, 30),
+    "H8": ("warning", 3, 30),
+    "H9": ("ok", 40, 30),
+    "I1": ("ok", 40, 30),
+    "I2": ("ok", 3, 24),
+    "I4": ("ok", 40, 30),
+    "K_a13": ("ok", 20, 120),
+    "K_a14": ("ok", 20, 120),
+    "K_a16": ("ok", 20, 120),
+    "K_a19": ("warning", 19, 120),
+}
+
+
+def test_every_row_of_the_manifest_agrees(shared_data, capsys):
+    """As ``motionscape inspect --json`` gives them."""
+    folder = shared_data / "wild"
+    assert main(["inspect", "--json", "--quiet", str(folder)]) == 2
+    files = {
+        Path(entry["path"]).relative_to(folder).as_posix(): entry
+        for entry in json.loads(capsys.readouterr().out)["files"]
+    }
+    with (folder / "manifest.csv").open(newline="") as file:
+        rows = [row["file"] for row in csv.DictReader(file)]
+    assert len(rows) == 41
+    wrong = []
+    for name in rows:
+        entry, kind = files[name], re.match(r"(K_)?[A-Za-z]\d+", name).group()
+        if kind in ("J1", "J2"):
+            expected = ("error", None, None)
+        else:
+            expected = READ.get(kind, ("warning", 20, 120) if kind.startswith("K") else ("warning", 40, 30))
+        unit, up, height, body = FACTS.get(kind, (None, "y" if kind != "A2" else "-y", None, "human"))
+        found = (entry["verdict"], entry.get("frames"), entry.get("fps"))
+        if found[:2] != expected[:2] or (found[2] or 0) != pytest.approx(expected[2] or 0, rel=1e-3):
+            wrong.append((name, expected, found))
+        if expected[1] and ((entry["up"], entry["body"]) != (up, body) or (unit and entry["unit"] != unit)):
+            wrong.append((name, (unit, up, body), (entry["unit"], entry["up"], entry["body"])))
+        if height and entry["height"] != pytest.approx(height, abs=0.02):
+            wrong.append((name, height, entry["height"]))
+    assert not wrong
 
 
 def test_all_but_skeletons_without_motion_are_read(reports):
