@@ -28,6 +28,8 @@ _OFTEN, _MOSTLY = 0.3, 0.8  # share of the frames in which it does, where the re
 _AT_REST = 0.7  # cosine from which the rest pose speaks for an axis
 _ON_FLOOR = 0.08  # of the body's height: how far the lowest joint may be from the floor
 _LEVEL = 0.15  # how much that may change where there is a floor
+_OFF_FLOOR = 0.04  # from how far it is not on it
+_FAR = 1.5  # of the body's height: who goes so far across the own length does not lie on the floor
 _TRAVEL = 0.25  # of the body's height: who moves so far along what would be the vertical does not lie on the floor
 
 
@@ -88,9 +90,9 @@ def find_up(clip: Clip) -> str:
     """The axis, of the file the clip was read from, along which its body stands; ``clip.up`` where none is certain.
 
     A body that lies along another axis than Y may be a person on the floor. The file's axis it is where the rest pose
-    stands along it too, or where, nearly always along it, the body travels along what would else be the vertical, or
-    has its feet at 0 and a rest pose that says nothing. A rest pose along another axis also counts where a floor lies
-    along it and none along Y. Upside down it is only where the rest pose is too.
+    stands along it too, or where, nearly always along it, the body moves as nobody on the floor does, or has its feet
+    at 0. A rest pose along another axis also counts where a floor lies along it and none along Y. Upside down it is
+    only where the rest pose is too.
     """
     anatomy = find_anatomy(clip.skeleton)
     if anatomy.body == "other":
@@ -102,23 +104,42 @@ def find_up(clip: Clip) -> str:
         return clip.up
     shares = [(float(np.mean(sign * upright[:, axis] > _ALONG)), axis, sign) for axis in range(3) for sign in (1, -1)]
     share, axis, sign = max(shares)
-    rest = _upright(anatomy, _resting(some))
-    floor = _floor_along(anatomy, rest, positions) if rest is not None else None
-    if floor is not None:
+    rest = _standing_rest(anatomy, some)
+    if (floor := _floor_along(anatomy, rest, positions)) is not None:
         axis, sign = floor
     elif (axis, sign) == (1, 1):
         return clip.up
-    else:
-        agrees = rest is not None and sign * rest[0, axis] > _AT_REST and share > _OFTEN
-        told = rest is not None and np.abs(rest[0]).max() > _AT_REST
-        height = anatomy.body_height
-        travels = axis != 1 and np.ptp(positions[:, 0, 1]) > _TRAVEL * height
-        stands = (
-            axis != 1 and not told and abs(np.median((sign * positions[..., axis]).min(axis=1))) < _ON_FLOOR * height
-        )
-        if not agrees and not (share > _MOSTLY and (travels or stands)):
+    elif rest @ (sign * np.eye(3)[axis]) <= _AT_REST or share <= _OFTEN:
+        told = np.abs(rest).max() > _AT_REST
+        if axis == 1 or share <= _MOSTLY or not _lies_nowhere(anatomy, positions, axis, sign, told):
             return clip.up
     return _axis_of_file(clip, axis, sign)
+
+
+def _standing_rest(anatomy: Anatomy, clip: Clip) -> np.ndarray:
+    """The direction in which the pose of no rotation stands, ``(3,)``; 0 where its legs do not point away from its
+    head, as where all bones lie along one axis."""
+    joints, places = anatomy.joints, _resting(clip)
+    upright = _upright(anatomy, places)
+    legs = [places[0, ankle] - places[0, hip] for hip, _, ankle in anatomy.legs]
+    top = anatomy.head_tip or joints.get("chest", 0)
+    if upright is None or (legs and top and np.sum(legs, axis=0) @ (places[0, top] - places[0, 0]) >= 0):
+        return np.zeros(3)
+    return np.asarray(upright[0], float)
+
+
+def _lies_nowhere(anatomy: Anatomy, positions: np.ndarray, axis: int, sign: int, told: bool) -> bool:
+    """Whether a body that is along an axis (0 to 2) all the time cannot be a person on the floor.
+
+    It goes up and down along Y, or goes far across its own axis, or its feet are at 0 along it. told: the rest pose
+    stands along another axis; then it must also be away from a floor at Y = 0.
+    """
+    height, pelvis = anatomy.body_height, positions[:, 0]
+    across = [k for k in range(3) if k != axis]
+    travels = np.ptp(pelvis[:, 1]) > _TRAVEL * height or np.ptp(pelvis[:, across], axis=0).max() > _FAR * height
+    feet = abs(float(np.median((sign * positions[..., axis]).min(axis=1)))) / height
+    floor = abs(float(np.median(positions[..., 1].min(axis=1)))) / height
+    return bool(travels or (feet < _ON_FLOOR and (floor > _OFF_FLOOR or not told)))
 
 
 def _floor_along(anatomy: Anatomy, rest: np.ndarray, positions: np.ndarray) -> tuple[int, int] | None:
@@ -127,9 +148,9 @@ def _floor_along(anatomy: Anatomy, rest: np.ndarray, positions: np.ndarray) -> t
     So a person who crawls in a file with another axis up: the lowest joint stays at one height along that axis, while
     along Y it would rise and sink. None where this says nothing.
     """
-    axis = int(np.abs(rest[0]).argmax())
-    sign = 1 if rest[0, axis] > 0 else -1
-    if axis == 1 or abs(rest[0, axis]) <= _AT_REST:
+    axis = int(np.abs(rest).argmax())
+    sign = 1 if rest[axis] > 0 else -1
+    if axis == 1 or abs(rest[axis]) <= _AT_REST:
         return None
     lowest = [(sign * positions[..., axis]).min(axis=1), positions[..., 1].min(axis=1)]
     along, along_y = (float(np.ptp(np.percentile(track, (5, 95)))) / anatomy.body_height for track in lowest)

@@ -28,6 +28,7 @@ TIPS = {"head": (0, 0.18, 0), "wrist": (0.17, 0, 0), "toe": (0, 0, 0.07)}
 HEIGHT = 1.70  # of this body, metres, within two centimetres
 TO_UP = {"y": np.eye(3), "z": Rotation.from_euler("x", 90, degrees=True).as_matrix()}
 TO_UP["x"] = Rotation.from_euler("z", -90, degrees=True).as_matrix()
+TO_UP["-z"], TO_UP["-x"] = TO_UP["z"].T, TO_UP["x"].T
 
 
 @dataclass(frozen=True)
@@ -522,6 +523,16 @@ def mirrored(joints: list[_Joint], path: np.ndarray, turns: np.ndarray) -> tuple
     tip = [None if joint.tip is None else joint.tip * flip for joint in joints]
     new = [replace(joint, offset=joint.offset * flip, tip=end) for joint, end in zip(joints, tip, strict=True)]
     return new, path * flip, turns * np.outer(flip, flip)
+
+
+def lifted_by_the_root(
+    joints: list[_Joint], path: np.ndarray, turns: np.ndarray, up: str, facing: float
+) -> tuple[list[_Joint], np.ndarray, np.ndarray]:
+    """Another axis up in the motion and Y in the rest pose: only the root is turned. facing: degrees about the axis."""
+    turn = TO_UP[up] @ Rotation.from_euler("y", facing, degrees=True).as_matrix()
+    lifted = turns.copy()
+    lifted[:, 0] = turn @ turns[:, 0]
+    return joints, path @ turn.T, lifted
 
 
 def on_all_fours(

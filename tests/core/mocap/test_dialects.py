@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from core.inspection import inspect_recording
@@ -13,6 +14,7 @@ from tests.core.mocap.dialects import (
     HEIGHT,
     bvh_of,
     joints_of,
+    lifted_by_the_root,
     mirrored,
     motion_of,
     on_all_fours,
@@ -70,6 +72,30 @@ def test_who_does_not_stand_is_read_the_same_way_up(look, name, pose):
     _, facts = look(bvh_of(dialect, pose=pose))
     assert (facts.up, facts.body) == (dialect.up, "human")
     assert UNITS[facts.unit][0] == pytest.approx(dialect.metres)
+
+
+@pytest.mark.parametrize("speed", [1.2, 0.0])
+@pytest.mark.parametrize("up", ["y", "z", "x", "-z", "-x"])
+@pytest.mark.parametrize("name", ["MotionBuilder", "LaFAN1", "Rigify"])
+def test_any_axis_may_point_up(look, name, up, speed):
+    _, facts = look(bvh_of(replace(DIALECTS[name], up=up), speed=speed))
+    assert facts.up == up
+
+
+@pytest.mark.parametrize(("facing", "speed"), [(0, 1.2), (90, 1.2), (45, 0.0)])
+@pytest.mark.parametrize("up", ["z", "x", "-z"])
+@pytest.mark.parametrize("name", ["Xsens MVN", "LaFAN1"])
+def test_the_motion_may_have_another_axis_up_than_the_rest_pose(look, name, up, facing, speed):
+    dialect = DIALECTS[name]
+    _, facts = look(text_of(dialect, *lifted_by_the_root(*motion_of(dialect, speed=speed), up, facing)))
+    assert facts.up == up
+
+
+def test_a_jump_from_a_rest_pose_along_x_is_no_floor_along_x(look):
+    joints, path, turns = motion_of(DIALECTS["LaFAN1"])
+    path = path + np.outer(0.5 * np.sin(np.linspace(0, np.pi, len(path))), [0, 1, 0])
+    _, facts = look(text_of(DIALECTS["LaFAN1"], joints, path, turns))
+    assert facts.up == "y"
 
 
 @pytest.mark.parametrize("name", ["MotionBuilder", "Second Life", "SMPL", "OptiTrack", "MakeHuman"])

@@ -52,7 +52,9 @@ def test_a_root_that_is_turned_as_a_whole_is_seen_where_it_travels(tmp_path):
     root = quat.rotate(turn[None], clip.root_positions.astype(float)).astype(np.float32)
     away = replace(clip, root_positions=root, rotations=rotations)
     assert find_up(away) == "z"
-    still = replace(away, root_positions=np.repeat(root[:1], len(root), 0))
+    on_the_spot = replace(away, root_positions=np.repeat(root[:1], len(root), 0))
+    assert find_up(on_the_spot) == "z"  # its feet are at 0, and half of it would be below a floor
+    still = replace(away, root_positions=np.repeat([[0, 0.12, 0]], len(root), 0).astype(np.float32))
     assert find_up(still) == "y"  # a person who lies on the floor all the time
     assert "up" in [finding.kind for finding in find_doubts(still).findings]
 
