@@ -31,6 +31,7 @@ import "./motifs/stability.mjs";
 import "./motifs/timeline.mjs";
 import "./motifs/walk.mjs";
 import "./motion_map/export.mjs";
+import "./search/by_words.mjs";
 import "./search/study.mjs";
 import "./sweeps/sweeps.mjs";
 import { at, chartPlot } from "./clip/cursor.mjs";

@@ -133,7 +133,8 @@ def main() -> str:
         found = found_in(collection)
         mark = ", looked at" if name in LOOKED_AT else ""
         rows += [
-            f"| {name}{mark} | {f.query} | {f.relevant} | {f.precision:.2f} | {f.mean:.2f} | {f.chance:.2f} | {f.shuffled:.2f} |"
+            f"| {name}{mark} | {f.query} | {f.relevant} | {f.precision:.2f} | {f.mean:.2f} | {f.chance:.2f} "
+            f"| {f.shuffled:.2f} |"
             for f in found
         ]
         mean = np.mean([(f.precision, f.mean, f.chance, f.shuffled) for f in found], axis=0)
@@ -143,10 +144,11 @@ def main() -> str:
         [
             "## Search: words",
             "",
-            "Contents of clips as queries, as they stand in names and descriptions, without names or labels being known "
-            "to the search. P@10 is of at most as many clips as there are. Chance is the share of such clips; shuffled: "
-            "the search in names (tf-idf) with the names of other clips. Thresholds were tried on the collections that "
-            f"were looked at; {time.process_time() - started:.0f} s of processor time. `python -m benchmarks words`",
+            "Contents of clips as queries, as they stand in names and descriptions, without names or labels being "
+            "known to the search. P@10 is of at most as many clips as there are. Chance is the share of such clips; "
+            "shuffled: the search in names (tf-idf) with the names of other clips. Thresholds were tried on the "
+            f"collections that were looked at; {time.process_time() - started:.0f} s of processor time. "
+            "`python -m benchmarks words`",
             "",
             f"| collection | queries | {head}",
             "|---|---|---|---|---|---|",

@@ -9598,6 +9598,15 @@
     else save(await pngOf(made), `${name}.png`);
   });
 
+  // search/by_words.mjs
+  addPlaces((text) => {
+    const words4 = text.trim();
+    const dataset2 = new URLSearchParams(location.search).get("dataset");
+    if (words4.length < 3 || !dataset2) return [];
+    const query2 = new URLSearchParams({ dataset: dataset2, look: "words", words: words4 });
+    return [{ name: `Find “${words4}” in the motion`, about: "search by words", address: `/search?${query2}` }];
+  });
+
   // search/ids.mjs
   var SEARCH_ERROR = "search-error";
   var SEARCH_HITS_HEAD = "search-hits-head";

@@ -18,6 +18,8 @@
  * @property {string} [study]
  * @property {string} [asks]
  * @property {string} [measure]
+ * @property {string} [words]
+ * @property {string} [seen]
  */
 
 /**
@@ -273,6 +275,9 @@ export const SEARCH_UPLOAD_JOB = /** @type {StoreId<Reading>} */ ("search-upload
 export const SEARCH_UPLOAD_DONE = /** @type {StoreId<any>} */ ("search-upload-done");
 export const SEARCH_UPLOAD_STATUS = "search-upload-status";
 export const SEARCH_STORAGE = "search-storage";
+export const SEARCH_WORDS = "search-words";
+export const SEARCH_WORDS_LEVEL = "search-words-level";
+export const SEARCH_WORDS_FOUND = "search-words-found";
 export const SEARCH_STUDY = "search-study";
 export const STUDY_SETUP = "study-setup";
 export const STUDY_RATE = "study-rate";

@@ -111,6 +111,8 @@
  * @property {string} [study] of the page search
  * @property {string} [asks] of the page search
  * @property {string} [measure] of the page search
+ * @property {string} [words] of the page search
+ * @property {string} [seen] of the page search
  * @property {string} [show] of the page grammar
  * @property {string} [routine] of the page grammar
  * @property {string} [sentence] of the page grammar

@@ -52,7 +52,7 @@ class WordSearch:
         names: bool = True,
         notes: Mapping[str, str] | None = None,
     ):
-        self.dataset, self._index = dataset, index
+        self.dataset, self.index = dataset, index
         self.seen: list[Seen] = see(dataset.clips)
         self.written: list[Written] = written_in(dataset, notes) if names else []
 
@@ -94,9 +94,9 @@ class WordSearch:
     ) -> list[WordHit]:
         """Stretches that move as labelled ones of a word do that is not seen in the motion itself."""
         examples = [one for one, share in found if not one.clip and share > 0.99]
-        if self._index is None or not examples or not sentence.unknown:
+        if self.index is None or not examples or not sentence.unknown:
             return []
-        index, more = self._index(), []
+        index, more = self.index(), []
         for one in examples[:: max(1, len(examples) // _EXAMPLES)][:_EXAMPLES]:
             query = whole_query(self.dataset.clip(one.segment.clip), one.segment.start, one.segment.end)
             for hit in index.search(query, level=level, only=only):

@@ -17,7 +17,13 @@ from webapp.shell.uploads import SUFFIXES
 from webapp.ui.method_page import MethodPage, run_button, settings_fold, status_place
 from webapp.ui.views import panel
 
-VIEWS = {"search": "Search", "agree": "Do people agree?", "evaluate": "Evaluation", "indexes": "Indexes"}
+VIEWS = {
+    "search": "Search",
+    "words": "By words",
+    "agree": "Do people agree?",
+    "evaluate": "Evaluation",
+    "indexes": "Indexes",
+}
 
 METHOD = MethodPage(
     page=PAGE,

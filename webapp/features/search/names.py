@@ -26,6 +26,8 @@ class View(TypedDict, total=False):
     study: str
     asks: Annotated[str, _TEXT]
     measure: str
+    words: Annotated[str, _TEXT]
+    seen: str
 
 
 class Choice(TypedDict):
@@ -276,6 +278,10 @@ SEARCH_UPLOAD_DONE = Store("search-upload-done", Any)
 SEARCH_UPLOAD_STATUS = Id("search-upload-status")
 
 SEARCH_STORAGE = Id("search-storage")
+
+SEARCH_WORDS = Id("search-words")
+SEARCH_WORDS_LEVEL = Id("search-words-level")
+SEARCH_WORDS_FOUND = Id("search-words-found")
 
 SEARCH_STUDY = Id("search-study")
 STUDY_SETUP = Id("study-setup")

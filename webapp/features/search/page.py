@@ -6,12 +6,19 @@ from dash import Dash
 from dash.development.base_component import Component
 
 from core.workspace import Workspace
-from webapp.features.search import callbacks, evaluation, layout, storage, study
+from webapp.features.search import callbacks, evaluation, layout, storage, study, words_view
 
 
 def page() -> Component:
     """The page before any data is loaded."""
-    return layout.page({"agree": study.layout(), "evaluate": evaluation.layout(), "indexes": storage.layout()})
+    return layout.page(
+        {
+            "words": words_view.layout(),
+            "agree": study.layout(),
+            "evaluate": evaluation.layout(),
+            "indexes": storage.layout(),
+        }
+    )
 
 
 def register(app: Dash, workspace: Workspace) -> None:
@@ -20,3 +27,4 @@ def register(app: Dash, workspace: Workspace) -> None:
     study.register(app, workspace)
     evaluation.register(app, workspace)
     storage.register(app, workspace)
+    words_view.register(app, workspace)

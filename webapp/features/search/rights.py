@@ -20,6 +20,8 @@ RIGHTS = Rights(
         "storage.show",
         "study.gather",
         "study.show_results",
+        "words_view.ask",
+        "words_view.find",
     ),
     asks=(
         "callbacks.took",
