@@ -5,8 +5,12 @@ import { relative } from "node:path";
 import { build } from "esbuild";
 
 const folder = import.meta.dirname;
-/** What each file of the bundle is made of: the app, and the scripts and styles that stand in a report. */
-const ENTRIES = { motionscape: ["main.mjs", "main.css"], report: ["report/main.mjs", "report/report.css"] };
+/** What each file of the bundle is made of: the app, and the scripts and styles of a report and of the page of a film. */
+const ENTRIES = {
+  motionscape: ["main.mjs", "main.css"],
+  report: ["report/main.mjs", "report/report.css"],
+  film: ["film/main.mjs", "film/film.css"],
+};
 const outputFiles = [];
 for (const [name, entryPoints] of Object.entries(ENTRIES)) {
   const made = await build({

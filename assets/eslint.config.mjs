@@ -12,6 +12,7 @@ const BELOW = {
   blocks: [...SHARED, "stage"],
   ...Object.fromEntries(FEATURES.map((room) => [room, [...SHARED, "stage", "blocks"]])),
   report: [...SHARED, "stage", "blocks", ...FEATURES],
+  film: [...SHARED, "stage", "blocks"],
 };
 const rooms = Object.entries(BELOW).map(([room, below]) => ({
   files: [`assets/${room}/**/*.mjs`],

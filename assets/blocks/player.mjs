@@ -142,13 +142,21 @@ export class Player {
     if (this.clock.playing) this.clock.advance(seconds);
     if (!this.clock.playing && !this.dirty) return;
     this.dirty = false;
+    this.paint(this.clock.playing ? seconds : Infinity);
+    this.onFrame();
+  }
+
+  /**
+   * Paint the moment of the clock.
+   * @param {number} seconds since the picture before, while which the camera follows; Infinity: it is there at once
+   */
+  paint(seconds) {
     for (const figure of this.figures) if (figure.visible) figure.pose(this.clock.time);
     if (this.figures.length) {
       const [x, z] = groundCentre(this.figures, [0, 0]);
-      if (this.camera.follow) this.camera.track(x, z, seconds, this.clock.jumped || !this.clock.playing);
+      if (this.camera.follow) this.camera.track(x, z, seconds, this.clock.jumped || seconds === Infinity);
       this.clock.jumped = false;
     }
     this.scene.paint(this.camera, this.figures, this.traces, this.clock, this.layout === "overlay");
-    this.onFrame();
   }
 }

@@ -51,7 +51,7 @@ function readHeader(buffer) {
  * float32 positions (frames, joints, 3) after their header: see docs/reference/stage.md.
  * @param {ArrayBuffer} buffer
  */
-function decode(buffer) {
+export function decode(buffer) {
   const [header, at] = readHeader(buffer);
   return { header, positions: new Float32Array(buffer, at, header.frames * header.joints.length * 3), bytes: buffer.byteLength };
 }

@@ -45,6 +45,7 @@ KINDS = (
         "walk",
         "grammar",
         "derive",
+        "render",
         "report",
     ),
 )

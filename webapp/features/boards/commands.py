@@ -16,7 +16,7 @@ ALWAYS = ("motifs", "map")  # computed for a report where they are missing
 
 def report(arguments: Namespace) -> int:
     """Writes the report. Raises WorkspaceError, AnalysisError or OSError in plain words."""
-    from webapp.features.boards.printing import find_browser, write_pdf
+    from webapp.features.boards.printing import find_printer, write_pdf
     from webapp.features.boards.report import make_report
     from webapp.features.boards.report_parts import asked_parts, board_called, title_of
 
@@ -30,7 +30,7 @@ def report(arguments: Namespace) -> int:
         raise WorkspaceError("--features-only: only for a bundle, with --out bundle.zip.")
     board = board_called(workspace, arguments.board) if arguments.board else None
     if suffix == ".pdf":
-        find_browser()  # before anything is computed
+        find_printer()  # before anything is computed
     with progress_bar(arguments.quiet) as progress:
         for request in _missing(name, board):
             analyses.run(workspace, request, progress)

@@ -1,7 +1,7 @@
 """Clip: the curves of one clip, its gait, and edits of it."""
 
 from webapp.features.clip import names, rights
-from webapp.shell.feature import Feature, later, link_keys
+from webapp.shell.feature import Command, Feature, later, link_keys
 
 FEATURE = Feature(
     path="clip",
@@ -12,5 +12,12 @@ FEATURE = Feature(
     shows=("chart",),
     keys=link_keys(names.View),
     routes=later("webapp.features.clip.routes:blueprints"),
+    commands={
+        "render": Command(
+            "Write a clip, or frames of it, as a film or a picture.",
+            later("webapp.features.clip.arguments:render"),
+            later("webapp.features.clip.commands:render"),
+        ),
+    },
     rights=rights.RIGHTS,
 )

@@ -24,6 +24,7 @@ from webapp.features.boards import printing
 from webapp.features.boards.parts import OVERVIEW, Part
 from webapp.features.boards.report import MOST_BYTES, make_report
 from webapp.features.boards.text import to_html
+from webapp.shell.browser import BROWSER
 from webapp.shell.feature import blocks
 
 EVIL = "</script><img src=x onerror=alert(1)>"
@@ -127,9 +128,9 @@ def test_the_command_says_what_is_wrong(workspace, tmp_path, capsys, source, out
 
 
 def test_a_pdf_needs_a_browser_and_says_so(monkeypatch):
-    monkeypatch.setenv(printing.BROWSER, "/nowhere/chromium")
+    monkeypatch.setenv(BROWSER, "/nowhere/chromium")
     with pytest.raises(AnalysisError, match="name it in MOTIONSCAPE_BROWSER, or write"):
-        printing.find_browser()
+        printing.find_printer()
 
 
 def test_a_board_is_written_by_its_name_in_reading_order(workspace, tmp_path, capsys):
