@@ -3,7 +3,8 @@
 It claims the oldest queued job and computes it in a child process on all cores. The child can be ended at any moment,
 even inside a long kernel or when it has used up the memory, and its memory is free when it ends. The worker itself
 never computes: it imports what the job needs and forks, so the next child of the same method starts with everything
-imported (on Windows, which does not fork, a child imports it again). Without work it stays for a while, see ``idle``.
+imported (on Windows and macOS, where that is not safe, a child imports it again). Without work it stays for a while,
+see ``idle``.
 
 ``python -m webapp.jobs WORKSPACE`` is such a worker.
 """
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
 
 GRACE = 0.8  # seconds a job has to stop by itself before its process is ended
 BEAT = 0.2  # seconds between two looks at the table
-FORKS = sys.platform != "win32"
+FORKS = sys.platform not in ("win32", "darwin")  # on macOS system libraries may not be used after a fork
 OUT_OF_MEMORY = (
     "The system ended the worker, most likely because memory ran out. "
     "Close other programs, or take fewer clips or a lower frame rate, and run it again."
