@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Any, Literal
@@ -14,6 +14,7 @@ from core.arrays import FloatArray
 from core.editing.gait import find_gait
 from core.errors import ParameterError
 from core.grammar.learned import LearnedGrammar
+from core.grammar.trees import leaves, preorder
 from core.groups.comparison import Motions, compare_groups
 from core.groups.design import Design, Unit
 from core.groups.documents import to_json
@@ -27,6 +28,7 @@ from core.motion_map.motion_map import MotionMap
 from core.progress import Report, silent
 
 GAIT = "gait cycle"
+FEWEST_USES = 4  # of a rule of the grammar that is compared
 
 
 @dataclass(frozen=True)
@@ -97,7 +99,7 @@ def compared(
         items = motif_items(counted)
         motions = {str(motif.id): list(zip(motif.segments, motif.warps, strict=True)) for motif in counted.motifs}
     elif isinstance(counted, LearnedGrammar):
-        items = action_items(counted)
+        items = (*action_items(counted), *routine_items(counted))
     else:
         items = label_items(dataset)
     used = {clip for unit in design.units for clip in unit.clips}
@@ -133,6 +135,29 @@ def action_items(learned: LearnedGrammar) -> tuple[Item, ...]:
         for terminal, segment in terminals.runs(clip):
             runs.setdefault(terminal, []).append(segment)
     return tuple(Item("action", str(k), f"action {k}", tuple(runs[k])) for k in sorted(runs))
+
+
+def routine_items(learned: LearnedGrammar) -> tuple[Item, ...]:
+    """Routines as items: rules of a grammar that stand for several actions in a row, where they occur in the sentences.
+
+    Rules of whole sentences, and those used fewer than FEWEST_USES times, say nothing of groups and are left out.
+    """
+    found: dict[int, list[Segment]] = {}
+    words: dict[int, tuple[int, ...]] = {}
+    for sentence, tree in zip(learned.sentences, learned.trees, strict=True):
+        for node in preorder(tree):
+            if node.is_leaf or node.end - node.start < 2 or node is tree:
+                continue
+            first, last = sentence.pieces[node.start][1], sentence.pieces[node.end - 1][1]
+            found.setdefault(node.rule, []).append(Segment(sentence.clip, first.start, last.end))
+            words.setdefault(node.rule, leaves(node))
+    often = sorted(rule for rule, segments in found.items() if len(segments) >= FEWEST_USES)
+    return tuple(Item("routine", f"rule {k}", _routine(words[k]), tuple(sorted(found[k]))) for k in often)
+
+
+def _routine(actions: Sequence[int]) -> str:
+    """What a routine is called: the actions of its first occurrence."""
+    return "routine " + "-".join(map(str, actions[:8])) + (" ..." if len(actions) > 8 else "")
 
 
 def label_items(dataset: Dataset) -> tuple[Item, ...]:

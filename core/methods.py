@@ -160,7 +160,7 @@ METHODS: dict[str, Method] = {
     ),
     "groups": Method(
         "Groups compared",
-        1,
+        2,
         lambda: import_module("core.comparing").CompareParameters,
         lambda dataset, values, report, *given: import_module("core.comparing").compare_dataset(
             dataset, values, report, *given

@@ -3,8 +3,8 @@
 usage: python -m scripts.make_screenshots [FOLDER] [NAME...]      (default: docs/images, all pictures)
 
 Serves a fresh workspace with the demo and the results that the pages show, and writes library.png, motifs.png,
-walk.png, sweeps.png, map.png, search.png, grammar.png, compose.png, clip.png and boards.png, each with at most
-256 colours.
+walk.png, sweeps.png, map.png, search.png, grammar.png, compose.png, clip.png, groups.png and boards.png, each with at
+most 256 colours.
 """
 
 from __future__ import annotations
@@ -19,16 +19,19 @@ from PIL import Image
 from playwright.sync_api import Page, sync_playwright
 
 from core.analyses import DEMO, Request, run
+from core.demo.planted import planted_groups
 from core.retrieval.queries import whole_query
 from core.workspace import Workspace
 from core.workspace.boards import Block
 from tests.browser.start import running, start_chromium
 from webapp.app import create_app
+from webapp.features.groups.comparisons import request_of
 
 SIZE = {"width": 1440, "height": 900}
 PATIENCE = 120_000  # milliseconds
 AXES = ("kappa:200,500,1000,2000", "rho:0.5,1,2")
 SEEDS = 2
+PEOPLE = "people"
 
 
 def prepared(folder: Path) -> Workspace:
@@ -39,6 +42,7 @@ def prepared(folder: Path) -> Workspace:
         run(workspace, Request(DEMO, method))
     index = run(workspace, Request(DEMO, "search"))
     index.search(whole_query(workspace.open(DEMO).clips[0], 0, 60), level="interval")  # compiles its kernels
+    compared_people(workspace)
     run(workspace, Request(DEMO, "sweep", {"axes": ";".join(AXES), "seeds": SEEDS}))
     return workspace
 
@@ -98,6 +102,21 @@ def grammar(page: Page) -> None:
     page.wait_for_function("window.motionscape.stage.figures > 1")
 
 
+def groups(page: Page) -> None:
+    """The answer in words, with examples of both groups playing."""
+    page.locator(".groups-sentence").first.click()
+    page.wait_for_function("window.motionscape.stage.figures > 1")
+
+
+def compared_people(workspace: Workspace) -> None:
+    """Keeps two groups of people, one of which holds the arms wider, and their comparison."""
+    if PEOPLE not in {info.name for info in workspace.datasets()}:
+        dataset, properties = planted_groups("wider", 8, pieces=12)
+        workspace.add_dataset(PEOPLE, dataset)
+        workspace.properties.put(workspace.info(PEOPLE).id, properties)
+    run(workspace, request_of(workspace, PEOPLE, {"by": "group"}))
+
+
 def boards(page: Page) -> None:
     """A board that two people have open: Ben answers Ana, and it appears in her browser."""
     page.locator(".block-motif").nth(2).click()
@@ -150,6 +169,7 @@ def pictures(workspace: Workspace) -> dict[str, tuple[str, Callable[[Page], None
         "grammar": (f"/grammar?dataset={DEMO}", grammar),
         "compose": (f"/grammar?dataset={DEMO}&show=compose&sentence=random:7:8", compose),
         "boards": (f"/boards?dataset={DEMO}&board={shared_board(workspace)}", boards),
+        "groups": (f"/groups?dataset={PEOPLE}&by=group", groups),
         "clip": (f"/clip?dataset={DEMO}&clip={kick.clip}", clip),
     }
 

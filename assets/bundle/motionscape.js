@@ -6556,7 +6556,7 @@
   var SHOWN = 24;
   var PARTS = (
     /** @type {[string, string][]} */
-    [["figure", "Gait and posture"], ["label", "Labels"], ["motif", "Motifs"], ["action", "Actions"]]
+    [["figure", "Gait and posture"], ["label", "Labels"], ["motif", "Motifs"], ["action", "Actions"], ["routine", "Routines"]]
   );
   var shown4 = { dataset: "", view: {}, mark: "", choices: null, place: null };
   var timer2 = 0;

@@ -12,7 +12,7 @@ import { GROUPS_PLACE } from "./ids.mjs";
 
 const POLL = 700; // milliseconds between two questions how far it is
 const SHOWN = 24; // rows of the chart at first
-const PARTS = /** @type {[string, string][]} */ ([["figure", "Gait and posture"], ["label", "Labels"], ["motif", "Motifs"], ["action", "Actions"]]);
+const PARTS = /** @type {[string, string][]} */ ([["figure", "Gait and posture"], ["label", "Labels"], ["motif", "Motifs"], ["action", "Actions"], ["routine", "Routines"]]);
 
 /** @type {{ dataset: string, view: Record<string, string>, mark: string, choices: Choices | null, place: HTMLElement | null }} */
 const shown = { dataset: "", view: {}, mark: "", choices: null, place: null };

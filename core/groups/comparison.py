@@ -28,8 +28,8 @@ Motions = Sequence[tuple[Segment, FloatArray]]
 class Comparison(NamedTuple):
     """One row: what was compared of two groups, second minus first.
 
-    kind: motif, action, label, figure or transition. id, name: of what. measure: share, rate, duration, mean or
-    probability.
+    kind: motif, action, routine, label, figure or transition. id, name: of what. measure: share, rate, duration, mean
+    or probability.
     means, n: of the groups, and units with a value. low, high: 95 % interval of the difference. effect: Hedges' g, or
     paired. p: by permutation; q: after Benjamini and Hochberg over the rows of this kind.
     p_all: of all groups at once where there are more than two. nan where a group has fewer than two units with a value.
@@ -119,8 +119,9 @@ def compare_groups(
         use = use_table(design, items, clips)
         rows = table_rows(design, [(item.kind, item.id, item.name) for item in items], use, figures, parameters)
         report("testing", 0.5)
-        pairs, shares, _ = transitions(design, items)
-        names = [(f"{items[a].id}>{items[b].id}", f"{items[a].name} to {items[b].name}") for a, b in pairs]
+        single = [item for item in items if item.kind != "routine"]  # routines are rows of actions themselves
+        pairs, shares, _ = transitions(design, single)
+        names = [(f"{single[a].id}>{single[b].id}", f"{single[a].name} to {single[b].name}") for a, b in pairs]
         of_pairs = [("transition", id, name, "probability", "") for id, name in names]
         following = _tested(design, of_pairs, shares, parameters)
     with timed("curves", seconds):

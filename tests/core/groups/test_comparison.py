@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from core.comparing import compared, design_json, design_of
+from core.comparing import compared, design_json, design_of, routine_items
 from core.demo.planted import person, planted_groups
 from core.errors import ParameterError
+from core.grammar.learned import Sentence
+from core.grammar.trees import Node
 from core.groups.design import Design, Unit, make_design
 from core.groups.maps import densities, map_differences
 from core.groups.parameters import GroupParameters
@@ -87,3 +90,13 @@ def test_postures_are_compared_where_they_are_on_a_map():
     (found,) = map_differences(design, many, (8, 8), GroupParameters(permutations=300))
     assert found["clusters"][0]["sign"] == 1 and [3, 3] in found["clusters"][0]["nodes"]
     assert found["clusters"][0]["p"] < 0.05 and len(found["difference"]) == 64
+
+
+def test_routines_are_rules_that_stand_for_several_actions():
+    pieces = tuple((k % 2, Segment("a", 10 * k, 10 * k + 10)) for k in range(4))
+    pair = [Node("B", 2 * k, 2 * k + 2, 1, (Node(0, 2 * k, 2 * k + 1), Node(1, 2 * k + 1, 2 * k + 2))) for k in (0, 1)]
+    tree = Node("S", 0, 4, 0, tuple(pair))
+    learned = SimpleNamespace(sentences=(Sentence("a", pieces), Sentence("a", pieces)), trees=(tree, tree))
+    (routine,) = routine_items(learned)
+    assert (routine.kind, routine.id, routine.name) == ("routine", "rule 1", "routine 0-1")
+    assert routine.segments == (Segment("a", 0, 20),) * 2 + (Segment("a", 20, 40),) * 2
