@@ -108,7 +108,7 @@ def words_of(row: Comparison) -> str:
         way = _ratio(first, second, "as often")
         return f"does {row.name} {way}: {_number(second)} against {_number(first)} times a minute"
     if row.measure == "duration":
-        way = "longer" if row.difference > 0 else "shorter"
+        way = "longer" if row.difference > 0 else "less"
         amount = f"{_number(abs(row.difference))} s {way}"
         return f"takes {amount} for {row.name}: {_number(second)} s against {_number(first)} s"
     way = "more" if row.difference > 0 else "less"
