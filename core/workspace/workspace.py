@@ -125,7 +125,7 @@ class Workspace:
         """
         how = reading_of(unit, up, fps, body, points, smooth)
         what = recordings_of(sources, skeleton=skeleton, how=how, clips=clips, labels=labels)
-        return self._add(name, lambda folder, name: _importing().storerecordings_of(folder, name, what, report))
+        return self._add(name, lambda folder, name: _importing().store_recordings(folder, name, what, report))
 
     def add_files(
         self,
@@ -158,7 +158,7 @@ class Workspace:
             "labels": labels,
         }
         what = recordings_of(sources, before=self.open(name), replace_labels=replace_labels, **options)
-        return self._change(info, lambda folder, name: _importing().storerecordings_of(folder, name, what, report))
+        return self._change(info, lambda folder, name: _importing().store_recordings(folder, name, what, report))
 
     def change_reading(
         self, name: str, change: Change, clips: Collection[str] | None = None, report: Report = silent
@@ -293,7 +293,7 @@ class Workspace:
         """
         self.check_free(name)
         what = self._unpacked(upload, skeleton, labels, reading_of(unit, up, fps, body, points, smooth), report)
-        imported = self._add(name, lambda folder, name: _importing().storerecordings_of(folder, name, what, report))
+        imported = self._add(name, lambda folder, name: _importing().store_recordings(folder, name, what, report))
         self.uploads.remove(upload)
         return imported
 
@@ -320,8 +320,8 @@ class Workspace:
             upload, "", "", reading_of(unit, up, fps, body, points, smooth), report, labels_alone=True
         )
         what = replace(what, before=before, replace_labels=replace_labels)
-        if _importing().holdsrecordings_of(what.sources[0]):
-            added = self._change(info, lambda folder, name: _importing().storerecordings_of(folder, name, what, report))
+        if _importing().holds_recordings(what.sources[0]):
+            added = self._change(info, lambda folder, name: _importing().store_recordings(folder, name, what, report))
         else:
             added = self._relabel(info, *_importing().add_labels(before, what))
         self.uploads.remove(upload)
@@ -336,7 +336,7 @@ class Workspace:
         folder = self.uploads.path(upload)
         with plain_errors("unpack the upload"):
             reports = unpack_archives(folder, report)
-        if not labels_alone and not _importing().holdsrecordings_of(folder):
+        if not labels_alone and not _importing().holds_recordings(folder):
             reasons = [message for file in reports if file.verdict != "ok" for message in file.messages]
             reasons += _importing().left_out_words(folder)
             raise WorkspaceError(
