@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     from core.mocap.dataset import Dataset
 
 DEMO = "demo"  # name of the embedded data set
+EVERYTHING = ("motifs", "map", "search", "grammar")  # what pages show of a dataset, first what most of them need
 _POLL = 0.1  # seconds between two looks at a job that another process works on
 _KEPT_LOGS = 50
 
@@ -159,6 +160,15 @@ def expected_words(workspace: Workspace, request: Request) -> str:
         expected = estimate(workspace, normalise(request))
         return expected.words if expected else ""
     return ""
+
+
+def missing(workspace: Workspace, dataset: str) -> list[Request]:
+    """What pages show of a dataset under the usual settings and has not been computed yet.
+
+    Raises WorkspaceError where there is no such dataset.
+    """
+    requests = (Request(dataset, method) for method in EVERYTHING)
+    return [request for request in requests if not workspace.results.has(key(workspace, request))]
 
 
 def run(workspace: Workspace, request: Request, report: Report = silent) -> Any:
@@ -362,13 +372,12 @@ class DemoParameters:
 
 
 def _make_demo(workspace: Workspace, name: str, values: DemoParameters, report: Report) -> None:
-    """Makes the demo data set where it is missing, and asks for its motif graph."""
+    """Makes the demo data set where it is missing, and asks for what pages show of it."""
     from core.demo import make_demo
 
     if name not in {info.name for info in workspace.datasets()}:
         workspace.add_dataset(name, make_demo(values.minutes, values.seed, report), report)
-    request = Request(name, "motifs")
-    if stored(workspace, request) is None:
+    for request in missing(workspace, name):
         submit(workspace, request)
 
 

@@ -65,14 +65,15 @@ def listen(host: str, port: int) -> socket.socket:
 
 
 def prepare_demo(workspace: Workspace) -> None:
-    """Asks for the demo data set and its motif graph as a job like any other, unless they are there."""
-    from core.analyses import DEMO, Request, stored
+    """Asks for the demo data set and what pages show of it as jobs like any others, unless they are there."""
+    from core.analyses import DEMO, Request, missing
     from webapp.jobs import start
 
     if DEMO not in {info.name for info in workspace.datasets()}:
         start(workspace, Request(DEMO, "demo"))
-    elif stored(workspace, Request(DEMO, "motifs")) is None:
-        start(workspace, Request(DEMO, "motifs"))
+    else:
+        for request in missing(workspace, DEMO):
+            start(workspace, request)
 
 
 def _serve(workspace: Workspace, arguments: Namespace, token: str | None, listener: socket.socket) -> int:

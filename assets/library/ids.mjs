@@ -12,7 +12,7 @@
 /**
  * What is to be done with a data set, or with the trash.
  * @typedef {object} DatasetAction
- * @property {"rename" | "trash" | "empty"} action
+ * @property {"rename" | "trash" | "empty" | "analyse"} action
  * @property {string} [dataset]
  * @property {number} [at]
  */

@@ -264,11 +264,14 @@ def test_what_comes_to_a_data_set_or_leaves_it_is_a_job(workspace):
     assert titles == {"Add to: toy", "Remove clips from: toy"}
 
 
-def test_the_demo_comes_with_its_motif_graph_asked_for(workspace):
+def test_the_demo_comes_with_all_that_pages_show_asked_for(workspace):
     analyses.run(workspace, Request(analyses.DEMO, "demo", {"minutes": 0.5}))
     assert workspace.info("demo").labels > 0
-    assert workspace.jobs.list()[0].request["method"] == "motifs"
-    assert workspace.jobs.list()[0].state == "queued"
+    asked = [job for job in sorted(workspace.jobs.list(), key=lambda job: job.id) if job.request["method"] != "demo"]
+    assert [job.request["method"] for job in asked] == ["motifs", "map", "search", "grammar"]
+    assert {job.state for job in asked} == {"queued"}
+    analyses.run(workspace, Request(analyses.DEMO, "map"))
+    assert [request.method for request in analyses.missing(workspace, "demo")] == ["motifs", "search", "grammar"]
 
 
 def test_motifs_are_the_same_from_memory_and_from_the_workspace(workspace):

@@ -10,6 +10,7 @@ from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
 from core import analyses, requests
+from core.methods import METHODS
 from core.workspace import Workspace, WorkspaceError
 from webapp import jobs
 from webapp.features.library import (
@@ -151,7 +152,15 @@ def detail(workspace: Workspace, name: str | None, view: Mapping[str, str] | Non
             "report": grid(names.REPORT_TABLE, report_columns, [], "Import report"),
             "rows": dcc.Store(id=names.REPORT_ROWS, data=tables.report_rows(dataset.report.files)),
         }
-    return layout.detail(name, shown, dataset.report, tab, files)
+    return layout.detail(name, shown, dataset.report, tab, files, analyse_button(workspace, name))
+
+
+def analyse_button(workspace: Workspace, name: str) -> Component | None:
+    """The button that computes all that pages show of a dataset, with what it will take; None where all is there."""
+    missing = analyses.missing(workspace, name)
+    expected = {one.method: analyses.expected_words(workspace, one) for one in missing}
+    lines = [f"{METHODS[method].title}: {words}".removesuffix(": ") for method, words in expected.items()]
+    return layout.analyse_button(name, lines) if missing else None
 
 
 def _shown_parts(view: Mapping[str, str] | None) -> tuple[str, str]:
@@ -216,6 +225,12 @@ def perform(workspace: Workspace, request: Mapping[str, object]) -> None:
         set_props(names.RENAME_DIALOG, {"opened": True})
     elif action == "trash":
         _notify(changes.undo_notice("Dataset deleted", f"{name} is in the trash.", {"restore": workspace.trash(name)}))
+    elif action == "analyse":
+        started = [jobs.start(workspace, one) for one in analyses.missing(workspace, name)]
+        set_props(JOB_STARTED, {"data": started[-1].id if started else None})
+        words = ", ".join(job.title.partition(":")[0] for job in started)
+        title = "Analysing everything" if started else "Everything is analysed"
+        _notify(notice(title, words or "All results are there."))
     elif action == "empty":
         deleted = workspace.empty_trash()
         set_props(names.TRASH_LIST, {"children": layout.trash_list(workspace.trashed())})

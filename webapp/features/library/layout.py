@@ -62,8 +62,10 @@ def page() -> Component:
     )
 
 
-def detail(name: str, tables: dict[str, Component], report: ImportReport, tab: str, files: str) -> Component:
-    """The chosen dataset: its clips, and its import report, of which ``files`` are shown."""
+def detail(
+    name: str, tables: dict[str, Component], report: ImportReport, tab: str, files: str, action: Component | None
+) -> Component:
+    """The chosen dataset: its clips, and its import report, of which ``files`` are shown; action: beside its tabs."""
     doubtful = report.count("warning") + report.count("error")
     badge = dmc.Badge(doubtful, size="sm", color="orange", variant="light") if doubtful else None
     chips = report_chips(report)
@@ -79,6 +81,7 @@ def detail(name: str, tables: dict[str, Component], report: ImportReport, tab: s
                     dmc.TabsTab(f"Clips of {name}", value="clips", className="clips-tab"),
                     dmc.TabsTab("Import report", value="report", rightSection=badge),
                     html.Div(id=names.CLIPS_CHOSEN, className="clips-chosen"),
+                    *([action] if action else []),
                 ]
             ),
             dmc.TabsPanel(
@@ -97,6 +100,22 @@ def detail(name: str, tables: dict[str, Component], report: ImportReport, tab: s
                 pt="sm",
             ),
         ],
+    )
+
+
+def analyse_button(name: str, expected: Sequence[str]) -> Component:
+    """Computes all that pages show of a dataset; expected: what each will take, shown on hover."""
+    return html.Div(
+        dmc.Button(
+            "Analyse everything",
+            className="for-editors",
+            size="compact-sm",
+            variant="light",
+            leftSection=icon("spark", 14),
+            **sends(names.DATASET_ACTION, {"action": "analyse", "dataset": name}, every_time=True),
+        ),
+        className="analyse-everything",
+        title="\n".join(expected),
     )
 
 

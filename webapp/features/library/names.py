@@ -16,7 +16,7 @@ class View(TypedDict, total=False):
 class DatasetAction(TypedDict):
     """What is to be done with a data set, or with the trash."""
 
-    action: Literal["rename", "trash", "empty"]
+    action: Literal["rename", "trash", "empty", "analyse"]
     dataset: NotRequired[Name]
     at: NotRequired[float]
 

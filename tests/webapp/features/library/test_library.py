@@ -7,6 +7,8 @@ import json
 import pytest
 from plotly.utils import PlotlyJSONEncoder
 
+from core import analyses
+from core.demo import make_demo
 from core.errors import ParameterError
 from core.mocap.clip import Label, Segment
 from core.mocap.dataset import Dataset
@@ -180,3 +182,26 @@ def test_a_long_table_has_no_columns_that_only_a_browser_with_all_rows_can_show(
     shown = library_tables.long_columns([*library_tables.CLIP_COLUMNS, *library_tables.REPORT_COLUMNS])
     assert not any({"autoHeight", "wrapText", "filterValueGetter"} & set(column) for column in shown)
     assert "clips" in str(pages_layout.clips_chosen(0, 7)) and pages_layout.clips_chosen(0) is None
+
+
+def test_everything_can_be_analysed_with_one_button(tmp_path, monkeypatch):
+    space = Workspace(tmp_path / "everything")
+    space.add_dataset("toy", make_demo(minutes=0.3))
+    button = callbacks.analyse_button(space, "toy")
+    assert len(button.title.splitlines()) == len(analyses.EVERYTHING)
+    started, said = [], []
+
+    def start(workspace, request):
+        started.append(request)
+        return analyses.submit(workspace, request)
+
+    monkeypatch.setattr(callbacks.jobs, "start", start)
+    monkeypatch.setattr(callbacks, "set_props", lambda *_: None)
+    monkeypatch.setattr(callbacks, "_notify", said.append)
+    callbacks.perform(space, {"action": "analyse", "dataset": "toy"})
+    assert [request.method for request in started] == list(analyses.EVERYTHING)
+    for request in started:
+        space.results.put(analyses.key(space, request), {})
+    assert callbacks.analyse_button(space, "toy") is None
+    callbacks.perform(space, {"action": "analyse", "dataset": "toy"})
+    assert len(started) == len(analyses.EVERYTHING) and "is analysed" in str(said[-1])
