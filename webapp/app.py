@@ -9,7 +9,17 @@ from core.workspace import WorkspaceError, shared_workspace
 from webapp import jobs
 from webapp.jobs import changes, following, job_bar
 from webapp.marks import all_marks, mark_of_request
-from webapp.shell import access, callback_requests, compression, frame, messages, person_menu, playback, state
+from webapp.shell import (
+    access,
+    callback_requests,
+    compression,
+    frame,
+    messages,
+    monitoring,
+    person_menu,
+    playback,
+    state,
+)
 from webapp.shell.assets import PARTS, VENDOR, assets_folder
 from webapp.shell.feature import features
 from webapp.shell.loading import LoadingDash
@@ -50,6 +60,7 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> Loadi
     for feature in features():
         app.drawings |= feature.drawings
     marks = all_marks()
+    monitoring.register(app.server, workspace)
     access.protect(app.server, workspace, token, lambda: mark_of_request(app, marks))
     callback_requests.register(app)
     compression.register(app.server)

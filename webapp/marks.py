@@ -17,6 +17,7 @@ SHARED = Rights(
         "jobs.following.follow",
         "jobs.job_bar.poll",
         "shell.places.places",
+        "shell.monitoring.metrics",
         "shell.playback.play",
         "shell.sign_in.who_am_i",
         "shell.state.show_datasets",

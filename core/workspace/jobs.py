@@ -182,6 +182,23 @@ class JobTable:
         running: int = self._database.rows("SELECT count(*) FROM jobs WHERE state = 'running'")[0][0]
         return running
 
+    def counts(self) -> dict[str, int]:
+        """How many jobs there are in each state; dead workers have been noticed."""
+        self.bury_dead()
+        return dict(tuple(row) for row in self._database.rows("SELECT state, count(*) FROM jobs GROUP BY state"))
+
+    def interrupted(self, since: float) -> list[int]:
+        """The jobs whose worker vanished after ``since`` (seconds since 1970), once: of the same request no other job
+        is there, and none that broke off before. They may be started again, oldest first."""
+        self.bury_dead()
+        rows = self._database.rows(
+            "SELECT min(id) AS id FROM jobs GROUP BY key HAVING count(*) = 1 AND max(died) = 1 "
+            "AND max(state) = 'failed' AND max(error) = ? AND max(finished) > ? ORDER BY id",
+            STOPPED,
+            since,
+        )
+        return [int(row["id"]) for row in rows]
+
     def bury_dead(self) -> int:
         """Marks running jobs as failed whose worker is gone; they may be submitted again. How many there were."""
         gone = sum(_is_gone(row) for row in self._database.rows("SELECT * FROM jobs WHERE state = 'running'"))

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 REDIS = "MOTIONSCAPE_REDIS_URL"
 POLL = 0.2  # seconds between two looks at the table
+RESUMED = 3 * 24 * 3600.0  # seconds since a job broke off within which it is started again by itself
 RELAUNCH = 3.0  # seconds a worker has to appear before another is started
 
 # By workspace: the newest job that a worker was started for, and when.
@@ -60,6 +61,17 @@ def restart(workspace: Workspace, job_id: int) -> Job:
     job = workspace.jobs.submit(old.key, old.request, old.title)
     ensure_worker(workspace)
     return job
+
+
+def resume(workspace: Workspace) -> int:
+    """Starts the jobs again that broke off with their worker in the last days, each once; how many.
+
+    A job that breaks off again may be what ends its worker, and waits for a person.
+    """
+    ids = workspace.jobs.interrupted(time.time() - RESUMED)
+    for job_id in ids:
+        restart(workspace, job_id)
+    return len(ids)
 
 
 def ensure_worker(workspace: Workspace) -> bool:

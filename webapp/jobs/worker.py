@@ -14,6 +14,7 @@ from __future__ import annotations
 import contextlib
 import multiprocessing
 import os
+import shutil
 import signal
 import sys
 import threading
@@ -30,6 +31,9 @@ if TYPE_CHECKING:
 GRACE = 0.8  # seconds a job has to stop by itself before its process is ended
 BEAT = 0.2  # seconds between two looks at the table
 FORKS = sys.platform not in ("win32", "darwin")  # on macOS system libraries may not be used after a fork
+PATIENCE = 60.0  # seconds to write the end of a job where the table cannot be written
+LEAST_ROOM = 1 << 22  # bytes on the disk below which a job breaks off because it can store nothing
+DISK_FULL = "The disk is full; free some space and run it again."
 OUT_OF_MEMORY = (
     "The system ended the worker, most likely because memory ran out. "
     "Close other programs, or take fewer clips or a lower frame rate, and run it again."
@@ -81,17 +85,39 @@ def supervise(workspace: Workspace, job: Job) -> None:
     with contextlib.suppress(OSError):
         if log.stat().st_size == 0:
             log.unlink()
-    after = workspace.jobs.get(job.id)
-    if after is None or not after.alive:
-        return
-    if ended_by_us or after.cancelling:
-        workspace.jobs.stopped(job.id)
-    elif child.exitcode == -getattr(signal, "SIGKILL", 9):
-        workspace.jobs.fail(job.id, OUT_OF_MEMORY, died=True)
-    else:
-        from core.workspace.jobs import STOPPED
+    _note_end(workspace, job, ended_by_us, child.exitcode)
 
-        workspace.jobs.fail(job.id, STOPPED, died=True)
+
+def _note_end(workspace: Workspace, job: Job, ended_by_us: bool, exit_code: int | None) -> None:
+    """Writes how a job ended into the table, where its child could not. A full disk is waited for a while."""
+    from core.workspace import WorkspaceError
+
+    deadline, full = time.monotonic() + PATIENCE, _is_full(workspace)
+    while True:
+        try:
+            after = workspace.jobs.get(job.id)
+            if after is None or not after.alive:
+                return
+            if ended_by_us or after.cancelling:
+                return workspace.jobs.stopped(job.id)
+            return workspace.jobs.fail(job.id, DISK_FULL if full else _why(exit_code), died=True)
+        except WorkspaceError:
+            if time.monotonic() > deadline:
+                raise
+            full = full or _is_full(workspace)
+            time.sleep(1.0)
+
+
+def _why(exit_code: int | None) -> str:
+    from core.workspace.jobs import STOPPED
+
+    return OUT_OF_MEMORY if exit_code == -getattr(signal, "SIGKILL", 9) else STOPPED
+
+
+def _is_full(workspace: Workspace) -> bool:
+    with contextlib.suppress(OSError):
+        return shutil.disk_usage(workspace.path).free < LEAST_ROOM
+    return False
 
 
 def _prepare(method: str) -> None:

@@ -13,8 +13,6 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
-import pyarrow as pa
-from pyarrow import csv
 
 from core.mocap.errors import RecordingError
 from core.mocap.points.figure import Points
@@ -236,6 +234,9 @@ def _tidy_columns(head: str) -> tuple[str, dict[str, str]] | None:
 
 
 def _tidy(path: Path, name: str, data: bytes) -> Points:
+    import pyarrow as pa  # starts a thread, and a worker that forks may have none
+    from pyarrow import csv
+
     found = _tidy_columns(decoded(data[: 1 << 16]))
     assert found is not None
     divider, columns = found

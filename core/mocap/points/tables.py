@@ -8,8 +8,6 @@ from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
-import pyarrow as pa
-from pyarrow import csv
 
 from core.mocap.errors import RecordingError
 from core.mocap.text import decoded, quoted
@@ -69,6 +67,8 @@ def read_table(path: str | Path, data: bytes, line: int, divider: str, columns: 
     if divider == ";" and b"," in data:
         data = data.replace(b",", b".")  # decimal commas
     if divider != " ":
+        import pyarrow as pa  # starts a thread, and a worker that forks may have none
+
         try:
             return _fast(data, divider, columns)
         except (pa.ArrowInvalid, pa.ArrowNotImplementedError, pa.ArrowKeyError):
@@ -77,6 +77,9 @@ def read_table(path: str | Path, data: bytes, line: int, divider: str, columns: 
 
 
 def _fast(data: bytes, divider: str, columns: int) -> np.ndarray:
+    import pyarrow as pa
+    from pyarrow import csv
+
     names = [str(k) for k in range(columns)]
     table = csv.read_csv(
         io.BytesIO(data),

@@ -6,17 +6,19 @@ import subprocess
 import sys
 import threading
 import time
+from collections import namedtuple
 
 import psutil
 import pytest
 
 from core import analyses, estimates
 from core.workspace import Workspace, WorkspaceError
+from core.workspace.jobs import STOPPED
 from tests import toy_method
 from tests.core.workspace.test_jobs import wait_for
 from tests.toy_method import REPOSITORY, make_dataset
 from webapp import jobs
-from webapp.jobs import job_bar, launching
+from webapp.jobs import job_bar, launching, worker
 
 
 @pytest.fixture
@@ -183,3 +185,39 @@ def test_a_job_that_would_take_too_much_asks_first(workspace, monkeypatch):
     assert not job_bar.read_pulse(workspace).busy
     workspace.jobs.release(job.id)
     assert jobs.ensure_worker(workspace) and ended(workspace, job).state == "done"
+
+
+def test_a_job_that_broke_off_starts_again_with_the_next_server_but_only_once(workspace, monkeypatch):
+    monkeypatch.setattr(launching, "launch", lambda path: None)
+    table = workspace._database
+    for seconds, error in ((1, STOPPED), (2, worker.OUT_OF_MEMORY), (3, STOPPED)):
+        job = jobs.start(workspace, toy_method.request(seconds=seconds))
+        workspace.jobs.claim(job.id)
+        workspace.jobs.fail(job.id, error, died=True)
+    with table.transaction("make it old") as rows:
+        rows.execute("UPDATE jobs SET finished = 5 WHERE id = ?", (job.id,))
+    assert jobs.resume(workspace) == 1  # neither what took the memory, nor what nobody has missed for long
+    again = workspace.jobs.list()[0]
+    assert again.state == "queued" and again.request["parameters"]["seconds"] == 1
+    assert jobs.resume(workspace) == 0
+    workspace.jobs.claim(again.id)
+    workspace.jobs.fail(again.id, STOPPED, died=True)
+    assert jobs.resume(workspace) == 0
+
+
+@pytest.mark.parametrize("exit_code", [7, -signal.SIGKILL])
+def test_a_disk_that_fills_up_is_named(workspace, monkeypatch, exit_code):
+    monkeypatch.setattr(launching, "launch", lambda path: None)
+    job = workspace.jobs.claim(jobs.start(workspace, toy_method.request()).id)
+    monkeypatch.setattr(worker.shutil, "disk_usage", lambda path: namedtuple("Usage", "free")(1000))
+    fail, tries = workspace.jobs.fail, []
+
+    def busy_at_first(*arguments, **more):
+        tries.append(1)
+        if len(tries) == 1:
+            raise WorkspaceError("Could not note the end of the job: the disk is full.")
+        fail(*arguments, **more)
+
+    monkeypatch.setattr(workspace.jobs, "fail", busy_at_first)
+    worker._note_end(workspace, job, False, exit_code)
+    assert workspace.jobs.get(job.id).error == worker.DISK_FULL and len(tries) == 2
