@@ -218,7 +218,7 @@ def test_a_zip_is_unpacked_and_told(workspace, recordings):
     good = (recordings / "walk_0.bvh").read_bytes()
     content = packed(
         **{"in/a__bvh": good, "in/b__bvh": b"nonsense", "in/index__csv": "clip,content,take\na,stroll,1\n"},
-        **{"__MACOSX/._a__bvh": b"x", "readme__txt": "hello", "more__zip": b"PK", "../evil__bvh": good},
+        **{"__MACOSX/._a__bvh": b"x", "readme__pdf": "hello", "more__zip": b"PK", "../evil__bvh": good},
     )
     report = workspace.import_upload("zipped", upload(workspace, walks__zip=content))
     told = {file.path: file for file in report.files}
@@ -252,7 +252,7 @@ def test_links_are_never_followed(workspace, recordings, tmp_path):
     ("content", "words"),
     [
         (b"PK\x03\x04 no zip", "archive is damaged"),
-        (packed(a__txt="x"), "no recording, skeleton or CSV file in it"),
+        (packed(a__pdf="x"), "no recording, skeleton or CSV file in it"),
         (packed(**{f"{k}__bvh": "x" for k in range(4)}), "holds 4 recordings; an upload takes at most 3"),
         (packed(a__bvh="0" * 3_000_000), "grows beyond 1 MB"),
         (packed(a__bvh="HIERARCHY" * 9)[:-40].replace(b"HIER", b"XIER"), "damaged"),
