@@ -163,7 +163,8 @@ def _limb_by_name(skeleton: Skeleton, parsed: list[ParsedName], side: str, limb:
     for j, (joint_side, part) in helpers_last:
         if joint_side == side and not skeleton.end_sites[j]:
             first.setdefault(part, j)
-    first = with_thigh(first)
+    alike = [j for j, part in enumerate(parsed) if part == (side, limb) and not skeleton.end_sites[j]]
+    first = with_thigh(first, len(alike) if limb == "leg" else 1)
     joints: dict[str, int] = {}
     for part in CHOOSING_ORDER[limb]:
         name = next((n for n in LIMB_NAMES[limb][part] if n in first and first[n] not in joints.values()), None)
@@ -172,6 +173,8 @@ def _limb_by_name(skeleton: Skeleton, parsed: list[ParsedName], side: str, limb:
     upper, middle, lower = LEG if limb == "leg" else ARM
     if middle not in joints and {upper, lower} <= joints.keys():
         joints |= _between(skeleton, joints[upper], joints[lower], middle)
+    if middle not in joints and joints.get(upper) in alike[:1] and len(alike) > 1:  # leg1, leg2
+        joints[middle] = alike[1]
     chain = [joints[part] for part in LIMB_NAMES[limb] if part in joints]
     hangs = all(a in shape.ancestors(skeleton, b) for a, b in pairwise(chain))
     return {part: joints[part] for part in LIMB_NAMES[limb] if part in joints} if hangs else {}

@@ -16,14 +16,26 @@ from typing import NamedTuple
 LIMB_NAMES: dict[str, dict[str, tuple[str, ...]]] = {
     "leg": {
         "hip": ("upleg", "upperleg", "uleg", "thigh", "femur", "legupper", "hip", "足"),
-        "knee": ("lowerleg", "lowleg", "loleg", "calf", "tibia", "shin", "knee", "leglower", "ひざ", "leg"),
-        "ankle": ("ankle", "foot", "足首"),
+        "knee": ("lowerleg", "lowleg", "loleg", "calf", "tibia", "shin", "shank", "knee", "leglower", "ひざ", "leg"),
+        "ankle": ("ankle", "foot", "talus", "足首"),
         "toe": ("toebase", "toes", "toe", "ball", "forefoot", "foot", "つま先"),
     },
     "arm": {
         "clavicle": ("clavicle", "collar", "collarbone", "clav", "scapula", "shoulder", "肩"),
         "shoulder": ("upperarm", "uparm", "uarm", "humerus", "armupper", "shldr", "arm", "shoulder", "腕"),
-        "elbow": ("forearm", "lowerarm", "lowarm", "loarm", "farm", "radius", "elbow", "armlower", "ひじ"),
+        "elbow": (
+            "forearm",
+            "lowerarm",
+            "lowarm",
+            "loarm",
+            "farm",
+            "larm",
+            "ulna",
+            "radius",
+            "elbow",
+            "armlower",
+            "ひじ",
+        ),
         "wrist": ("wrist", "hand", "手首"),
     },
 }
@@ -49,10 +61,11 @@ _KNOWN = {name for limb in LIMB_NAMES.values() for names in limb.values() for na
 _THIGHS, _SHINS = LIMB_NAMES["leg"]["hip"], LIMB_NAMES["leg"]["knee"][:-1]
 
 
-def with_thigh(first: dict[str, int]) -> dict[str, int]:
-    """Parts of one side -> joints, in which a ``leg`` above a shin is the thigh where nothing else is (``LeftLeg``,
-    ``LeftShin``, as in SOMA)."""
-    if "leg" in first and any(name in first for name in _SHINS) and not any(name in first for name in _THIGHS):
+def with_thigh(first: dict[str, int], legs: int = 1) -> dict[str, int]:
+    """Parts of one side -> joints, in which a ``leg`` is the thigh where nothing else is and it stands above a shin
+    (``LeftLeg``, ``LeftShin``, as in SOMA) or another leg (``leg1``, ``leg2``). legs: how many joints are called so."""
+    shins = any(name in first for name in _SHINS)
+    if "leg" in first and (shins or legs > 1) and not any(name in first for name in _THIGHS):
         return {"thigh" if name == "leg" else name: joint for name, joint in first.items()}
     return first
 

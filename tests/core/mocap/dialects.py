@@ -494,6 +494,32 @@ DIALECTS: dict[str, Dialect] = {
         ("left", "right"),
         {"chest": ("jnt_spine_b",)},
     ),
+    "numbered": Dialect(
+        {
+            **{"pelvis": "pelvis", "spine": "spine1", "chest": "spine3", "neck": "neck", "head": "head"},
+            **_limbs("{n}.{s}", "clavicle arm1 arm2 hand leg1 leg2 foot toe"),
+        },
+        _lr,
+        {"chest": ("spine2",)},
+    ),
+    "robot": Dialect(
+        {
+            **{"pelvis": "pelvis", "spine": "waist_yaw_link", "chest": "torso_link", "head": "head_link"},
+            **_limbs("{s}_{n}_link", "- shoulder_pitch elbow wrist_roll hip_pitch knee ankle_pitch -"),
+        },
+        ("left", "right"),
+        {"elbow": ("{s}_shoulder_roll_link",), "knee": ("{s}_hip_roll_link",)},
+        metres=1.0,
+        up="z",
+    ),
+    "OpenSim": Dialect(
+        {
+            **{"pelvis": "pelvis", "chest": "torso", "head": "head"},
+            **_limbs("{n}_{s}", "- humerus ulna hand femur tibia talus toes"),
+        },
+        _lr,
+        metres=1.0,
+    ),
     "nameless": Dialect(
         {
             **{"pelvis": "Bone", "spine": "Bone.001", "chest": "Bone.002", "neck": "Bone.003", "head": "Bone.004"},
