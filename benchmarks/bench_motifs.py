@@ -137,9 +137,17 @@ def quality() -> list[str]:
     variants = {
         "**ours, default**": MotifParameters(),
         "ours, default at 60 fps": MotifParameters(analysis_fps=60),
+        "ours, random start": MotifParameters(start="random"),
         "ours, random seeding": MotifParameters(seeding="random"),
         "paper: spheres, kappa 200, V as printed": MotifParameters(
-            adjacency="spheres", kappa=200, tightness=0.0, join=0.0, min_seconds=0.0, hold=0.0, analysis_fps=120
+            adjacency="spheres",
+            kappa=200,
+            tightness=0.0,
+            join=0.0,
+            min_seconds=0.0,
+            hold=0.0,
+            analysis_fps=120,
+            start="random",
         ),
     }
     runs, cells = {}, {}

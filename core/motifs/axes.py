@@ -33,6 +33,7 @@ USUAL = PAPER | {
     "hold": (0.0, 0.25, 0.5),
     "slack": (0.0, 0.5, 1.0, 2.0),
     "seeding": ("largest", "random"),
+    "start": ("random", "split"),
     "sample": (4000, 8000, 16000),
 }
 """Values to begin with, for every parameter that can be an axis."""

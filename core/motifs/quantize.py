@@ -1,7 +1,12 @@
-"""Vector quantisation of poses into letters (MMG section 3.2): k-means++ on a sample, then Lloyd."""
+"""Vector quantisation of poses into letters (MMG section 3.2): a start on a sample of the poses, then Lloyd.
+
+The start is either k-means++ (random) or a division of the poses that uses no random number (split), so that the same
+motion always gives the same letters.
+"""
 
 from __future__ import annotations
 
+import heapq
 from typing import NamedTuple
 
 import faiss
@@ -12,6 +17,8 @@ from core.compiled import njit
 from core.motifs.adjacency import centre_distances
 from core.progress import Report, silent
 from core.sequences.ordering import ascending
+
+STARTS = ("split", "random")
 
 
 class Letters(NamedTuple):
@@ -48,6 +55,7 @@ def k_means(
     kappa: int,
     seed: int = 0,
     *,
+    start: str = "random",
     iterations: int = 25,
     sample: int = 20_000,
     tolerance: float = 1e-4,
@@ -56,18 +64,23 @@ def k_means(
     """Cluster poses ``(n, d)`` into at most ``kappa`` letters; same seed, same letters. Centres nobody uses are
     dropped.
 
-    k-means++ on at most ``sample`` poses, then Lloyd on all until the inertia falls by less than ``tolerance`` of
-    itself.
+    start: "random" = k-means++, "split" = :func:`split_start`, whatever the seed; on at most ``sample`` poses. Then
+    Lloyd on all until the inertia falls by less than ``tolerance`` of itself.
     Exact, but by the triangle inequality a pose is compared only with centres nearer to its own centre than twice its
     distance: about ten instead of all. Raises ValueError where kappa is below 1 or there is no pose.
     """
     x = np.ascontiguousarray(poses, np.float32)
+    if start not in STARTS:
+        raise ValueError(f"start must be one of {', '.join(STARTS)}, not {start!r}")
     if kappa < 1 or len(x) == 0:
         raise ValueError(f"k-means needs at least one cluster and one pose, not kappa = {kappa} and {len(x)} poses")
     rng = np.random.default_rng(seed)
-    part = x if len(x) <= sample else x[np.sort(rng.choice(len(x), sample, replace=False))]
     report("quantisation", 0.0)
-    centres = _plus_plus(part, min(kappa, len(part)), rng.random(min(kappa, len(part))))
+    if start == "split":
+        centres = split_start(x[np.linspace(0, len(x) - 1, min(len(x), sample)).astype(np.int64)], kappa)
+    else:
+        part = x if len(x) <= sample else x[np.sort(rng.choice(len(x), sample, replace=False))]
+        centres = _plus_plus(part, min(kappa, len(part)), rng.random(min(kappa, len(part))))
     labels = _nearest(x, centres)
     inertia = np.inf
     for i in range(iterations):
@@ -81,6 +94,46 @@ def k_means(
     used, labels = np.unique(labels, return_inverse=True)
     report("quantisation", 1.0)
     return Letters(centres[used], labels.astype(np.int32), np.sqrt(squares))
+
+
+def split_start(x: np.ndarray, kappa: int) -> np.ndarray:
+    """Centres ``(k, d)`` float32, at most ``kappa``, for poses ``(n, d)``: principal direction divisive partitioning.
+
+    The group with the largest sum of squared distances from its mean is divided at its mean, across the direction in
+    which it is widest, until there are so many groups or all poses of each are the same (Boley 1998; as a start of
+    k-means: Su and Dy 2007). The centres are their means. No random number is used.
+    """
+    groups = [(-_spread(x), 0, np.arange(len(x)))]
+    count = 1
+    done: list[np.ndarray] = []
+    while groups and len(groups) + len(done) < kappa:
+        spread, _, members = heapq.heappop(groups)
+        across = _widest(x[members])
+        left, right = members[across <= 0], members[across > 0]
+        if spread >= 0 or not len(left) or not len(right):
+            done.append(members)
+            continue
+        for part in (left, right):
+            heapq.heappush(groups, (-_spread(x[part]), count, part))
+            count += 1
+    everything = [*done, *(members for _, _, members in sorted(groups, key=lambda group: group[1]))]
+    return np.array([x[members].mean(0, dtype=np.float64) for members in everything], np.float32)
+
+
+def _spread(x: np.ndarray) -> float:
+    """Sum of squared distances from the mean."""
+    return float(x.var(0, dtype=np.float64).sum() * len(x))
+
+
+def _widest(x: np.ndarray) -> np.ndarray:
+    """Where poses ``(n, d)`` lie along the direction in which they differ most, ``(n,)``, from their mean.
+
+    Its sign is that of its largest entry, so that it does not depend on the library that computes it.
+    """
+    apart = x.astype(np.float64) - x.mean(0, dtype=np.float64)
+    direction = np.linalg.eigh(apart.T @ apart)[1][:, -1]
+    along: np.ndarray = apart @ (direction * np.sign(direction[np.abs(direction).argmax()]))
+    return along
 
 
 @njit(nogil=True)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from sklearn.cluster import KMeans
 
-from core.motifs.quantize import automatic_kappa, k_means
+from core.motifs.quantize import automatic_kappa, k_means, split_start
 
 
 def blobs(n=3000, d=6, seed=0):
@@ -55,3 +55,21 @@ def test_automatic_kappa_grows_with_frames_and_variety():
     still = np.repeat(walk[:400], 10, axis=0)
     assert automatic_kappa(still) < automatic_kappa(walk)
     assert automatic_kappa(np.ones((1, 3))) >= 2
+
+
+def test_a_split_start_is_the_same_for_every_seed_and_about_as_good():
+    x = blobs()
+    one, other = k_means(x, 60, 0, start="split"), k_means(x, 60, 7, start="split")
+    assert np.array_equal(one.labels, other.labels) and np.array_equal(one.centres, other.centres)
+    random = [(k_means(x, 60, seed).distances ** 2).sum() for seed in range(5)]
+    assert (one.distances**2).sum() < 1.1 * np.median(random)
+    with pytest.raises(ValueError, match="start"):
+        k_means(x, 3, start="middle")
+
+
+def test_split_start_divides_the_widest_group_across_its_widest_direction():
+    x = np.array([[0, 0], [0, 1], [10, 0], [10, 1], [30, 0], [30, 6]], np.float32)
+    assert sorted(split_start(x, 2).tolist()) == [[5, 0.5], [30, 3]]
+    assert sorted(split_start(x, 3).tolist()) == [[0, 0.5], [10, 0.5], [30, 3]]
+    assert len(split_start(x, 100)) == 6
+    assert len(split_start(np.zeros((5, 2), np.float32), 3)) == 1
