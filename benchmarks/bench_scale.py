@@ -154,7 +154,7 @@ def main(hundred: bool = False, only: list[str] | None = None) -> str:
             "looked at, 15 for the grammar. Recordings lie in a workspace, for the import as BVH files; reading them "
             f"is part of the time. The sweep has three points ({swept}), stability eleven analyses. "
             "Megabytes: the most the process had, mapped files included. Others used the two cores as well (load 4 to "
-            "14), so processor seconds say more than seconds on the clock. Exponent: of the processor time. "
+            "19), so processor seconds say more than seconds on the clock. Exponent: of the processor time. "
             "Standing: the longest time that stage and per cent on screen did not change, as a share of all. "
             "`python -m benchmarks scale`; with `python -m benchmarks.bench_scale --hundred` also a hundred hours.",
             "",
