@@ -371,6 +371,14 @@ class DemoParameters:
     seed: int = field(default=0, metadata={"min": 0, "max": 2**31})
 
 
+@dataclass(frozen=True)
+class ReportParameters:
+    """A report that the app writes: html or pdf; the id of its board, "" for one of the dataset."""
+
+    form: str = "html"
+    board: str = ""
+
+
 def _make_demo(workspace: Workspace, name: str, values: DemoParameters, report: Report) -> None:
     """Makes the demo data set where it is missing, and asks for what pages show of it."""
     from core.demo import make_demo
@@ -409,6 +417,11 @@ def point_key(fingerprint: str, point: Any) -> str:
     return result_key(fingerprint, Request("", "motifs", asdict(point)))
 
 
+def _report(workspace: Workspace, name: str, values: ReportParameters, report: Report) -> None:
+    """Reports are written by the server, which enters them as jobs that it works on itself."""
+    raise WorkspaceError("Only the app writes reports: ask for it again in the menu of the dataset or the board.")
+
+
 def _read_query(workspace: Workspace, name: str, values: QueryFileParameters, report: Report) -> None:
     """Reads an uploaded recording and keeps it under the key of the request (core/workspace/query_files.py)."""
     query_files.read_query_file(workspace, key(workspace, query_request(name, values.upload)), values, report)
@@ -421,6 +434,7 @@ TASKS: dict[str, Task] = {
     "reread": Task("Change how clips are read in", tasks.RereadParameters, tasks.reread_clips),
     "repair": Task("Repair clips of", tasks.RepairParameters, tasks.repair_clips),
     "edit": Task("Edit a clip of", tasks.EditParameters, tasks.edit_clip),
+    "report": Task("Report", ReportParameters, _report),
     "query": Task("Read", query_files.QueryFileParameters, _read_query),
     "demo": Task("Demo", DemoParameters, _make_demo),
     "sweep": Task("Sweep", SweepParameters, _sweep, analyses=True),

@@ -6,7 +6,8 @@ import hashlib
 import json
 import tempfile
 import threading
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Literal
@@ -15,7 +16,8 @@ import numpy as np
 
 from core.errors import MotionscapeError
 from core.progress import Cancelled
-from core.workspace import Board, ResultDamaged, Workspace
+from core.progress import Report as Progress
+from core.workspace import AccessRefused, Board, ResultDamaged, Workspace
 from webapp.features.boards.documents import fingerprints
 from webapp.features.boards.parts import Part
 from webapp.features.boards.report import make_report
@@ -37,6 +39,7 @@ class Writing:
     fraction: float = 0.0
     error: str = ""
     stopped: bool = False
+    job: int | None = None
     thread: threading.Thread | None = field(default=None, repr=False)
 
     def report(self, stage: str, fraction: float) -> None:
@@ -64,8 +67,9 @@ class Reports:
         with self._lock:
             writing = self._writing.get(key)
             if writing is None or (again and writing.error):
-                writing = self._writing[key] = Writing()
                 parts, title = asked_parts(board, dataset), title_of(board, dataset)
+                asked = {"form": form, "board": board.id if board else ""}
+                writing = self._writing[key] = Writing(job=self._entered(key, dataset, title, asked))
                 arguments = (writing, key, dataset, parts, title, form)
                 writing.thread = threading.Thread(target=self._write, args=arguments, daemon=True)
                 writing.thread.start()
@@ -84,10 +88,43 @@ class Reports:
         made = self._made(key)
         return (str(made[0]["name"]), made[1]) if made else None
 
+    def _entered(self, key: str, dataset: str, title: str, asked: dict[str, str]) -> int | None:
+        """The job of a report, so that the job bar shows and stops it; None for those who may start no jobs."""
+        request = {"dataset": dataset, "method": "report", "parameters": asked}
+        try:
+            job = self.workspace.jobs.submit(key, request, f"Report: {title}", held="The app writes it.")
+        except AccessRefused:
+            return None
+        claimed = self.workspace.jobs.claim(job.id)
+        return claimed.id if claimed else None
+
+    @contextmanager
+    def _told(self, writing: Writing) -> Iterator[Progress]:
+        """What notes progress, also in the table; there the job ends with the block, as the block does."""
+        if writing.job is None:
+            yield writing.report
+            return
+        jobs, job = self.workspace.jobs, writing.job
+        try:
+            with jobs.working(job) as tell:
+
+                def both(stage: str, fraction: float) -> None:
+                    writing.report(stage, fraction)
+                    tell(stage, fraction)
+
+                yield both
+        except Cancelled:
+            jobs.stopped(job)
+            raise
+        except Exception as error:
+            jobs.fail(job, str(error) if isinstance(error, MotionscapeError) else "Something went wrong on the server.")
+            raise
+        jobs.finish(job)
+
     def _write(self, writing: Writing, key: str, dataset: str, parts: Sequence[Part], title: str, form: Form) -> None:
         try:
-            with _turns:
-                made = make_report(self.workspace, dataset, parts, title, writing.report)
+            with self._told(writing) as report, _turns:
+                made = make_report(self.workspace, dataset, parts, title, report)
                 content = _printed(made.html) if form == "pdf" else made.html.encode()
                 facts = {"size": len(content), "left_out": list(made.left_out), "motion": made.motion}
                 document = {"format": FORMAT, "name": f"{title.replace('/', '-')}.{form}", **facts}
@@ -95,7 +132,7 @@ class Reports:
             with self._lock:
                 self._writing.pop(key, None)
         except Cancelled:
-            pass
+            writing.error = "Writing the report was stopped."
         except MotionscapeError as error:
             writing.error = str(error)
         except Exception as error:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import json
 import re
+import threading
 import time
 import zlib
 from dataclasses import replace
@@ -15,14 +16,15 @@ import pytest
 from core import analyses
 from core.errors import AnalysisError
 from core.mocap.clip import Label
-from core.workspace import Workspace
+from core.workspace import Workspace, WorkspaceError
 from core.workspace.blocks import Block
 from tests.webapp.generated import walkers
 from webapp.app import create_app
 from webapp.cli.main import main
-from webapp.features.boards import printing
+from webapp.features.boards import printing, report_writing
 from webapp.features.boards.parts import OVERVIEW, Part
 from webapp.features.boards.report import MOST_BYTES, make_report
+from webapp.features.boards.report_writing import Reports
 from webapp.features.boards.text import to_html
 from webapp.shell.browser import BROWSER
 from webapp.shell.feature import blocks
@@ -169,8 +171,45 @@ def test_the_app_writes_a_report_and_says_its_size_first(workspace):
         time.sleep(0.1)
         state = ask("walks").json
     assert state["ready"] and state["motion"]
+    (job,) = (job for job in workspace.jobs.list() if job.request["method"] == "report")
+    assert job.title == "Report: walks: overview" and job.state == "done"
     answer = ask(f"walks/{state['key']}")
     assert len(answer.data) == state["size"] and answer.data.startswith(b"<!doctype html>")
     assert "walks%3A%20overview.html" in answer.headers["Content-Disposition"]
     assert ask("walks/" + "0" * 32).status_code == 404 and ask("nobody").status_code == 400
     assert ask("walks?form=exe").status_code == 400
+
+
+def test_a_report_is_stopped_from_the_job_bar(workspace, monkeypatch):
+    reports, begun = Reports(workspace), threading.Event()
+
+    def endless(_workspace, _name, _parts, _title, report):
+        begun.set()
+        for _ in range(2000):
+            report("drawing", 0.5)
+            time.sleep(0.01)
+        raise AssertionError("nobody stopped it")
+
+    monkeypatch.setattr(report_writing, "make_report", endless)
+    reports.ask("walks", None, "pdf")
+    assert begun.wait(30)
+    job = workspace.jobs.latest(reports.ask("walks", None, "pdf")["key"])
+    assert job.state == "running" and job.request["parameters"] == {"form": "pdf", "board": ""}
+    workspace.jobs.cancel(job.id)
+    for _ in range(300):
+        if reports.ask("walks", None, "pdf")["error"]:
+            break
+        time.sleep(0.05)
+    assert reports.ask("walks", None, "pdf")["error"] == "Writing the report was stopped."
+    assert workspace.jobs.get(job.id).state == "cancelled"
+
+    def refused(*_):
+        raise WorkspaceError("The disk is full.")
+
+    monkeypatch.setattr(report_writing, "make_report", refused)
+    key = reports.ask("walks", None, "pdf", again=True)["key"]
+    for _ in range(300):
+        if not workspace.jobs.latest(key).alive:
+            break
+        time.sleep(0.05)
+    assert workspace.jobs.latest(key).error == "The disk is full."
