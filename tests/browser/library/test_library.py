@@ -43,7 +43,7 @@ def recordings(tmp_path: Path) -> list[Path]:
     (folder / "cut.bvh").write_text(whole[: whole.index("MOTION") // 2])
     start = whole.index("\n", whole.index("Frame Time:"))
     (folder / "nan.bvh").write_text(whole[:start] + re.sub(r"\S+", "nan", whole[start:]))
-    (folder / "notes.txt").write_text("hello")
+    (folder / "notes.pdf").write_text("hello")
     return sorted(folder.iterdir())
 
 
@@ -78,7 +78,7 @@ def test_good_files_are_kept_and_bad_ones_explained(show, recordings, workspace)
     page = show("/library")
     choose(page, recordings)
     expect(page.locator("#upload-list .upload-ok")).to_have_count(4)
-    expect(page.locator("#upload-summary")).to_contain_text("1 TXT left out")
+    expect(page.locator("#upload-summary")).to_contain_text("1 PDF left out")
     page.fill("#upload-name", "Morning session")
     page.click("#upload-import")
     expect(page.locator(".dataset-card.chosen")).to_contain_text("Morning session", timeout=PATIENCE)
