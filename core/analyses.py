@@ -9,18 +9,17 @@ from __future__ import annotations
 import hashlib
 import json
 import time
-import traceback
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager, suppress
-from dataclasses import asdict, dataclass, field
-from datetime import datetime
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from core.caching import RecentCache
-from core.errors import AnalysisError, LoggedBug, MotionscapeError, ParameterError, new_bug_id
+from core.errors import AnalysisError, ParameterError
 from core.estimates import advice_for, amount_of, estimate, note_cost
 from core.grammar.table import TableParameters, part_report
+from core.job_errors import failure, failure_elsewhere
 from core.machine import PeakMemory
 from core.methods import METHODS, Method
 from core.motifs.axes import SweepParameters
@@ -34,7 +33,6 @@ from core.workspace import (
     ResultDamaged,
     Workspace,
     WorkspaceError,
-    explain,
     query_files,
     tasks,
     was_interrupted,
@@ -48,7 +46,6 @@ if TYPE_CHECKING:
 DEMO = "demo"  # name of the embedded data set
 EVERYTHING = ("motifs", "map", "search", "grammar")  # what pages show of a dataset, first what most of them need
 _POLL = 0.1  # seconds between two looks at a job that another process works on
-_KEPT_LOGS = 50
 
 
 @dataclass(frozen=True)
@@ -190,7 +187,7 @@ def run(workspace: Workspace, request: Request, report: Report = silent) -> Any:
         if job.state == "cancelled":
             raise Cancelled
         if job.state == "failed" and not job.died:
-            raise _failure_elsewhere(workspace, job)
+            raise failure_elsewhere(workspace, job)
         if job.state == "done" and request.method in TASKS:
             return None
     raise AnalysisError("The worker of this analysis stopped again and again; see the logs of the workspace.")
@@ -227,9 +224,9 @@ def execute(workspace: Workspace, job: Job, report: Report = silent) -> Any:
             if was_interrupted(error):
                 workspace.jobs.stopped(job.id)
                 raise KeyboardInterrupt from error
-            failure = _failure(workspace, job, error)
-            workspace.jobs.fail(job.id, str(failure))
-            raise failure from error
+            told = failure(workspace, job, error)
+            workspace.jobs.fail(job.id, str(told))
+            raise told from error
     workspace.jobs.finish(job.id)
     return result
 
@@ -320,34 +317,6 @@ def _load(workspace: Workspace, method: str, result_key: str) -> Any | None:
     return result
 
 
-def _failure(workspace: Workspace, job: Job, error: Exception) -> AnalysisError:
-    """The message for the person. Errors that are not meant for people go to a log file of the workspace."""
-    if isinstance(error, MotionscapeError):
-        return AnalysisError(str(error))
-    bug_id, log = new_bug_id(), workspace.logs / f"job-{job.id}.log"
-    with suppress(OSError):
-        trace = "".join(traceback.format_exception(error))
-        head = f"{datetime.now():%Y-%m-%d %H:%M:%S} {bug_id} {job.title} {job.request}"
-        log.write_text(f"{head}\n{trace}", encoding="utf-8")
-        for old in sorted(workspace.logs.glob("job-*"), key=lambda path: path.stat().st_mtime)[:-_KEPT_LOGS]:
-            old.unlink()
-    if isinstance(error, OSError | MemoryError):
-        return AnalysisError(f"{job.title} failed: {explain(error)}.")
-    where = f"The details stand in logs/{log.name} of the workspace"
-    return LoggedBug(f"{job.title} failed because of a fault in Motionscape. {where} (error {bug_id}).", bug_id)
-
-
-def _failure_elsewhere(workspace: Workspace, job: Job) -> AnalysisError:
-    """What ended a job that another process worked on: a LoggedBug where its log has the id that the job's error
-    names."""
-    try:
-        head = (workspace.logs / f"job-{job.id}.log").read_text(encoding="utf-8").split(maxsplit=3)
-    except (OSError, UnicodeDecodeError):
-        return AnalysisError(job.error)
-    bug_id = head[2] if len(head) > 2 else ""  # after the date and the time
-    return LoggedBug(job.error, bug_id) if bug_id and f"(error {bug_id})" in job.error else AnalysisError(job.error)
-
-
 def _digest(*parts: object) -> str:
     return hashlib.blake2b(json.dumps(parts, sort_keys=True).encode(), digest_size=16).hexdigest()
 
@@ -363,23 +332,7 @@ def _kind(method: str) -> type:
 _results: RecentCache[tuple[Path, str, str], Any] = RecentCache(16)  # by workspace, method and key
 
 
-@dataclass(frozen=True)
-class DemoParameters:
-    """The embedded data set: its length, and the seed it grows from."""
-
-    minutes: float = field(default=6.0, metadata={"min": 0.5, "max": 600})
-    seed: int = field(default=0, metadata={"min": 0, "max": 2**31})
-
-
-@dataclass(frozen=True)
-class ReportParameters:
-    """A report that the app writes: html or pdf; the id of its board, "" for one of the dataset."""
-
-    form: str = "html"
-    board: str = ""
-
-
-def _make_demo(workspace: Workspace, name: str, values: DemoParameters, report: Report) -> None:
+def _make_demo(workspace: Workspace, name: str, values: tasks.DemoParameters, report: Report) -> None:
     """Makes the demo data set where it is missing, and asks for what pages show of it."""
     from core.demo import make_demo
 
@@ -417,7 +370,7 @@ def point_key(fingerprint: str, point: Any) -> str:
     return result_key(fingerprint, Request("", "motifs", asdict(point)))
 
 
-def _report(workspace: Workspace, name: str, values: ReportParameters, report: Report) -> None:
+def _report(workspace: Workspace, name: str, values: tasks.ReportParameters, report: Report) -> None:
     """Reports are written by the server, which enters them as jobs that it works on itself."""
     raise WorkspaceError("Only the app writes reports: ask for it again in the menu of the dataset or the board.")
 
@@ -434,9 +387,9 @@ TASKS: dict[str, Task] = {
     "reread": Task("Change how clips are read in", tasks.RereadParameters, tasks.reread_clips),
     "repair": Task("Repair clips of", tasks.RepairParameters, tasks.repair_clips),
     "edit": Task("Edit a clip of", tasks.EditParameters, tasks.edit_clip),
-    "report": Task("Report", ReportParameters, _report),
+    "report": Task("Report", tasks.ReportParameters, _report),
     "query": Task("Read", query_files.QueryFileParameters, _read_query),
-    "demo": Task("Demo", DemoParameters, _make_demo),
+    "demo": Task("Demo", tasks.DemoParameters, _make_demo),
     "sweep": Task("Sweep", SweepParameters, _sweep, analyses=True),
     "grammar-table": Task("Compare numbers of actions", TableParameters, _grammar_table, analyses=True),
 }

@@ -109,6 +109,22 @@ class EditParameters:
     into: str = ""
 
 
+@dataclass(frozen=True)
+class DemoParameters:
+    """The embedded data set: its length, and the seed it grows from."""
+
+    minutes: float = field(default=6.0, metadata={"min": 0.5, "max": 600})
+    seed: int = field(default=0, metadata={"min": 0, "max": 2**31})
+
+
+@dataclass(frozen=True)
+class ReportParameters:
+    """A report that the app writes: html or pdf; the id of its board, "" for one of the dataset."""
+
+    form: str = "html"
+    board: str = ""
+
+
 def import_upload(workspace: Workspace, name: str, values: ImportParameters, report: Report) -> None:
     """Imports an upload as the data set ``name``; raises as Workspace.import_upload."""
     workspace.import_upload(
