@@ -4027,7 +4027,7 @@
     event.preventDefault();
     openPalette();
   });
-  async function openPalette() {
+  function openPalette() {
     const field = withAttributes(element("input"), { type: "search", placeholder: "A page, a clip, a motif, a setting, a board ...", "aria-label": "Go to", autocomplete: "off" });
     const list3 = withAttributes(element("div", "boards-found"), { role: "group", "aria-label": "Found" });
     const dialog2 = openWindow("Go to", element("div", "boards-form", field, list3));
@@ -4049,7 +4049,10 @@
         return entry;
       }), found.length ? "" : element("p", "muted", "Nothing is called so."));
     };
-    field.addEventListener("input", show6);
+    let shown9 = Promise.resolve();
+    field.addEventListener("input", () => {
+      shown9 = show6();
+    });
     dialog2.addEventListener("keydown", (event) => {
       const entries = allWithin(list3, "button");
       const at3 = entries.indexOf(
@@ -4057,14 +4060,14 @@
         document.activeElement
       );
       if (event.key === "Escape") dialog2.close();
-      else if (event.key === "Enter" && at3 < 0) entries[0]?.click();
+      else if (event.key === "Enter" && at3 < 0) shown9.then(() => allWithin(list3, "button")[0]?.click());
       else if (event.key === "ArrowDown") entries[Math.min(at3 + 1, entries.length - 1)]?.focus();
       else if (event.key === "ArrowUp") (at3 > 0 ? entries[at3 - 1] : field).focus();
       else return;
       event.preventDefault();
     });
     field.focus();
-    await show6();
+    shown9 = show6();
   }
   function unfold(id, begun = performance.now()) {
     const head3 = find(id)?.querySelector("button[aria-expanded]");

@@ -30,7 +30,7 @@ document.addEventListener("keydown", (event) => {
   openPalette();
 });
 
-async function openPalette() {
+function openPalette() {
   const field = withAttributes(element("input"), { type: "search", placeholder: "A page, a clip, a motif, a setting, a board ...", "aria-label": "Go to", autocomplete: "off" });
   const list = withAttributes(element("div", "boards-found"), { role: "group", "aria-label": "Found" });
   const dialog = openWindow("Go to", element("div", "boards-form", field, list));
@@ -53,19 +53,20 @@ async function openPalette() {
       return entry;
     }), found.length ? "" : element("p", "muted", "Nothing is called so."));
   };
-  field.addEventListener("input", show);
+  let shown = Promise.resolve();
+  field.addEventListener("input", () => { shown = show(); });
   dialog.addEventListener("keydown", (event) => {
     const entries = allWithin(list, "button");
     const at = entries.indexOf(/** @type {any} */ (document.activeElement));
     if (event.key === "Escape") dialog.close(); // a search field would be emptied first
-    else if (event.key === "Enter" && at < 0) entries[0]?.click();
+    else if (event.key === "Enter" && at < 0) shown.then(() => allWithin(list, "button")[0]?.click()); // of what was typed last
     else if (event.key === "ArrowDown") entries[Math.min(at + 1, entries.length - 1)]?.focus();
     else if (event.key === "ArrowUp") (at > 0 ? entries[at - 1] : field).focus();
     else return;
     event.preventDefault();
   });
   field.focus();
-  await show();
+  shown = show();
 }
 
 /** Open a folded part of the page when it has come. @param {string} id @param {number} [begun] */

@@ -73,6 +73,7 @@ def test_axe_finds_nothing_serious_on_any_page(show, workspace, scheme):
         "map": "#map-graph .main-svg",
         "search": "#search-body svg",
         "grammar": "#page .empty-state",
+        "groups": "#page h1",
         "clip": "#clip-graph .main-svg",
         "boards": "#page h2",
     }.items():

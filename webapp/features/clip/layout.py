@@ -41,7 +41,10 @@ def page() -> Component:
                     html.Div(id=names.CLIP_FACTS, className="muted clip-facts"),
                     _choosers(),
                     html.Div(
-                        id=names.CLIP_LEGEND, className="clip-legend", **attributes(aria_label="Values at the cursor")
+                        id=names.CLIP_LEGEND,
+                        className="clip-legend",
+                        role="group",
+                        **attributes(aria_label="Values at the cursor"),
                     ),
                     _chart(),
                     html.Div(id=names.CLIP_RANGE, className="clip-range"),

@@ -81,9 +81,9 @@ def detail(
                     dmc.TabsTab(f"Clips of {name}", value="clips", className="clips-tab"),
                     dmc.TabsTab("Import report", value="report", rightSection=badge),
                     html.Div(id=names.CLIPS_CHOSEN, className="clips-chosen"),
-                    *([action] if action else []),
                 ]
             ),
+            *([action] if action else []),
             dmc.TabsPanel(
                 [tables["clips"], dcc.Store(id=names.CLIPS_MARKED), dcc.Store(id=names.CLIPS_ALL)],
                 value="clips",
