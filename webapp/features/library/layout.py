@@ -110,7 +110,7 @@ def analyse_button(name: str, expected: Sequence[str]) -> Component:
             "Analyse everything",
             className="for-editors",
             size="compact-sm",
-            variant="light",
+            variant="default",
             leftSection=icon("spark", 14),
             **sends(names.DATASET_ACTION, {"action": "analyse", "dataset": name}, every_time=True),
         ),
