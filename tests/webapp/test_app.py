@@ -111,6 +111,7 @@ def test_the_bar_shows_what_runs_and_what_failed(workspace):
     pulse = job_bar.read_pulse(workspace)
     assert pulse.busy and [j.id for j in pulse.jobs] == [job.id]
     waits = {"id": job.id, "title": job.title, "stage": "waiting for its turn", "percent": None, "stopping": False}
+    waits |= {"held": False, "expected": ""}
     assert job_bar.rows(pulse.jobs) == [waits] and misfit([waits], names.JOBS_SHOWN) is None
     workspace.jobs.fail(job.id, "The disk is full.")
     failed = job_bar.read_pulse(workspace)

@@ -69,10 +69,10 @@ def test_an_open_page_recovers_when_the_server_is_killed_and_started_again(works
         with server(workspace.path, port):
             wait_for(lambda: workspace.jobs.list()[0].id != job.id)  # the server starts it again by itself
             expect(page.locator(".job:not(.job-failed)", has_text="Demo: long")).to_be_visible()
-            expect(page.locator(".spinner")).to_have_count(0)
             expect(page.locator(".job-failed")).to_have_count(0)
             page.get_by_role("button", name="Cancel").click()
             expect(page.locator(".job")).to_have_count(0)
+            expect(page.locator(".spinner")).to_have_count(0)
     finally:
         for one in workspace.jobs.list():
             workspace.jobs.cancel(one.id)

@@ -110,7 +110,7 @@ def test_who_waits_for_the_job_of_another_process_is_told_of_its_bug_too(workspa
     (job,) = workspace.jobs.list()
     waiting = type(workspace.jobs)
     monkeypatch.setattr(waiting, "claim", lambda *_: None)  # as where another process was quicker
-    monkeypatch.setattr(waiting, "submit", lambda *_: job)
+    monkeypatch.setattr(waiting, "submit", lambda *_, **__: job)
     with pytest.raises(LoggedBug) as shown:
         analyses.run(workspace, toy_method.request())
     assert str(shown.value) == str(first.value) and shown.value.bug_id == first.value.bug_id
