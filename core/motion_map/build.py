@@ -50,6 +50,12 @@ class MapParameters:
         "How smooth the map ends up: higher keeps neighbours more alike, lower follows single postures.",
         0.2, 5.0, 0.1, label="Smoothness (sigma)",
     )  # fmt: skip
+    ridge: float = parameter(
+        0.15,
+        "How high a ridge between two regions must be, in standard deviations of all heights; 0: every ridge divides, "
+        "as in the 2004 paper.",
+        0.0, 5.0, 0.05, label="Height of ridges",
+    )  # fmt: skip
     epochs: int = parameter(24, "How many times the map is adapted.", 1, 1000, 1, advanced=True, label="Rounds")
     training: str = parameter(
         "batch",
@@ -73,6 +79,8 @@ class MapParameters:
         parse_grid(self.grid)
         if not (50 <= self.samples <= 100_000 and 0.2 <= self.sigma <= 5.0 and 1 <= self.epochs <= 1000):
             raise ParameterError("samples must be 50 to 100000, sigma 0.2 to 5, epochs 1 to 1000")
+        if not 0 <= self.ridge <= 5:
+            raise ParameterError("ridge must be 0 to 5")
         if self.training not in ("batch", "online") or not 1 <= self.passes <= 10_000:
             raise ParameterError("training must be batch or online, with 1 to 10000 passes")
         if self.model and not re.fullmatch(r"[0-9a-f]{8,64}", self.model):
@@ -119,7 +127,7 @@ def build_motion_map(
                 samples, grid, epochs=parameters.epochs, sigma=sigma, seed=parameters.seed, report=report
             )
     with timed("regions", seconds):
-        regions = find_regions(weights)
+        regions = find_regions(weights, parameters.ridge)
     with timed("runs", seconds):
         report("runs", 0.0)
         nodes, distances = best_nodes(postures.vectors, weights, partial(report, "runs"))

@@ -1,4 +1,10 @@
-"""Regions of a map: ridges of the U-matrix divide it, and each part is shown by one posture (MAP section 3.2)."""
+"""Regions of a map: ridges of the U-matrix divide it, and each part is shown by one posture (MAP section 3.2).
+
+In the paper every ridge divides, however low. Most of the ridges of a map are noise: two postures that somebody holds
+give dozens of regions. So a ridge must have a height: a region is a basin of the U-matrix, and two basins stay apart
+where the pass between them lies so much higher than the bottom of the shallower one (its persistence, Edelsbrunner et
+al. 2002).
+"""
 
 from __future__ import annotations
 
@@ -28,23 +34,68 @@ def borders(heights: np.ndarray) -> np.ndarray:
     return is_border
 
 
-def find_regions(weights: np.ndarray) -> np.ndarray:
+def find_regions(weights: np.ndarray, ridge: float = 0.0) -> np.ndarray:
     """Region ``(nx, ny)`` int of every node, from 0, in the order of the regions' first nodes.
 
-    Nodes that are no border make regions where they touch along rows and columns (with diagonals the ridges would
-    leak); then border nodes join, nearest model vector first, the region of a neighbour, until all have one. A map of
-    borders only is one region. weights: model vectors ``(nx, ny, d)``.
+    weights: model vectors ``(nx, ny, d)``. ridge: how high a ridge must be, in standard deviations of the heights;
+    0: every ridge divides, as in the paper, see :func:`paper_regions`. Raises ValueError for a negative ridge.
     """
-    components, n = label(~borders(u_matrix(weights)))
-    if n == 0:
-        return np.zeros(weights.shape[:2], int)
-    regions = components - 1
-    _join_borders(regions, weights)
+    if ridge < 0:
+        raise ValueError(f"a ridge cannot be {ridge} high")
+    regions = _basins(weights, ridge) if ridge else paper_regions(weights)
     order: dict[int, int] = {}
     for region in regions.ravel():
         order.setdefault(int(region), len(order))
     ordered: np.ndarray = np.vectorize(order.__getitem__, otypes=[int])(regions)
     return ordered
+
+
+def paper_regions(weights: np.ndarray) -> np.ndarray:
+    """Region ``(nx, ny)`` int of every node.
+
+    Nodes that are no border make regions where they touch along rows and columns (with diagonals the ridges would
+    leak); then border nodes join, nearest model vector first, the region of a neighbour, until all have one. A map of
+    borders only is one region.
+    """
+    components, n = label(~borders(u_matrix(weights)))
+    if n == 0:
+        return np.zeros(weights.shape[:2], int)
+    regions: np.ndarray = components - 1
+    _join_borders(regions, weights)
+    return regions
+
+
+def _basins(weights: np.ndarray, ridge: float) -> np.ndarray:
+    """Basins of the U-matrix whose passes are ``ridge`` standard deviations above their bottoms.
+
+    Nodes come by rising height. One without a neighbour below it begins a basin; any other joins that of the neighbour
+    it is most like, and makes one of the basins that meet there and are too shallow.
+    """
+    heights = u_matrix(weights)
+    nx, ny = heights.shape
+    least, flat = ridge * float(heights.std()), heights.ravel()
+    basin: dict[int, int] = {}  # node -> one further on towards the lowest node of its basin
+
+    def bottom(node: int) -> int:
+        while basin[node] != node:
+            basin[node] = basin[basin[node]]
+            node = basin[node]
+        return node
+
+    for node in map(int, np.argsort(flat, kind="stable")):
+        x, y = divmod(node, ny)
+        beside = [(x + a) * ny + y + b for a, b in _BESIDE if 0 <= x + a < nx and 0 <= y + b < ny]
+        lower = [other for other in beside if other in basin]
+        if not lower:
+            basin[node] = node
+            continue
+        apart = [float(np.linalg.norm(weights[x, y] - weights[divmod(other, ny)])) for other in lower]
+        basin[node] = bottom(lower[int(np.argmin(apart))])
+        deepest, *others = sorted({bottom(other) for other in lower}, key=lambda at: (flat[at], at))
+        for other in others:
+            if flat[node] - flat[other] <= least:
+                basin[other] = deepest
+    return np.array([bottom(node) for node in range(nx * ny)]).reshape(nx, ny)
 
 
 def _join_borders(regions: np.ndarray, weights: np.ndarray) -> None:

@@ -8,12 +8,14 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.ndimage import label
 
 from core.motion_map.bones import bone_lengths, bone_vectors, rebuild, refine, with_real_bones
+from core.motion_map.build import MapParameters
 from core.motion_map.key_poses import key_nodes, runs_of, search_keys
 from core.motion_map.regions import borders, find_regions, region_icons
 from core.motion_map.samples import reduce_samples, threshold_for
-from core.motion_map.som import u_matrix
+from core.motion_map.som import batch_som, u_matrix
 
 
 def brute_reduction(postures, threshold):
@@ -162,3 +164,36 @@ def test_virtual_nodes_lie_on_the_great_circle():
     assert fine.shape == (3, 3, 1, 3)
     np.testing.assert_allclose(fine[1, 1, 0], [2**0.5, 2**0.5, 0], atol=1e-6)
     np.testing.assert_allclose(np.linalg.norm(fine, axis=-1), 2, atol=1e-6)
+
+
+def held_postures(n, seed=0):
+    """Model vectors of a map of ``n`` postures, each held with a little tremor."""
+    rng = np.random.default_rng(seed)
+    centres = rng.normal(size=(n, 12))
+    samples = centres[rng.integers(n, size=600)] + rng.normal(size=(600, 12)) * 0.02
+    return batch_som(samples.astype(np.float32), (21, 21), epochs=24, sigma=(10.5, 0.7), seed=seed)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_two_held_postures_are_two_regions(seed):
+    weights = held_postures(2, seed)
+    assert find_regions(weights, MapParameters().ridge).max() + 1 == 2
+    assert find_regions(weights).max() + 1 > 10  # what the paper's rule makes of the tremor
+
+
+def test_a_pass_must_be_so_much_higher_than_the_shallower_bottom():
+    line = np.array([0, 1, 2, 5, 6, 7, 8.5, 9.5, 10.5, 20, 21, 22.0])[:, None, None]  # gaps of 3, 1.5 and 9.5
+    counts = [int(find_regions(line, ridge).max()) + 1 for ridge in (0.01, 0.3, 1.0, 5.0)]
+    assert counts == sorted(counts, reverse=True) and counts[0] == 4 and counts[-1] == 1
+    with pytest.raises(ValueError, match="ridge"):
+        find_regions(line, -1)
+
+
+@settings(max_examples=30)
+@given(st.integers(0, 10**6), st.integers(2, 9), st.integers(2, 9), st.floats(0.01, 2))
+def test_basins_are_in_one_piece_and_cover_the_map(seed, nx, ny, ridge):
+    weights = np.random.default_rng(seed).normal(size=(nx, ny, 3))
+    regions = find_regions(weights, ridge)
+    assert regions.shape == (nx, ny) and set(np.unique(regions)) == set(range(regions.max() + 1))
+    for region in range(regions.max() + 1):
+        assert label(regions == region)[1] == 1
