@@ -9,18 +9,17 @@ from __future__ import annotations
 import hashlib
 import json
 import time
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager, suppress
+from collections.abc import Callable, Mapping
+from contextlib import suppress
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from core.caching import RecentCache
 from core.errors import AnalysisError, ParameterError
-from core.estimates import advice_for, amount_of, estimate, note_cost
+from core.estimates import advice_for, counted, estimate
 from core.grammar.table import TableParameters, part_report
 from core.job_errors import failure, failure_elsewhere
-from core.machine import PeakMemory
 from core.methods import METHODS, Method
 from core.motifs.axes import SweepParameters
 from core.parameters import Parameter as Parameter
@@ -237,7 +236,7 @@ def _perform(workspace: Workspace, job: Job, report: Report) -> Any:
         task = TASKS[entry["method"]]
         name = workspace.open_fingerprint(entry["fingerprint"]).name if task.analyses else entry["dataset"]
         request = Request(name, entry["method"], entry["parameters"])
-        with _counted(workspace, request):
+        with counted(workspace, request):
             task.perform(workspace, name, build(task.parameters, entry["parameters"]), report)
         return None
     result = _load(workspace, entry["method"], job.key)
@@ -245,21 +244,11 @@ def _perform(workspace: Workspace, job: Job, report: Report) -> Any:
         method = METHODS[entry["method"]]
         report("opening", 0.0)
         dataset = workspace.open_fingerprint(entry["fingerprint"])
-        with _counted(workspace, Request(dataset.name, entry["method"], entry["parameters"])):
+        with counted(workspace, Request(dataset.name, entry["method"], entry["parameters"])):
             result = _computed(workspace, dataset, entry["method"], entry["parameters"], report)
         workspace.results.put(job.key, *method.pack(result, dataset))
         _results.put((workspace.path, entry["method"], job.key), result)
     return result
-
-
-@contextmanager
-def _counted(workspace: Workspace, request: Request) -> Iterator[None]:
-    """Keeps what the block took, if it ends well, for later estimates."""
-    amount = amount_of(workspace, request)  # before: an upload is gone afterwards
-    started = time.perf_counter()
-    with PeakMemory() as peak:
-        yield
-    note_cost(workspace, request, amount, time.perf_counter() - started, peak.bytes)
 
 
 def _computed(workspace: Workspace, dataset: Dataset, name: str, values: Mapping[str, Any], report: Report) -> Any:

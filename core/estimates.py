@@ -9,8 +9,9 @@ where there are any, because only they know how much of it repeats. The range sa
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping, Sequence
-from contextlib import suppress
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -20,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from core.grammar.table import TableParameters
-from core.machine import free_bytes, in_gigabytes
+from core.machine import PeakMemory, free_bytes, in_gigabytes
 from core.motifs.axes import SweepParameters
 from core.requests import Request
 from core.workspace import Workspace, WorkspaceError
@@ -144,11 +145,16 @@ def _amount(workspace: Workspace, request: Request) -> float:
     return amount_of_frames(request, info.seconds, info.frames)
 
 
-def note_cost(workspace: Workspace, request: Request, amount: float, seconds: float, size: float) -> None:
-    """Keeps what a request of this amount took; a table that is busy is no reason to fail."""
+@contextmanager
+def counted(workspace: Workspace, request: Request) -> Iterator[None]:
+    """Keeps what the block took, if it ends well, for later estimates; a table that is busy is no reason to fail."""
+    amount, started = amount_of(workspace, request), time.perf_counter()  # before: an upload is gone afterwards
+    with PeakMemory() as peak:
+        yield
+    seconds = time.perf_counter() - started
     with suppress(WorkspaceError):
         fingerprint = _fingerprint(workspace, request)
-        workspace.costs.add(Cost(kind_of(request), fingerprint, amount, seconds, size))
+        workspace.costs.add(Cost(kind_of(request), fingerprint, amount, seconds, peak.bytes))
 
 
 def _frames_looked_at(request: Request, seconds: float, frames: int) -> float:
@@ -194,8 +200,8 @@ def _likely(points: Sequence[Point], amount: float) -> tuple[float, float]:
     """Seconds and bytes for an amount of work, between and beyond measured points; growth is a power of the amount."""
     amounts, seconds, sizes = np.log(np.maximum(np.array(points, float).T, 1e-9))
     at = np.log(max(amount, 1e-9))
-    time = _START + np.exp(_power(amounts, seconds, at, 1.0))
-    return float(time), float(np.exp(_power(amounts, sizes, at, 0.0)))
+    likely = _START + np.exp(_power(amounts, seconds, at, 1.0))
+    return float(likely), float(np.exp(_power(amounts, sizes, at, 0.0)))
 
 
 def _power(x: np.ndarray, y: np.ndarray, at: float, least: float) -> float:

@@ -34,7 +34,7 @@ def test_a_small_graph_is_drawn_whole(graph):
 
 def test_of_a_large_one_those_with_most_frames(graph):
     ids = graph_parts.ids_of_part(graph, graph_parts.LARGEST, None)
-    assert len(ids) == graph_parts.MOST and min(ids) > 200 and max(ids) < 1000
+    assert len(ids) == graph_parts.MOST and min(ids) > 100 and max(ids) < 1000
     part = graph_parts.part_of(graph, ids)
     assert len(part.motifs) == graph_parts.MOST and 0 < len(part.edges) <= graph_parts.MOST_EDGES
     assert all(edge.source in ids and edge.target in ids for edge in part.edges)
