@@ -243,6 +243,7 @@ def test_parameters_have_everyday_names():
         "analysis_fps": "Frames per second",
         "samples": "Postures to learn from",
         "sigma": "Smoothness (sigma)",
+        "ridge": "Height of ridges",
         "epochs": "Rounds",
         "training": "Training",
         "passes": "Passes (online)",
