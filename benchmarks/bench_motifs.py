@@ -137,7 +137,7 @@ def quality() -> list[str]:
     variants = {
         "**ours, default**": MotifParameters(),
         "ours, default at 60 fps": MotifParameters(analysis_fps=60),
-        "ours, random start": MotifParameters(start="random"),
+        "ours, random start": MotifParameters(init="random"),
         "ours, random seeding": MotifParameters(seeding="random"),
         "paper: spheres, kappa 200, V as printed": MotifParameters(
             adjacency="spheres",
@@ -147,7 +147,7 @@ def quality() -> list[str]:
             min_seconds=0.0,
             hold=0.0,
             analysis_fps=120,
-            start="random",
+            init="random",
         ),
     }
     runs, cells = {}, {}

@@ -33,7 +33,7 @@ USUAL = PAPER | {
     "hold": (0.0, 0.25, 0.5),
     "slack": (0.0, 0.5, 1.0, 2.0),
     "seeding": ("largest", "random"),
-    "start": ("random", "split"),
+    "init": ("random", "split"),
     "sample": (4000, 8000, 16000),
 }
 """Values to begin with, for every parameter that can be an axis."""
@@ -102,7 +102,8 @@ class SweepParameters:
     """A sweep as a request asks for it, in text, so that it can stand in a link and in the job table.
 
     axes: ``kappa:50,100;rho:0.2,1``; seeds: how many, from that of ``base`` on; base: the other parameters of the motif
-    graph as a JSON object, defaults left out. Equal sweeps have equal texts. Raises ParameterError.
+    graph as a JSON object, defaults left out; with several seeds they start from random groups of poses. Equal sweeps
+    have equal texts. Raises ParameterError.
     """
 
     axes: str
@@ -111,6 +112,8 @@ class SweepParameters:
 
     def __post_init__(self) -> None:
         axes, base = self.values_of_axes(), self._base()
+        if self.seeds > 1:  # several seeds are to show what chance does
+            base = replace(base, init="random")
         defaults = asdict(MotifParameters())
         kept = {name: value for name, value in sorted(asdict(base).items()) if value != defaults[name]}
         object.__setattr__(self, "axes", ";".join(write_axis(*axis) for axis in axes.items()))

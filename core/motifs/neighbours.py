@@ -34,6 +34,6 @@ def neighbours(parameters: Parameters, kappa: int) -> dict[str, Parameters]:
 
 
 def other_seeds(parameters: Parameters, n: int) -> dict[str, Parameters]:
-    """The same with the next ``n`` seeds, by name ("seed 1")."""
+    """The same from random starts with the next ``n`` seeds, by name ("seed 1")."""
     seeds = range(parameters.seed + 1, parameters.seed + 1 + n)
-    return {f"seed {seed}": replace(parameters, seed=seed) for seed in seeds}
+    return {f"seed {seed}": replace(parameters, seed=seed, init="random") for seed in seeds}

@@ -17,7 +17,7 @@ class MotifParameters:
 
     ``advanced`` fields are not in the paper. Their defaults were tuned on five labelled exercise clips (see
     benchmarks/bench_motifs.py, which also judges left-out clips); with tightness, join, hold and min_seconds at 0,
-    adjacency "spheres", seeding and start "random" the method is nearly the paper's.
+    adjacency "spheres", seeding and init "random" the method is nearly the paper's.
 
     Raises ParameterError, in plain words, for a value out of range.
     """
@@ -82,7 +82,7 @@ class MotifParameters:
         1,
         label="Random seed",
     )
-    start: str = parameter(
+    init: str = parameter(
         "split",
         "Where the grouping of poses starts: split = always the same, so that another seed changes nothing; "
         "random = k-means++ from the seed.",

@@ -84,7 +84,7 @@ def _poses(work: Work, parameters: MotifParameters, report: Report) -> Work:
 def _letters(work: Work, parameters: MotifParameters, report: Report) -> Work:
     poses, kappa = made(work.poses), parameters.kappa
     kappa = automatic_kappa(poses.values, poses.fps) if isinstance(kappa, str) else kappa
-    letters = k_means(poses.values, kappa, parameters.seed, start=parameters.start, report=report)
+    letters = k_means(poses.values, kappa, parameters.seed, start=parameters.init, report=report)
     return work._replace(letters=letters, runs=remove_runs(letters.labels, poses.clip_starts))
 
 
@@ -163,7 +163,7 @@ def _rule(parameters: MotifParameters, adjacency: Adjacency, share: float) -> Ru
 
 STAGES = (
     Stage("poses", ("analysis_fps", "pose"), _poses),
-    Stage("quantisation", ("kappa", "seed", "start"), _letters),
+    Stage("quantisation", ("kappa", "seed", "init"), _letters),
     Stage("matching", ("adjacency", "reach"), _neighbours),
     Stage(
         "matching", ("min_letters", "max_letters", "gamma", "slack", "strictness", "min_seconds", "sample"), _matches

@@ -73,10 +73,12 @@ def graphs_of(
     """
     tree = _Tree(dataset, points, stages)
     threads = [Thread(target=tree.work, daemon=True) for _ in range(min(workers or os.cpu_count() or 1, len(points)))]
+    total, already = ready + len(points), ready
+    if total:
+        report(f"{ready} of {total} points", already / total)
     for thread in threads:
         thread.start()
     try:
-        total, already = ready + len(points), ready
         while ready < total:
             report(f"{ready} of {total} points", (already + tree.fraction * len(points)) / total)
             for k, graph in tree.next_graphs():

@@ -7,8 +7,8 @@ import pytest
 from benchmarks.scale_runs import METHODS, Progress
 from core.demo import make_demo
 from core.grammar.build import learn_grammar
+from core.motifs import sweep as sweeps
 from core.motifs.parameters import MotifParameters
-from core.motifs.sweep import sweep
 
 
 def fractions(run) -> dict[str, list[float]]:
@@ -18,9 +18,10 @@ def fractions(run) -> dict[str, list[float]]:
     return heard
 
 
-def test_a_sweep_moves_within_its_points():
+def test_a_sweep_moves_within_its_points(monkeypatch):
+    monkeypatch.setattr(sweeps, "_LOOK", 0.002)  # as if it took long
     demo = make_demo(1)
-    heard = fractions(lambda report: sweep(demo, MotifParameters(), {"rho": (0.5, 1.0)}, report=report))
+    heard = fractions(lambda report: sweeps.sweep(demo, MotifParameters(), {"rho": (0.5, 1.0)}, report=report))
     values = [fraction for stage in heard.values() for fraction in stage]
     assert values == sorted(values) and values[-1] == 1
     shown = {round(100 * fraction) for fraction in values}

@@ -67,7 +67,7 @@ def test_every_point_is_the_result_of_its_own_request(workspace):
     for kappa in (20, 30):
         for rho in (0.2, 1.0):
             for seed in (0, 1):
-                values = {"kappa": kappa, "rho": rho, "seed": seed, "hold": 0.1}
+                values = {"kappa": kappa, "rho": rho, "seed": seed, "hold": 0.1, "init": "random"}
                 request = Request("moves", "motifs", values)
                 graph = analyses.stored(workspace, request)
                 assert analyses.key(workspace, request) in keys(workspace)

@@ -18,7 +18,7 @@ from core.motifs.graph import Motif, MotifGraph, succession_edges
 def demo() -> tuple[Dataset, MotifGraph]:
     """A minute and a half of the demo, and its motif graph."""
     dataset = make_demo(minutes=1.5, seed=3)
-    return dataset, find_motifs(dataset, MotifParameters(kappa=300))
+    return dataset, find_motifs(dataset, MotifParameters(kappa=300, init="random"))
 
 
 def graph_of(*motifs: list[Segment]) -> MotifGraph:

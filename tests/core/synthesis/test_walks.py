@@ -13,7 +13,7 @@ from core.editing.contacts import foot_skate
 from core.mocap.bvh import read_bvh, write_bvh
 from core.mocap.dataset import Dataset, open_dataset
 from core.mocap.kinematics import joint_positions
-from core.motifs.build import find_motifs
+from core.motifs.build import MotifParameters, find_motifs
 from core.synthesis import TRANSITION, NoWay, Random, find_route, make_walk
 from core.synthesis.kept_walks import pack_walk, unpack_walk
 from core.synthesis.stitching import seam_speed
@@ -81,7 +81,7 @@ def test_the_same_path_gives_the_same_walk() -> None:
 
 def test_real_recordings_walk_without_jumps_and_skate_half_as_much(shared_data) -> None:
     dataset = open_dataset(shared_data / "cmu" / "asfamc" / "86", clips=["86_09"])
-    graph = find_motifs(dataset)
+    graph = find_motifs(dataset, MotifParameters(init="random"))
     for seed in range(2):
         walk = make_walk(dataset, graph, Random(15, seed))
         assert not walk.speeds.jump

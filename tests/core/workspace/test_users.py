@@ -139,7 +139,10 @@ def test_what_a_job_does_is_noted_under_the_name_of_who_started_it(workspace):
     assert found == [
         ("ann", "job started", "Demo: demo"),
         ("ann", "dataset added", "demo"),
-        ("ann", "job started", "Motif graph: demo"),  # which the demo asks for
+        ("ann", "job started", "Motif graph: demo"),  # which the demo asks for, as the next three
+        ("ann", "job started", "Motion map: demo"),
+        ("ann", "job started", "Search index: demo"),
+        ("ann", "job started", "Grammar: demo"),
         ("bob", "dataset renamed", "demo"),
     ]
 

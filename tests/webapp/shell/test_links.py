@@ -50,6 +50,12 @@ def test_any_text_is_read_without_raising(path: str, query: str):
     assert all(isinstance(problem, str) and problem.endswith(".") for problem in problems)
 
 
+def test_no_setting_is_named_like_what_a_link_says_of_a_selection():
+    taken = {"dataset", "clip", "start", "end", "as", *STAGE_KEYS}
+    names = {parameter.name for method in analyses.METHODS for parameter in analyses.parameters(method)}
+    assert names & taken == set()
+
+
 def test_half_characters_do_not_break_a_link():
     assert format_link(View("library", "\ud800", {"clip": "a\udfff"})) == "/library?dataset=%3F&clip=a%3F"
 

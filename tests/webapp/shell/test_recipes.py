@@ -27,7 +27,9 @@ def workspace(tmp_path_factory):
     made.close()
 
 
-REQUEST = analyses.Request("two walkers", "motifs", {"kappa": 30, "rho": 0.5, "min_letters": 3, "adjacency": "spheres"})
+REQUEST = analyses.Request(
+    "two walkers", "motifs", {"kappa": 30, "rho": 0.5, "min_letters": 3, "adjacency": "spheres", "init": "random"}
+)
 
 
 def test_the_command_gives_the_result_again(workspace, tmp_path, monkeypatch):

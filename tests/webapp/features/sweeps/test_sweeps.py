@@ -95,7 +95,7 @@ def test_the_sweep_keeps_the_other_settings_but_not_the_seed():
         (100, 2.0, 0),
         (100, 2.0, 1),
     ]
-    assert json.loads(sweep.base) == {"gamma": 2.0}
+    assert json.loads(sweep.base) == {"gamma": 2.0, "init": "random"}  # several seeds
 
 
 def test_an_old_value_of_an_axis_does_not_get_in_the_way():
@@ -131,7 +131,7 @@ def test_a_shown_sweep_links_to_the_motifs_page(tmp_path):
     workspace.add_dataset("moves", recurring(0))
     shown = shown_sweep(workspace, "moves", {"gamma": "2", "x": "kappa:20,30", "y": "none", "seeds": "2"})
     assert isinstance(shown, Shown) and (shown.table.n_ready, shown.table.shape) == (0, (2, 2))
-    assert shown.link(shown.sweep.points()[1]) == "/motifs?dataset=moves&kappa=20&gamma=2&seed=1"
+    assert shown.link(shown.sweep.points()[1]) == "/motifs?dataset=moves&kappa=20&gamma=2&seed=1&init=random"
     fine = shown_sweep(workspace, "moves", {"x": "rho:0.3333333333333333", "y": "none", "seeds": "1"})
     assert fine.link(fine.sweep.points()[0]).endswith("&rho=0.3333333333333333"), "to the very result"
     assert shown_sweep(workspace, None, {}) is None
