@@ -131,9 +131,9 @@ class Signals:
         return mean_over(length(speeds(self.hand(side))), 0.1)
 
     def foot_height(self, side: str) -> np.ndarray:
-        """Height of an ankle over where it is at its lowest ``(n,)``."""
-        ankle = self.joints[f"{side}_ankle"][:, 1]
-        return np.asarray(ankle - np.percentile(ankle, 5))
+        """Height of an ankle over where the lower of both is at its lowest ``(n,)``."""
+        lowest = min(float(np.percentile(self.joints[f"{s}_ankle"][:, 1], 5)) for s in SIDES)
+        return np.asarray(self.joints[f"{side}_ankle"][:, 1] - lowest)
 
     def foot_speed(self, side: str) -> np.ndarray:
         """Speed of an ankle over the ground ``(n,)``."""
