@@ -29,9 +29,14 @@ def move(s: Signals) -> np.ndarray:
 
 
 def airborne(s: Signals) -> np.ndarray:
-    """Neither foot is near the ground."""
-    low = np.min([s.foot_height(side) for side in SIDES], axis=0)
-    return above(low, 0.02, 0.05)
+    """Neither foot is near the ground, neither heel nor toes."""
+    feet = []
+    for side in SIDES:
+        for joint in ("ankle", "toe"):
+            if f"{side}_{joint}" in s.joints:
+                height = s.joints[f"{side}_{joint}"][:, 1]
+                feet.append(height - np.percentile(height, 5))
+    return above(np.min(feet, axis=0), 0.02, 0.05)
 
 
 def _flight(s: Signals) -> np.ndarray:
@@ -204,7 +209,7 @@ def kneel(s: Signals) -> np.ndarray:
 def sit(s: Signals) -> np.ndarray:
     """The hips are at the height of a seat or the floor, the thighs level, the trunk upright, and nothing travels."""
     thighs = [s.joints[f"{side}_knee"][:, 1] - s.joints[f"{side}_hip"][:, 1] for side in SIDES]
-    level = above(np.mean(thighs, axis=0), -0.17, -0.1)
+    level = above(np.mean(thighs, axis=0), -0.21, -0.14)
     low = above(s.pelvis, 0.85, 0.68)
     return all_of(level, low, above(s.trunk[:, UP], 0.45, 0.7), above(s.speed, 0.3, 0.12))
 
@@ -292,7 +297,7 @@ def roll(s: Signals) -> np.ndarray:
 def climb(s: Signals) -> np.ndarray:
     """The hips rise by more than a step and stay up, or the feet are far above the floor."""
     feet = np.min([s.joints[f"{side}_ankle"][:, 1] for side in SIDES], axis=0) - s.floor
-    rising = above(change(mean_over(s.pelvis, 1.0), 2.5), 0.3, 0.5)
+    rising = above(change(mean_over(s.joints["pelvis"][:, 1], 1.0), 2.5), 0.15, 0.25)
     return any_of(above(mean_over(feet, 2.0), 0.1, 0.25), rising * 0.6)
 
 
