@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 
 import pytest
 from playwright.sync_api import expect
 
-from core.demo.planted import planted_groups
+from core.demo.planted import planted_groups, with_wider_arms
 from core.workspace import Workspace
 from tests.browser.app import PATIENCE, address, show
 
@@ -16,7 +17,11 @@ __all__ = ["address", "show"]
 
 @pytest.fixture
 def workspace(tmp_path) -> Workspace:
-    dataset, properties = planted_groups("wider", 6, pieces=8)
+    """Six people a group, of whom B hold their arms so much wider that few clips show it."""
+    dataset, properties = planted_groups("nothing", 6, pieces=8)
+    of_b = properties.groups("group")["B"]
+    wider = (with_wider_arms(clip, 40) if clip.name in of_b else clip for clip in dataset.clips)
+    dataset = replace(dataset, clips=tuple(wider))
     workspace = Workspace(tmp_path / "workspace")
     workspace.add_dataset("people", dataset)
     workspace.properties.put(workspace.info("people").id, properties)

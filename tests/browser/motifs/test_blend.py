@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import pytest
 from playwright.sync_api import Page, expect
 
+from core import analyses
 from core.mocap.bvh import read_bvh
 from tests.browser.app import (
     PATIENCE,
@@ -22,6 +24,12 @@ from tests.browser.app import (
 )
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
+
+
+@pytest.fixture
+def graph(workspace) -> None:
+    """A graph with a motif of two bodies and one of ten motions."""
+    analyses.run(workspace, analyses.Request("demo", "motifs", {"init": "random"}))
 
 
 def on_stage(page: Page, pattern: str) -> None:
@@ -40,8 +48,8 @@ def act(page: Page, action: str) -> None:
     page.click(f"[data-blend={action}]")
 
 
-def test_motions_are_mixed_live(show):
-    page = show("/motifs?dataset=demo&motif=3&side=blend")
+def test_motions_are_mixed_live(show, graph):
+    page = show("/motifs?dataset=demo&init=random&motif=3&side=blend")
     wait_for_graph(page)
     wait_for_stage(page, "mixture of 3")
     on_stage(page, "~blend~.*~3~0:0.33,1:0.33,2:0.33$")
@@ -138,8 +146,8 @@ def test_motions_are_mixed_live(show):
     wait_for_stage(page, "Motif 5: 4 motions")
 
 
-def test_size_against_error(show):
-    page = show("/motifs?dataset=demo&view=compression")
+def test_size_against_error(show, graph):
+    page = show("/motifs?dataset=demo&init=random&view=compression")
     wait_for_graph(page)
     expect(page.locator("#compression-sentence")).to_contain_text("Choose a motif")
     page.get_by_role("button", name="Compress all").click()

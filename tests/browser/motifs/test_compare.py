@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 
 import pytest
 from playwright.sync_api import expect
@@ -24,13 +25,14 @@ from webapp.features.motifs.figures.compare import filters, sentence
 
 __all__ = ["address", "demo_workspace", "show", "workspace"]
 
-OTHER = {"kappa": 300, "rho": 0.5}
+HERE = {"init": "random"}
+OTHER = {"kappa": 300, "rho": 0.5, "init": "random"}
 
 
 @pytest.fixture
 def comparison(workspace):
     """Of the demo's result with one of other settings, which stands among the earlier results."""
-    here = analyses.run(workspace, analyses.Request("demo", "motifs"))
+    here = analyses.run(workspace, analyses.Request("demo", "motifs", HERE))
     there = analyses.run(workspace, analyses.Request("demo", "motifs", OTHER))
     return compare(here, there)
 
@@ -47,13 +49,13 @@ def rows(page) -> list[str]:
 
 
 def test_two_results_side_by_side(comparison, show):
-    page = show("/motifs?dataset=demo")
+    page = show("/motifs?dataset=demo&init=random")
     wait_for_graph(page)
     page.locator("#motif-view").get_by_text("Compare").click()
     expect(page.get_by_text("Nothing to compare with yet")).to_be_visible()
-    choose(page, "kappa 300, rho 0.5")
+    choose(page, "kappa 300, rho 0.5, init random")
     expect(page.locator("#compare-sentence")).to_have_text(sentence(comparison))
-    wait_for_link(page, other="kappa:300,rho:0.5")
+    page.wait_for_url(re.compile(r"other=[^&]*kappa(:|%3A)300"))
     bars = page.locator("#compare-flow .flow-bar")
     expect(bars).to_have_count(len(comparison.a) + len(comparison.b) + 2)
 
@@ -125,7 +127,7 @@ def test_a_step_away_is_computed_and_the_link_shows_it_again(workspace, show):
     wait_for_stage(page, "Motif 0")
     page.reload()
     expect(page.locator("#compare-sentence")).to_have_text(said)
-    expect(page.locator("#compare-other")).to_have_value("analysis fps 15, seed 1")
+    expect(page.locator("#compare-other")).to_have_value("analysis fps 15, seed 1, init random")
     page.wait_for_function("motionscape.stage.layout === 'side'")
 
 

@@ -77,7 +77,7 @@ def test_from_the_form_to_the_result(show, workspace):
     page.fill("#sweep-y-values", "0.2, 1")
     page.fill("#sweep-seeds", "2")
     page.keyboard.press("Tab")
-    expect(page.locator("#sweep-plan")).to_have_text("3 × 2 × 2 seeds = 12 points.")
+    expect(page.locator("#sweep-plan")).to_have_text(re.compile(r"^3 × 2 × 2 seeds = 12 points; .*, up to .* GB\.$"))
 
     # another axis brings values of its own, and goes again
     page.click("#sweep-y-name")
@@ -86,7 +86,7 @@ def test_from_the_form_to_the_result(show, workspace):
     page.click("#sweep-y-name")
     page.click("[role=option]:has-text('Nothing else'):visible")
     expect(page.locator("#sweep-y-values")).to_be_hidden()
-    expect(page.locator("#sweep-plan")).to_have_text("3 × 2 seeds = 6 points.")
+    expect(page.locator("#sweep-plan")).to_have_text(re.compile(r"^3 × 2 seeds = 6 points; .*, up to .* GB\.$"))
     page.click("#sweep-run")
     wait_for_points(page, "sweep-lines-x", 12)
     idle(page)
@@ -116,7 +116,10 @@ def test_from_the_form_to_the_result(show, workspace):
 
 
 def test_cancel_keeps_points_and_a_link_shows_them(show, workspace):
-    analyses.run(workspace, analyses.Request("demo", "sweep", {"axes": "kappa:20,30", "base": '{"analysis_fps": 15}'}))
+    analyses.run(
+        workspace,
+        analyses.Request("demo", "sweep", {"axes": "kappa:20,30", "base": '{"analysis_fps": 15, "init": "random"}'}),
+    )
     page = show(f"/sweeps?dataset=demo&{SWEEP}", color_scheme="dark", viewport={"width": 1920, "height": 1080})
     expect(page.locator(".sweep-note")).to_contain_text("2 of 12 points are there")
     wait_for_points(page, "sweep-lines-x", 4)
