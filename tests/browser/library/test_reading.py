@@ -39,16 +39,17 @@ def test_unit_and_rate_are_said_on_import_and_changed_afterwards(show, workspace
     expect(page.locator("#reread-now")).to_contain_text("Read now as: decimetres; Y up; 24 frames per second.")
     page.click("#reread-do")
     expect(page.locator("#reread-problem")).to_contain_text("Choose what")
+    card = page.locator(".dataset-card.chosen")
+    before = card.locator(".dataset-doubts").inner_text()
     choose_option(page, "reread-unit", "Find out")
     page.click("#reread-do")
     undo = page.get_by_role("button", name="Undo")
     expect(undo).to_be_visible(timeout=PATIENCE)
     assert workspace.open("stroll").clip("stroll").skeleton.unit == 1.0
-    card = page.locator(".dataset-card.chosen")
-    doubts = card.locator(".dataset-doubts").inner_text()
+    expect(card.locator(".dataset-doubts")).not_to_have_text(before)
     undo.click()
     page.get_by_role("button", name="More for stroll").click()
     wait_until(page, lambda: workspace.open("stroll").clip("stroll").skeleton.unit == 0.1)
-    expect(card.locator(".dataset-doubts")).not_to_have_text(doubts)  # the card is drawn anew,
+    expect(card.locator(".dataset-doubts")).to_have_text(before)  # the card is drawn anew,
     expect(page.get_by_role("menuitem", name="Rename")).to_be_visible()  # and its menu stays open
     expect(card.locator(".dataset-open")).to_have_attribute("aria-current", "true")

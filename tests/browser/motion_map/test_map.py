@@ -132,6 +132,7 @@ def test_a_motif_lights_its_nodes_and_a_region_gives_motifs_and_clips(mapped, sh
     wait_for_map(page)
     expect(page.locator(".map-lit")).to_have_count(1)
     page.locator("#map-click label", has_text="Regions").click()
+    page.wait_for_function("() => motionscape.map.state.mode === 'regions'")
     x, y = mapped.nodes_of(motif.segments[0].clip)[round(motif.segments[0].start * mapped.fps / 60)]
     click_node(page, int(x), int(y))
     region = int(mapped.regions[x, y])
