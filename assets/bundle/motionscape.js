@@ -7128,9 +7128,9 @@
     if (properties) new Dialog(properties, []).open();
   });
   register("properties", {
-    /** @param {PropertiesOf | null} chosen */
+    /** @param {ClipsOf | null} chosen */
     open(chosen3) {
-      if (chosen3) new Dialog(chosen3.dataset, chosen3.clips).open();
+      if (chosen3) new Dialog(chosen3.dataset, chosen3.clips ?? []).open();
       return clientside.no_update;
     }
   });

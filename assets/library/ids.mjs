@@ -39,26 +39,10 @@
  */
 
 /**
- * The clips that are to be read otherwise; all of the data set where none is named.
- * @typedef {object} Reread
+ * Clips of a data set that a dialog is about; all of them where none is named.
+ * @typedef {object} ClipsOf
  * @property {string} dataset
  * @property {Array<string>} [clips]
- * @property {number} [at]
- */
-
-/**
- * The data set and the clips of it whose properties are to be shown.
- * @typedef {object} PropertiesOf
- * @property {string} dataset
- * @property {Array<string>} clips
- * @property {number} [at]
- */
-
-/**
- * The clips that are to be repaired.
- * @typedef {object} RepairOf
- * @property {string} dataset
- * @property {Array<string>} clips
  * @property {number} [at]
  */
 
@@ -226,14 +210,14 @@ export const UPLOAD_INTO = /** @type {StoreId<UploadInto>} */ ("upload-into");
 export const UPLOAD_SUGGESTED = /** @type {StoreId<string>} */ ("upload-suggested");
 export const UPLOADED = /** @type {StoreId<string>} */ ("uploaded");
 export const REREAD_DIALOG = "reread-dialog";
-export const REPAIR_OF = /** @type {StoreId<RepairOf>} */ ("repair-of");
+export const REPAIR_OF = /** @type {StoreId<ClipsOf>} */ ("repair-of");
 export const REPAIR_DIALOG = "repair-dialog";
 export const REPAIR_WHAT = "repair-what";
 export const REPAIR_KINDS = "repair-kinds";
 export const REPAIR_PROBLEM = "repair-problem";
 export const REPAIR_DO = "repair-do";
-export const REREAD_OF = /** @type {StoreId<Reread>} */ ("reread-of");
-export const PROPERTIES_OF = /** @type {StoreId<PropertiesOf>} */ ("properties-of");
+export const REREAD_OF = /** @type {StoreId<ClipsOf>} */ ("reread-of");
+export const PROPERTIES_OF = /** @type {StoreId<ClipsOf>} */ ("properties-of");
 export const REREAD_NOW = "reread-now";
 export const REREAD_UNIT = "reread-unit";
 export const REREAD_UP = "reread-up";

@@ -4,7 +4,7 @@ import { button, iconButton, openWindow, say } from "../shared/dialogs.mjs";
 import { closest, element, withAttributes } from "../shared/dom.mjs";
 import { ask } from "../shared/server.mjs";
 import { plural } from "../shared/words.mjs";
-/** @import { PropertiesOf } from "./ids.mjs" */
+/** @import { ClipsOf } from "./ids.mjs" */
 /** @import { ClipProperties, ColumnOfClips } from "./types.d.ts" */
 
 const SETTLED = 300; // milliseconds after the last letter until a preview is asked for
@@ -17,9 +17,9 @@ document.addEventListener("click", (event) => {
 });
 
 register("properties", {
-  /** @param {PropertiesOf | null} chosen */
+  /** @param {ClipsOf | null} chosen */
   open(chosen) {
-    if (chosen) new Dialog(chosen.dataset, chosen.clips).open();
+    if (chosen) new Dialog(chosen.dataset, chosen.clips ?? []).open();
     return clientside.no_update;
   },
 });

@@ -13,6 +13,7 @@ from core.mocap.dataset import Dataset
 from core.mocap.properties import Properties, from_json
 from core.workspace import Workspace, WorkspaceError
 from core.workspace.blocks import Block
+from core.workspace.properties import present_properties
 
 
 def said_of(workspace: Workspace, dataset: Dataset) -> dict[str, list[dict[str, Any]]]:
@@ -37,13 +38,8 @@ def said_of(workspace: Workspace, dataset: Dataset) -> dict[str, list[dict[str, 
             ),
             key=plain,
         ),
-        "properties": [known.to_json()] if (known := properties_of(workspace, dataset)).columns else [],
+        "properties": [known.to_json()] if (known := present_properties(workspace, dataset.name)).columns else [],
     }
-
-
-def properties_of(workspace: Workspace, dataset: Dataset) -> Properties:
-    """The properties of the clips that a data set has now."""
-    return workspace.properties.of(workspace.info(dataset.name).id).of_clips(dataset.names)
 
 
 def _bare(block: dict[str, Any]) -> dict[str, Any]:

@@ -131,7 +131,7 @@ def _prepare(method: str) -> None:
 
 
 def _watch(workspace: Workspace, job: Job, child: BaseProcess) -> bool:
-    """Waits for the child, sending heartbeats; ends it if a cancelled job does not stop. Returns whether it did."""
+    """Waits for the child, sending heartbeats; True where a cancelled job does not stop and is to be ended."""
     from core.workspace import WorkspaceError
 
     cancelled_at = None
@@ -143,8 +143,6 @@ def _watch(workspace: Workspace, job: Job, child: BaseProcess) -> bool:
             if workspace.jobs.beat(job.id) and cancelled_at is None:
                 cancelled_at = time.monotonic()
         if cancelled_at is not None and time.monotonic() - cancelled_at > GRACE:
-            child.kill()
-            child.join()
             return True
 
 

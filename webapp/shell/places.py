@@ -15,6 +15,7 @@ from flask import Blueprint, Response, jsonify, request
 
 from webapp.shell import links, settings
 from webapp.shell.feature import Place, features
+from webapp.shell.names import MethodNames
 from webapp.shell.routes import answer_errors
 
 if TYPE_CHECKING:
@@ -58,7 +59,7 @@ def _settings(_workspace: Workspace, shown: links.View) -> Iterable[Place]:
         for name in feature.methods:
             for parameter in settings.parameters(name):
                 about = f"setting of {feature.label} ({parameter.name})"
-                yield Place(parameter.label or parameter.name, about, address, opens=f"{feature.path}-fold")
+                yield Place(parameter.label or parameter.name, about, address, opens=MethodNames(name).fold)
 
 
 def places_blueprint(workspace: Workspace) -> Blueprint:

@@ -14,11 +14,12 @@ from flask import Blueprint, Response, jsonify, request
 from core.errors import MotionscapeError
 from core.mocap.clip import Clip
 from core.mocap.dataset import Dataset
+from webapp.shell.callback_requests import sent_json
 from webapp.shell.errors import log_bug, sentence
 
 log = logging.getLogger(__name__)
 
-HEADER = "X-Motionscape"  # other sites cannot send it
+HEADER = "X-Motionscape"  # pages of other sites cannot send it without permission
 VERSION = 1  # of headers, positions and pictures; part of the ETag
 FOR_GOOD = "private, max-age=31536000, immutable"
 ASK_AGAIN = "private, no-cache"
@@ -139,7 +140,7 @@ def json_body(largest: int = 300_000) -> dict[str, Any]:
         raise BadRequest("This request does not come from the app.", 403)
     if (request.content_length or 0) > largest:
         raise BadRequest("This is too large.", 413)
-    body = request.get_json(silent=True)
+    body = sent_json()
     if not isinstance(body, dict):
         raise BadRequest("A JSON object was expected.")
     return body

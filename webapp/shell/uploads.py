@@ -11,9 +11,9 @@ from flask import Blueprint, Response, jsonify, request
 from core.mocap.readers import BESIDE, FORMATS, NAMED, is_recording
 from core.workspace import Workspace, WorkspaceError
 from core.workspace.uploads import MAX_BYTES, MAX_FILES
+from webapp.shell.routes import HEADER
 
 SUFFIXES = (*(f"{ending}{packed}" for ending in (*FORMATS, *BESIDE) for packed in ("", ".gz")), ".zip")
-HEADER = "X-Motionscape"  # pages of another origin cannot send this header without permission
 _CHUNK = 1 << 18
 _DRAIN = 1 << 24
 

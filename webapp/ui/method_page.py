@@ -148,12 +148,7 @@ def _run(app: Dash, workspace: Workspace, method: MethodPage) -> None:
         prevent_initial_call=True,
     )
     def run(_clicks, _again, values, ids, dataset, view):
-        link_values = settings.request_of(method.page, dataset or "", view).parameters
-        if ids:
-            form_values, problems = read_form(method.shown, ids, values)
-            form_values |= {name: value for name, value in link_values.items() if name in method.without}
-        else:  # the form has not come yet; it will show the settings of the link
-            form_values, problems = dict(link_values), {}
+        form_values, problems = chosen_values(method, ids, values, view)
         if problems:
             return "form", [problems.get(component["name"]) for component in ids]
         try:
@@ -162,6 +157,17 @@ def _run(app: Dash, workspace: Workspace, method: MethodPage) -> None:
             title = method.refused or f"Cannot do that: {method.title}"
             set_props(NOTICES, {"sendNotifications": [notice(title, str(error), "red")]})
         return no_update, [None] * len(ids)
+
+
+def chosen_values(
+    method: MethodPage, ids: list[dict[str, str]], values: list[Any], view: Mapping[str, str] | None
+) -> tuple[dict[str, Any], dict[str, str]]:
+    """The parameters that form and link stand for, and what is wrong with the form, as :func:`read_form` has it."""
+    link_values = dict(settings.request_of(method.page, "", view).parameters)
+    if not ids:  # the form has not come yet; it will show the settings of the link
+        return link_values, {}
+    form_values, problems = read_form(method.shown, ids, values)
+    return form_values | {name: value for name, value in link_values.items() if name in method.without}, problems
 
 
 def _expect(app: Dash, workspace: Workspace, method: MethodPage) -> None:
@@ -177,7 +183,7 @@ def _expect(app: Dash, workspace: Workspace, method: MethodPage) -> None:
         State(VIEW, "data"),
     )
     def show_estimate(dataset, _settings, values, _finished, ids, view):
-        form_values, problems = read_form(method.shown, ids, values) if ids else ({}, {})
+        form_values, problems = chosen_values(method, ids, values, view)
         shown = {} if problems else settings.view_of(method.page, form_values)
         return expected_words(workspace, method.page, dataset, {**(view or {}), **shown})
 

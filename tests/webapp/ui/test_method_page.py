@@ -1,4 +1,4 @@
-"""What the page of a method says of clips whose bodies cannot be compared with the others."""
+"""What the page of a method says of clips whose bodies cannot be compared, and which settings it stands for."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ import pytest
 from core.mocap.dataset import Dataset
 from core.workspace import Workspace
 from tests.core.mocap.odd_clips import dog, spider, walking
-from webapp.ui.method_page import left_out_words
+from webapp.features.search.layout import METHOD
+from webapp.ui.method_page import chosen_values, left_out_words
 
 
 @pytest.fixture(scope="module")
@@ -32,3 +33,10 @@ def test_a_search_names_the_kinds_that_it_keeps_apart(workspace):
     words = left_out_words(workspace, "search", "mixed")
     assert "people (1 clip)" in words and words.count("(1 clip)") == 3
     assert left_out_words(workspace, "search", "people") == ""
+
+
+def test_settings_that_the_page_sets_in_another_way_come_from_the_link():
+    """The estimate of a search looked at the default method, whatever the link said."""
+    view = {"search-method": "parts"}
+    assert chosen_values(METHOD, [], [], view) == ({"method": "parts"}, {})
+    assert chosen_values(METHOD, [{"name": "analysis_fps"}], [15], view) == ({"analysis_fps": 15, "method": "parts"}, {})

@@ -13,6 +13,7 @@ from urllib.parse import urlencode
 from core.workspace import Board, Comment, SavedView, Workspace, WorkspaceError, acting, pinned_state
 from core.workspace.blocks import Block
 from core.workspace.boards import shown
+from core.workspace.properties import present_properties
 from webapp.features.boards.contents import request_of
 from webapp.features.boards.parts import Part
 from webapp.shell import settings
@@ -62,7 +63,7 @@ def board_data(workspace: Workspace, id: str) -> dict[str, Any]:
 def groups_of(workspace: Workspace, dataset: str) -> list[tuple[str, list[str]]]:
     """Properties of clips of a dataset with their values; columns with many values are left out."""
     try:
-        known = workspace.properties.of(workspace.info(dataset).id).of_clips(workspace.open(dataset).names)
+        known = present_properties(workspace, dataset)
     except WorkspaceError:
         return []
     values = [(column, list(known.groups(column))) for column in known.columns]

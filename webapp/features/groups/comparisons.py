@@ -11,8 +11,8 @@ from core import analyses
 from core.comparing import design_json
 from core.errors import ParameterError
 from core.groups.design import SUBJECT_NAMES, make_design
-from core.mocap.properties import Properties
 from core.workspace import Job, Workspace
+from core.workspace.properties import present_properties
 from webapp.shell import settings
 from webapp.shell.results import motif_notes
 
@@ -20,14 +20,9 @@ COUNTED = ("motifs", "grammar", "labels")
 MOST_VALUES = 200
 
 
-def properties_of(workspace: Workspace, dataset: str) -> Properties:
-    """The properties of the clips that a data set has now; raises WorkspaceError where there is none."""
-    return workspace.properties.of(workspace.info(dataset).id).of_clips(workspace.open(dataset).names)
-
-
 def choices(workspace: Workspace, dataset: str) -> dict[str, Any]:
     """What can be compared: ``columns`` with values, ``who``: the property that names who moves, ``labels``: any?"""
-    known = properties_of(workspace, dataset)
+    known = present_properties(workspace, dataset)
     values = {column: known.groups(column) for column in known.columns}
     columns = [
         {"name": name, "values": [[value, len(clips)] for value, clips in list(own.items())[:MOST_VALUES]]}
@@ -47,7 +42,7 @@ def request_of(workspace: Workspace, dataset: str, link: Mapping[str, str]) -> a
         raise ParameterError("These recordings have no labels to count; choose motifs or actions.")
     who, chosen = link.get("who"), [link[key] for key in ("first", "second") if link.get(key)]
     design = make_design(
-        properties_of(workspace, dataset),
+        present_properties(workspace, dataset),
         opened.names,
         link.get("by", ""),
         subject="" if who == "-" else who or None,
@@ -90,10 +85,9 @@ def named(workspace: Workspace, dataset: str, document: dict[str, Any], link: Ma
     def spoken(text: str) -> str:
         return re.sub(r"\bmotif (\d+)\b", lambda found: names.get(found[1], found[0]), text)
 
-    rows = [_renamed(row, spoken) for part in ("comparisons", "transitions") for row in document[part]]
-    count = len(document["comparisons"])
+    rows = {part: [_renamed(row, spoken) for row in document[part]] for part in ("comparisons", "transitions")}
     words = [one | {"text": spoken(one["text"])} for one in document["words"]]
-    return {**document, "comparisons": rows[:count], "transitions": rows[count:], "words": words}
+    return {**document, **rows, "words": words}
 
 
 def _renamed(row: dict[str, Any], spoken: Any) -> dict[str, Any]:

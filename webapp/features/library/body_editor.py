@@ -6,7 +6,7 @@ import json
 from typing import Any
 
 import dash_mantine_components as dmc
-from dash import Dash, Input, Output, State, dcc, html, no_update
+from dash import Dash, Input, Output, State, ctx, dcc, html, no_update
 from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
@@ -142,7 +142,8 @@ def _open(app: Dash, workspace: Workspace) -> None:
         chosen = bodies.clip_of(rigs[number], clip)
         last = chosen.n_frames - 1
         frame = min(int(frame or 0), last)
-        names_of_clips = [one.name for one in rigs[number].clips[:_LISTED]]
+        another_rig = bool({names.BODY_RIGS, names.BODY_RIG} & set(ctx.triggered_prop_ids.values()))
+        names_of_clips = [one.name for one in rigs[number].clips[:_LISTED]] if another_rig else no_update
         drawn = {"rig": number, "clip": chosen.name, "frame": frame, **bodies.posture(chosen, frame)}
         return drawn, last, names_of_clips, chosen.name
 

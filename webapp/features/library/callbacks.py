@@ -33,6 +33,9 @@ from webapp.shell.names import DATASET, JOB_STARTED, NOTICES, REVISION, SELECTIO
 from webapp.ui.long_tables import OPTIONS
 from webapp.ui.tables import grid
 
+_OPENS = {"reread": names.REREAD_OF, "repair": names.REPAIR_OF, "properties": names.PROPERTIES_OF}
+"""Actions on chosen clips that open a dialog, and the store that opens it."""
+
 
 def register(app: Dash, workspace: Workspace) -> None:
     """Registers the page's callbacks."""
@@ -270,14 +273,8 @@ def _choose_clips(app: Dash, workspace: Workspace) -> None:
             return no_update
         try:
             clips = long_lists.chosen_names(workspace, name, rows, every)
-            if action == "reread" and clips:
-                reading.open_for(name, clips)
-                return no_update
-            if action == "repair" and clips:
-                repairs.open_for(name, clips)
-                return no_update
-            if action == "properties" and clips:
-                set_props(names.PROPERTIES_OF, {"data": {"dataset": name, "clips": clips, "at": time.time()}})
+            if action in _OPENS and clips:
+                set_props(_OPENS[action], {"data": {"dataset": name, "clips": list(clips), "at": time.time()}})
                 return no_update
             if action == "remove" and clips:
                 if len(clips) == workspace.info(name).clips:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from typing import Any
 
 import dash_mantine_components as dmc
 from dash import dcc, html
@@ -142,36 +143,10 @@ def clips_chosen(chosen: int, matching: int | None = None) -> Component | None:
     return dmc.Group(
         [
             html.Span(words, className="muted number", role="status"),
-            dmc.Button(
-                "Remove",
-                className="for-editors",
-                size="compact-sm",
-                color="red",
-                variant="light",
-                leftSection=icon("trash", 14),
-                **sends(names.CLIPS_ACTION, {"action": "remove"}, every_time=True),
-            ),
-            dmc.Button(
-                "Read otherwise",
-                className="for-editors",
-                size="compact-sm",
-                variant="default",
-                **sends(names.CLIPS_ACTION, {"action": "reread"}, every_time=True),
-            ),
-            dmc.Button(
-                "Properties",
-                className="for-editors",
-                size="compact-sm",
-                variant="default",
-                **sends(names.CLIPS_ACTION, {"action": "properties"}, every_time=True),
-            ),
-            dmc.Button(
-                "Repair",
-                className="for-editors",
-                size="compact-sm",
-                variant="default",
-                **sends(names.CLIPS_ACTION, {"action": "repair"}, every_time=True),
-            ),
+            _for_clips("Remove", "remove", color="red", variant="light", leftSection=icon("trash", 14)),
+            _for_clips("Read otherwise", "reread"),
+            _for_clips("Properties", "properties"),
+            _for_clips("Repair", "repair"),
             dmc.Button(
                 "Clear",
                 size="compact-sm",
@@ -183,6 +158,12 @@ def clips_chosen(chosen: int, matching: int | None = None) -> Component | None:
         gap=8,
         wrap="nowrap",
     )
+
+
+def _for_clips(words: str, action: str, **looks: Any) -> Component:
+    """A button that does something with the chosen clips."""
+    looks = {"className": "for-editors", "size": "compact-sm", "variant": "default"} | looks
+    return dmc.Button(words, **looks, **sends(names.CLIPS_ACTION, {"action": action}, every_time=True))
 
 
 def _choose_all(matching: int) -> Component:

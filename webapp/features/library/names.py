@@ -42,27 +42,11 @@ class UploadInto(TypedDict):
     at: NotRequired[float]
 
 
-class Reread(TypedDict):
-    """The clips that are to be read otherwise; all of the data set where none is named."""
+class ClipsOf(TypedDict):
+    """Clips of a data set that a dialog is about; all of them where none is named."""
 
     dataset: Name
     clips: NotRequired[list[str]]
-    at: NotRequired[float]
-
-
-class PropertiesOf(TypedDict):
-    """The data set and the clips of it whose properties are to be shown."""
-
-    dataset: Name
-    clips: list[str]
-    at: NotRequired[float]
-
-
-class RepairOf(TypedDict):
-    """The clips that are to be repaired."""
-
-    dataset: Name
-    clips: list[str]
     at: NotRequired[float]
 
 
@@ -239,15 +223,15 @@ UPLOAD_SUGGESTED = Store("upload-suggested", Name)  # a name for the upload; "" 
 UPLOADED = Store("uploaded", Name)  # the token whose import was started
 
 REREAD_DIALOG = Id("reread-dialog")
-REPAIR_OF = Store("repair-of", RepairOf)
+REPAIR_OF = Store("repair-of", ClipsOf)
 REPAIR_DIALOG = Id("repair-dialog")
 REPAIR_WHAT = Id("repair-what")
 REPAIR_KINDS = Id("repair-kinds")
 REPAIR_PROBLEM = Id("repair-problem")
 REPAIR_DO = Id("repair-do")
 
-REREAD_OF = Store("reread-of", Reread)
-PROPERTIES_OF = Store("properties-of", PropertiesOf)
+REREAD_OF = Store("reread-of", ClipsOf)
+PROPERTIES_OF = Store("properties-of", ClipsOf)
 REREAD_NOW = Id("reread-now")
 REREAD_UNIT = Id("reread-unit")
 REREAD_UP = Id("reread-up")

@@ -10,6 +10,7 @@ from flask import Blueprint, Response, jsonify
 from core.mocap.properties import Properties
 from core.mocap.property_files import by_pattern, mixed_words, parse_properties
 from core.workspace import Workspace
+from core.workspace.properties import present_properties
 from webapp.shell.routes import BadRequest, answer_errors, attachment, json_body
 
 LARGEST_TABLE = 8_000_000  # bytes
@@ -24,12 +25,12 @@ def properties_blueprint(workspace: Workspace) -> Blueprint:
 
     @routes.get("/<dataset>")
     def show_properties(dataset: str) -> Response:
-        return jsonify(_summary(workspace, dataset, of_dataset(workspace, dataset)))
+        return jsonify(_summary(workspace, dataset, present_properties(workspace, dataset)))
 
     @routes.get("/<dataset>/csv")
     def properties_file(dataset: str) -> Response:
         names = workspace.open(dataset).names
-        return attachment(of_dataset(workspace, dataset).to_csv(names), "text/csv", f"{dataset}-clips.csv")
+        return attachment(present_properties(workspace, dataset).to_csv(names), "text/csv", f"{dataset}-clips.csv")
 
     @routes.post("/<dataset>")
     def change_properties(dataset: str) -> Response:
@@ -40,7 +41,7 @@ def properties_blueprint(workspace: Workspace) -> Blueprint:
             if not isinstance(version, int):
                 raise BadRequest("version must be a whole number.")
             workspace.properties.restore(id, version, author)
-            return jsonify(_summary(workspace, dataset, of_dataset(workspace, dataset)))
+            return jsonify(_summary(workspace, dataset, present_properties(workspace, dataset)))
         change = CHANGES.get(str(body.get("action")))
         if change is None:
             raise BadRequest("There is no such change of properties.")
@@ -52,11 +53,6 @@ def properties_blueprint(workspace: Workspace) -> Blueprint:
         return jsonify(shown | {"before": workspace.properties.put(id, made, what, author)})
 
     return routes
-
-
-def of_dataset(workspace: Workspace, dataset: str) -> Properties:
-    """The properties of the clips that a data set has now; raises WorkspaceError where there is none."""
-    return workspace.properties.of(workspace.info(dataset).id).of_clips(workspace.open(dataset).names)
 
 
 Changed = tuple[Properties, Iterable[str], str]

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable
 from typing import Any
 
 import dash_mantine_components as dmc
-from dash import Dash, Output, State, html, set_props
+from dash import Dash, Output, State, html
 from dash.development.base_component import Component
 
 from core import analyses, requests
@@ -163,11 +163,6 @@ def dialog() -> Component:
             dmc.Group(dmc.Button("Read again", id=names.REREAD_DO), justify="flex-end", mt="md"),
         ],
     )
-
-
-def open_for(dataset: str, clips: Collection[str] = ()) -> None:
-    """Opens the dialog for ``clips`` (all where empty) of a data set, in a callback."""
-    set_props(names.REREAD_OF, {"data": {"dataset": dataset, "clips": list(clips)}})
 
 
 def _fill(dataset: Dataset, asked: dict[str, Any]) -> list[Any]:

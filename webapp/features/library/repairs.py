@@ -7,7 +7,7 @@ from collections.abc import Collection
 from typing import Any
 
 import dash_mantine_components as dmc
-from dash import Dash, Output, State, html, set_props
+from dash import Dash, Output, State, html
 from dash.development.base_component import Component
 
 from core import requests
@@ -46,11 +46,6 @@ def dialog() -> Component:
             dmc.Group(dmc.Button("Repair", id=names.REPAIR_DO), justify="flex-end", mt="md"),
         ],
     )
-
-
-def open_for(dataset: str, clips: Collection[str]) -> None:
-    """Opens the dialog for ``clips`` of a data set, in a callback."""
-    set_props(names.REPAIR_OF, {"data": {"dataset": dataset, "clips": list(clips)}})
 
 
 def counted_repairs(dataset: Dataset, clips: Collection[str]) -> dict[str, Counter[str]]:

@@ -136,14 +136,13 @@ def _browse(app: Dash, workspace: Workspace) -> None:
         centre = graph_parts.chosen_motif(graph, selection)
         if ctx.triggered_id == names.GRAPH_SOUGHT and centre is not None:
             part = graph_parts.AROUND  # what was chosen is to be seen
-        if [part, centre if part == graph_parts.AROUND else None] == [shown["part"], shown["centre"]]:
+        now = {"part": part, "centre": centre if part == graph_parts.AROUND else None}
+        if now == shown:
             return (no_update,) * 5
         ids = graph_parts.ids_of_part(graph, part, centre)
-        words = f"{len(ids):,} of {len(graph.motifs):,}"
         elements = graph_elements(workspace.open(name), key, graph, part, centre)
-        counts = [element["data"]["count"] for element in elements if "count" in element["data"]]
-        now = {"part": part, "centre": centre if part == graph_parts.AROUND else None}
-        return elements, part, now, words, graph_figure.first_threshold(counts)
+        threshold = graph_figure.first_threshold(graph_figure.counts_of(elements))
+        return elements, part, now, graph_parts.words_of(graph, ids), threshold
 
     app.clientside_callback(ClientsideFunction("motions", "list"), Input(names.MOTIONS, "data"))
 

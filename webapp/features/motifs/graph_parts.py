@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 from heapq import heappop, heappush
 from typing import Any
@@ -31,6 +31,11 @@ def choices(graph: MotifGraph) -> list[dict[str, str]]:
     ]
     first = [{"value": LARGEST, "label": "The largest motifs"}, {"value": AROUND, "label": "Around the chosen motif"}]
     return first + (several if len(parts) > 1 else [])
+
+
+def words_of(graph: MotifGraph, drawn: Collection[int]) -> str:
+    """How many motifs are drawn, of how many."""
+    return f"{len(drawn):,} of {len(graph.motifs):,}"
 
 
 def chosen_motif(graph: MotifGraph, selection: Mapping[str, Any] | None) -> int | None:

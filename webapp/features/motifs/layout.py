@@ -126,7 +126,7 @@ def _part_chooser(graph: MotifGraph) -> list[Component]:
         comboboxProps={"shadow": "md"},
         **attributes(aria_label="Motifs that are drawn"),
     )
-    words = f"{len(graph_parts.ids_of_part(graph, graph_parts.LARGEST, None)):,} of {len(graph.motifs):,}"
+    words = graph_parts.words_of(graph, graph_parts.ids_of_part(graph, graph_parts.LARGEST, None))
     shown = html.Span(words, id=names.GRAPH_PART_WORDS, className="muted number graph-part-words")
     start = {"part": graph_parts.LARGEST, "centre": None}
     stores = [dcc.Store(id=names.GRAPH_PART_SHOWN, data=start), dcc.Store(id=names.GRAPH_SOUGHT)]
@@ -134,7 +134,7 @@ def _part_chooser(graph: MotifGraph) -> list[Component]:
 
 
 def _graph_card(graph: MotifGraph, elements: list[dict], scheme: str) -> Component:
-    counts = [element["data"]["count"] for element in elements if "count" in element["data"]]
+    counts = graph_figure.counts_of(elements)
     threshold = graph_figure.first_threshold(counts)
     return html.Div(
         className="card graph-card",

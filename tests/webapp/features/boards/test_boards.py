@@ -57,6 +57,12 @@ def test_every_template_is_made_of_blocks_that_exist_and_do_not_overlap():
         assert {kind for kind, *_ in template.blocks} <= set(blocks())
 
 
+@pytest.mark.parametrize("body", [b"", b"[]", b"{", b"\xff", b"[" * 100_000])
+def test_what_is_no_json_object_is_refused(workspace, body):
+    client = create_app(workspace.path).server.test_client()
+    assert client.post("/api/boards", data=body, content_type="application/json", headers=HEADERS).status_code == 400
+
+
 def test_an_open_board_costs_nothing_while_nothing_changes(ask, board, workspace):
     first = ask(f"boards/{board['id']}")
     mark = first.headers["ETag"]

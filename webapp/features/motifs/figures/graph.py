@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -88,6 +88,11 @@ def _in_loops(graph: MotifGraph) -> set[int]:
     """Motifs that can be reached again from themselves."""
     loops = {motif for ids in graph.components("strong") if len(ids) > 1 for motif in ids}
     return loops | {edge.source for edge in graph.edges if edge.source == edge.target}
+
+
+def counts_of(elements: Iterable[Mapping[str, Any]]) -> list[int]:
+    """How often each drawn edge was seen."""
+    return [element["data"]["count"] for element in elements if "count" in element["data"]]
 
 
 def first_threshold(counts: Sequence[int], most: int = MANY_EDGES) -> int:
