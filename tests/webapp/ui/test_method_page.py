@@ -39,4 +39,5 @@ def test_settings_that_the_page_sets_in_another_way_come_from_the_link():
     """The estimate of a search looked at the default method, whatever the link said."""
     view = {"search-method": "parts"}
     assert chosen_values(METHOD, [], [], view) == ({"method": "parts"}, {})
-    assert chosen_values(METHOD, [{"name": "analysis_fps"}], [15], view) == ({"analysis_fps": 15, "method": "parts"}, {})
+    both = {"analysis_fps": 15, "method": "parts"}
+    assert chosen_values(METHOD, [{"name": "analysis_fps"}], [15], view) == (both, {})
