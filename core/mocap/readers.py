@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 from core.mocap.bvh import read_bvh_clips
 from core.mocap.c3d import read_c3d
@@ -14,7 +15,7 @@ from core.mocap.mvnx import read_mvnx
 from core.mocap.opensim import read_opensim
 from core.mocap.points import reading as points
 from core.mocap.points.array_files import read_arrays
-from core.mocap.points.json_files import frame_files, is_frame_file
+from core.mocap.points.json_files import in_order, is_frame_file, take_of
 from core.mocap.reading import Reading
 from core.mocap.smpl import holds_poses, read_poses
 from core.mocap.text import recording_format
@@ -86,9 +87,13 @@ def _begins_as_one(path: str, ending: str, _changed: int, size: int) -> bool:
     return size > 0 and points.holds_points(Path(path), ending)
 
 
-def is_first(path: Path) -> bool:
-    """Whether a file stands for its recording: of takes with one file a frame, the first alone does."""
-    return not is_frame_file(path) or frame_files(path)[0].name == path.name
+def without_later_frames(paths: Sequence[Path]) -> list[Path]:
+    """``paths`` with only the first file of each take that has one file a frame."""
+    takes: dict[Any, list[Path]] = {}
+    for path in filter(is_frame_file, paths):
+        takes.setdefault(take_of(path), []).append(path)
+    later = {path for files in takes.values() for path in in_order(files)[1:]}
+    return [path for path in paths if path not in later]
 
 
 def read_clips(path: Path, how: Reading) -> tuple[Clip, ...]:

@@ -12,7 +12,7 @@ from pathlib import Path
 from core.mocap.errors import RecordingError
 from core.mocap.files import files_below
 from core.mocap.other_files import LeftOut, in_words, left_out_files, what_it_is
-from core.mocap.readers import FORMATS, NAMED, is_first, is_recording
+from core.mocap.readers import FORMATS, NAMED, is_recording, without_later_frames
 from core.mocap.text import recording_format
 
 NEEDS_SKELETON = "one of them, or one skeleton given for all"  # whoever shows the message says how to give one
@@ -89,9 +89,11 @@ def _find(source: Source) -> list[tuple[Path, Path]]:
     for one in map(Path, sources):
         if not one.exists():
             raise RecordingError(one, "there is no such file or folder")
-        for path in sorted(filter(is_recording, files_below(one) if one.is_dir() else [one])):
-            if is_first(path) or not one.is_dir():
-                found.setdefault(path, path.parent.relative_to(one) if one.is_dir() else Path())
+        if one.is_dir():
+            for path in without_later_frames(sorted(filter(is_recording, files_below(one)))):
+                found.setdefault(path, path.parent.relative_to(one))
+        elif is_recording(one):
+            found.setdefault(one, Path())
     if not found:
         one = Path(sources[0])
         others = in_words(find_left_out(source))

@@ -47,7 +47,8 @@ def read_arrays(path: str | Path) -> dict[str, np.ndarray]:
         if isinstance(loaded, np.ndarray):
             return {"": loaded}
         with loaded:
-            return {name: loaded[name] for name in loaded.files if _is_plain(loaded, name)}
+            read = ((name, _plain(loaded, name)) for name in loaded.files)
+            return {name: array for name, array in read if array is not None}
     except RecordingError:
         raise
     except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile, zlib.error, SyntaxError, TypeError) as error:
@@ -71,15 +72,14 @@ def _short(error: BaseException) -> str:
     return " ".join(str(error).split())[:80] or type(error).__name__
 
 
-def _is_plain(archive: Any, name: str) -> bool:
-    """Whether an array of an archive holds no objects; those that do are left out."""
+def _plain(archive: Any, name: str) -> np.ndarray | None:
+    """An array of an archive; None where it holds objects, which are left out."""
     try:
-        archive[name]
+        return np.asarray(archive[name])
     except ValueError as error:
         if "pickle" in str(error).lower() or "Object arrays" in str(error):
-            return False
+            return None
         raise
-    return True
 
 
 def _check_sizes(path: Path) -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.signal import butter, sosfiltfilt
 
 from core.mocap.reports import Finding
 
@@ -72,6 +71,8 @@ def smoothed(points: np.ndarray, fps: float, cut_off: float) -> np.ndarray:
     """Points ``(n_frames, n_points, 3)`` without what is faster than ``cut_off`` Hz (Butterworth, without delay)."""
     if len(points) < 4 or cut_off >= 0.45 * fps:
         return points
+    from scipy.signal import butter, sosfiltfilt  # takes longer to import than all of this package
+
     sections = butter(_ORDER, cut_off, fs=fps, output="sos")
     return np.asarray(sosfiltfilt(sections, points, axis=0, padlen=min(len(points) - 1, 3 * (2 * len(sections) + 1))))
 

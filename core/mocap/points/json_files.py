@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -61,18 +61,27 @@ _DEEP = 12  # levels that are looked through
 Frame = dict[str, tuple[float, float, float]]
 
 
+def take_of(path: Path) -> tuple[Path, str, bool] | None:
+    """What the files of a take with one JSON file a frame share; None where the name does not end in a number."""
+    match = FRAME_FILE.fullmatch(path.name)
+    return (path.parent, match["take"], bool(match[3])) if match else None
+
+
+def in_order(files: Iterable[Path]) -> list[Path]:
+    """Files of a take in the order of their frames."""
+    return sorted(files, key=lambda file: (_number(file), file))
+
+
+def _number(path: Path) -> int:
+    match = FRAME_FILE.fullmatch(path.name)
+    return int(match["frame"]) if match else 0
+
+
 def frame_files(path: Path) -> list[Path]:
     """The files of a take that has one JSON file a frame, in the order of their numbers; only ``path`` where it is
     alone."""
-    match = FRAME_FILE.fullmatch(path.name)
-    if not match or match["frame"] is None:
-        return [path]
-    same = []
-    for other in path.parent.glob("*.json"):
-        found = FRAME_FILE.fullmatch(other.name)
-        if found and found["take"] == match["take"] and bool(found[3]) == bool(match[3]):
-            same.append((int(found["frame"]), other))
-    return [other for _, other in sorted(same)] or [path]
+    take = take_of(path)
+    return in_order(other for other in path.parent.glob("*.json") if take_of(other) == take) if take else [path]
 
 
 def is_frame_file(path: Path) -> bool:
@@ -92,13 +101,14 @@ def holds_points(document: Any) -> bool:
 def read_json(path: str | Path) -> tuple[Points, bool]:
     """Points of a JSON file, or of all files of its take, and whether they have names. Raises RecordingError."""
     files = frame_files(Path(path))
-    if len(files) > 1 and _points_of_frame(_document(files[0])) is not None:
-        frames = [_points_of_frame(_document(file)) for file in files]
-        match = FRAME_FILE.fullmatch(files[0].name)
-        name = (match["take"] if match else "") or Path(path).parent.name
+    document = _document(files[0])
+    if len(files) > 1 and _is_frame(files[0], document):
+        frames = [_points_of_frame(document), *(_points_of_frame(_document(file)) for file in files[1:])]
+        take = take_of(files[0])
+        name = (take[1] if take else "") or Path(path).parent.name
         note = f"{len(files)} files, each a frame"
         return _of_frames(path, name, frames, None, None, (note,))
-    document = _document(Path(path))
+    document = document if files[0] == Path(path) else _document(Path(path))
     name = recording_format(path)[0]
     fps = _rate(document)
     array, names = _whole_array(document)
@@ -114,6 +124,11 @@ def read_json(path: str | Path) -> tuple[Points, bool]:
     if not frames:
         raise RecordingError(path, "no points in this JSON", "frames of joints with x, y and z")
     return _of_frames(path, name, frames, fps or rate_of(np.array(times)), names, ())
+
+
+def _is_frame(path: Path, document: Any) -> bool:
+    """Whether a file whose name is numbered is one frame of a take, not a whole recording of several that are."""
+    return _points_of_frame(document) is not None and (is_frame_file(path) or not holds_points(document))
 
 
 def _document(path: Path) -> Any:
@@ -209,9 +224,7 @@ def _list_of_frames(document: Any) -> tuple[list[Frame | None], list[float]]:
     if not isinstance(entries, list):
         one = _points_of_frame(document)
         return ([one] if one else []), []
-    times = [
-        float(e[k]) for e in entries if isinstance(e, Mapping) for k in _TIMES[:1] + _TIMES[1:] if _is_time(e.get(k))
-    ]
+    times = [float(e[k]) for e in entries if isinstance(e, Mapping) for k in _TIMES if _is_time(e.get(k))]
     frames = [_points_of_frame(entry) for entry in entries]
     return (frames if any(frames) else []), times
 

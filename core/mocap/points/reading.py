@@ -63,6 +63,8 @@ def _points(path: str | Path, ending: str) -> list[tuple[Points, bool]]:
 
 def holds_points(path: Path, ending: str) -> bool:
     """Whether a file whose ending says nothing begins as a recording of points, or of poses, does."""
+    if ending == ".json" and json_files.is_frame_file(path):
+        return True
     try:
         if ending == ".npy":
             return _npy_fits(path)
@@ -124,8 +126,6 @@ def _npz_fits(path: Path) -> bool:
 
 def _json_fits(path: Path, head: str) -> bool:
     """Whether a JSON file begins as frames of points do; small ones are read whole."""
-    if json_files.is_frame_file(path):
-        return True
     if re.match(r'\s*\{\s*"format"\s*:\s*"motionscape/', head) or not re.match(r"\s*[\[{]", head):
         return False
     if path.stat().st_size <= _LOOKED_AT:

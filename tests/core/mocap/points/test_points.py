@@ -196,6 +196,15 @@ def test_openpose_writes_a_file_a_frame_and_they_are_one_clip(tmp_path):
     assert find_anatomy(dataset.clips[0].skeleton).body == "human" and not dataset.report.messages
 
 
+def test_numbered_recordings_are_not_the_frames_of_one(tmp_path):
+    values = of_preset("body25", 50)
+    for k in range(3):
+        document = {"names": [f"p{j}" for j in range(25)], "joints": values.tolist(), "fps": 30}
+        (tmp_path / f"walk_{k:03d}.json").write_text(json.dumps(document))
+    dataset = open_dataset(tmp_path, points="body25")
+    assert {clip.name: clip.n_frames for clip in dataset.clips} == {f"walk_{k:03d}": 50 for k in range(3)}
+
+
 def test_arrays_in_other_orders_and_with_several_people(tmp_path):
     values = walk(120)
     np.savez(tmp_path / "joints_first.npz", motion=values.transpose(1, 2, 0))
