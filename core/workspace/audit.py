@@ -50,6 +50,11 @@ class Audit:
         )
         return [Entry(*row) for row in reversed(rows)]
 
+    def newest(self, of: str) -> int:
+        """Number of the newest entry about ``of`` ("dataset", "job"); 0 where there is none. It never goes back."""
+        rows = self._database.rows("SELECT max(id) FROM audit WHERE what >= ? AND what < ?", f"{of} ", f"{of}!")
+        return int(rows[0][0] or 0)
+
     def who_started(self, job: int) -> str:
         """Who started the job with this number; empty where that is not known."""
         rows = self._database.rows(

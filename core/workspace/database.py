@@ -74,6 +74,7 @@ CREATE TABLE IF NOT EXISTS audit (
     id INTEGER PRIMARY KEY AUTOINCREMENT, at REAL NOT NULL, who TEXT NOT NULL, what TEXT NOT NULL,
     subject TEXT NOT NULL, details TEXT NOT NULL
 );
+CREATE INDEX IF NOT EXISTS audit_by_what ON audit (what, id);
 """
 _LATER = {"jobs": ("expected TEXT NOT NULL DEFAULT ''", "held TEXT NOT NULL DEFAULT ''")}
 """Columns that tables of older workspaces lack."""

@@ -17,7 +17,7 @@ from dash import Dash, Input, Output, State, dcc, html, no_update
 from dash.dependencies import ClientsideFunction
 from dash.development.base_component import Component
 
-from core.workspace import DatasetInfo, Job, Workspace, WorkspaceError
+from core.workspace import Job, Workspace, WorkspaceError
 from webapp import jobs as webapp_jobs
 from webapp.jobs import names
 from webapp.shell.advice import in_the_browser
@@ -93,14 +93,19 @@ def read_pulse(workspace: Workspace, dismissed: Iterable[int] = ()) -> Pulse:
     shown = [job for job in shown if job.alive or job.key not in superseded]
     return Pulse(
         tuple(sorted(shown, key=lambda job: job.id)),
-        revision_of(workspace.datasets()),
+        revision_of(workspace),
         _mark(f"{job.id}{job.state}" for job in jobs if not job.alive),
     )
 
 
-def revision_of(datasets: Sequence[DatasetInfo]) -> str:
-    """A mark of the list of datasets: it changes when one comes, goes, is renamed or gets new content or labels."""
-    return _mark(f"{info.id}{info.name}{info.folder}" for info in datasets)
+def revision_of(workspace: Workspace) -> str:
+    """A mark of the list of datasets: it changes when one comes, goes, is renamed or gets new content or labels.
+
+    It never returns to what it was, not even when a change is undone: a page that has read a change before it heard of
+    it would else not hear that it is undone.
+    """
+    changes = workspace.audit.newest("dataset")
+    return _mark([str(changes), *(f"{info.id}{info.name}{info.folder}" for info in workspace.datasets())])
 
 
 def rows(jobs: Sequence[Job]) -> list[dict]:
