@@ -120,6 +120,8 @@ def test_the_bar_shows_what_runs_and_what_failed(workspace):
     assert job_bar.read_pulse(workspace, dismissed=[job.id]).jobs == ()
     again = workspace.jobs.submit("k1", {"method": "motifs"}, "Motif graph: walkers")
     assert [j.id for j in job_bar.read_pulse(workspace).jobs] == [again.id]  # the failure is superseded
+    workspace.jobs.cancel(again.id)
+    assert job_bar.read_pulse(workspace).jobs == ()  # and does not come back when the second try is cancelled
 
 
 def test_the_revision_changes_with_the_datasets(workspace):

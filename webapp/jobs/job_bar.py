@@ -89,8 +89,8 @@ def read_pulse(workspace: Workspace, dismissed: Iterable[int] = ()) -> Pulse:
     """What the bar shows now, by two small queries. dismissed: ids of failed jobs that are no longer shown."""
     jobs, now, hidden = workspace.jobs.list(50), time.time(), set(dismissed)
     shown = [job for job in jobs if job.alive or (_failed_lately(job, now) and job.id not in hidden)]
-    superseded = {job.key for job in jobs if job.alive or job.state == "done"}
-    shown = [job for job in shown if job.alive or job.key not in superseded]
+    newest = {job.key: job.id for job in reversed(jobs)}  # a failure is over once the same was tried again
+    shown = [job for job in shown if job.alive or job.id == newest[job.key]]
     return Pulse(
         tuple(sorted(shown, key=lambda job: job.id)),
         revision_of(workspace),
@@ -190,6 +190,8 @@ def register(app: Dash, workspace: Workspace) -> None:
     )
     def poll(_ticks, _poke, dismissed, seen):
         pulse = read_pulse(workspace, dismissed or ())
+        if any(job.died for job in pulse.jobs) and webapp_jobs.resume(workspace):
+            pulse = read_pulse(workspace, dismissed or ())
         if pulse.busy:
             webapp_jobs.ensure_worker(workspace)  # a worker may have died, or the page that started the job may be gone
         shown, marks, seen = rows(pulse.jobs), marks_of(pulse), seen or {}

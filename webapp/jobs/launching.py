@@ -66,11 +66,15 @@ def restart(workspace: Workspace, job_id: int) -> Job:
 def resume(workspace: Workspace) -> int:
     """Starts the jobs again that broke off with their worker in the last days, each once; how many.
 
-    A job that breaks off again may be what ends its worker, and waits for a person.
+    Each is started in the name of who started it first, whoever's page notices. A job that breaks off again may be what
+    ends its worker, and waits for a person.
     """
+    from core.workspace.people import Person, acting_as
+
     ids = workspace.jobs.interrupted(time.time() - RESUMED)
     for job_id in ids:
-        restart(workspace, job_id)
+        with acting_as(Person(workspace.audit.who_started(job_id))):
+            restart(workspace, job_id)
     return len(ids)
 
 

@@ -7,6 +7,7 @@ import sys
 import threading
 import time
 from collections import namedtuple
+from types import SimpleNamespace
 
 import psutil
 import pytest
@@ -14,6 +15,7 @@ import pytest
 from core import analyses, estimates
 from core.workspace import Workspace, WorkspaceError
 from core.workspace.jobs import STOPPED
+from core.workspace.people import Person, acting_as
 from tests import toy_method
 from tests.core.workspace.test_jobs import wait_for
 from tests.toy_method import REPOSITORY, make_dataset
@@ -203,6 +205,33 @@ def test_a_job_that_broke_off_starts_again_with_the_next_server_but_only_once(wo
     workspace.jobs.claim(again.id)
     workspace.jobs.fail(again.id, STOPPED, died=True)
     assert jobs.resume(workspace) == 0
+
+
+def test_a_job_whose_worker_is_killed_starts_again_with_the_next_look_of_a_page_but_only_once(workspace):
+    look = open_bar(workspace)
+    first = jobs.start(workspace, toy_method.request(seconds=300))
+    os.kill(counting(workspace, first).pid, signal.SIGKILL)
+    assert wait_for(lambda: workspace.jobs.get(first.id).state == "failed")
+    with acting_as(Person("guest", "viewer")):  # the page of someone who may start nothing is as good as any
+        look()
+    second = workspace.jobs.list()[0]
+    assert second.id != first.id and second.request == first.request
+    assert workspace.audit.who_started(second.id) == workspace.audit.who_started(first.id)
+    os.kill(counting(workspace, second).pid, signal.SIGKILL)
+    assert wait_for(lambda: workspace.jobs.get(second.id).state == "failed")
+    look()
+    assert workspace.jobs.list()[0].id == second.id
+
+
+def open_bar(workspace):
+    """The poll of the job bar, as a page calls it."""
+    functions = {}
+    app = SimpleNamespace(
+        clientside_callback=lambda *arguments: None,
+        callback=lambda *arguments, **more: lambda function: functions.setdefault(function.__name__, function),
+    )
+    job_bar.register(app, workspace)
+    return lambda: functions["poll"](1, None, [], {})
 
 
 @pytest.mark.parametrize("exit_code", [7, -signal.SIGKILL])
