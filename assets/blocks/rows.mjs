@@ -2,7 +2,8 @@
 import { element, svgElement } from "../shared/dom.mjs";
 import { clock } from "../shared/words.mjs";
 import { asButton, tipOn } from "./tip.mjs";
-/** @import { Stretch, Track } from "./types.d.ts" */
+import { isIn } from "./selection.mjs";
+/** @import { Segment, Stretch, Track } from "./types.d.ts" */
 
 const [LANE, GAP] = [14, 3];
 
@@ -19,13 +20,13 @@ export function legend(names, colours) {
 export const isFaint = (among, clip) => among !== null && !among.has(clip);
 
 /**
- * Rows with names; gives what lights stretches by their keys, and a row.
+ * Rows with names; gives what lights stretches by their keys or, where no key is given, those in some motion.
  * @param {HTMLElement} place
  * @param {Track[]} tracks
  */
 export function drawRows(place, tracks) {
   const longest = Math.max(...tracks.map(({ seconds }) => seconds), 1e-9);
-  /** @type {[Stretch, SVGElement][]} */
+  /** @type {[Stretch, SVGElement, Segment][]} */
   const drawn = [];
   const rows = tracks.map((track) => {
     const height = Math.max(track.lanes.length, 1) * (LANE + GAP);
@@ -37,7 +38,7 @@ export function drawRows(place, tracks) {
         tipOn(node, () => [stretch.tip]);
         asButton(node, stretch.tip, stretch.choose);
         node.setAttribute("tabindex", "-1");
-        drawn.push([stretch, node]);
+        drawn.push([stretch, node, [track.clip, stretch.start * track.fps, stretch.end * track.fps]]);
         svg.append(node);
       }
     });
@@ -46,10 +47,11 @@ export function drawRows(place, tracks) {
     return { clip: track.clip, node: element("div", "block-row", name, svg, element("span", "block-row-end number", clock(track.seconds))) };
   });
   place.append(element("div", "block-rows", ...rows.map(({ node }) => node)));
-  /** @param {Set<string>} keys @param {string | undefined} clip @param {Set<string> | null} [among] clips that do not fade */
-  return (keys, clip, among = null) => {
-    const some = drawn.some(([{ key }]) => keys.has(key));
-    for (const [{ key }, node] of drawn) node.classList.toggle("faint", some && !keys.has(key));
+  /** @param {Set<string>} keys @param {Segment[]} motion @param {string | undefined} clip @param {Set<string> | null} among clips that do not fade */
+  return (keys, motion, clip, among) => {
+    const lit = drawn.map(([{ key }, , segment]) => (keys.size ? keys.has(key) : isIn(segment, motion)));
+    const some = lit.includes(true);
+    drawn.forEach(([, node], k) => node.classList.toggle("faint", some && !lit[k]));
     for (const row of rows) {
       row.node.classList.toggle("chosen", row.clip === clip);
       row.node.classList.toggle("faint", isFaint(among, row.clip));

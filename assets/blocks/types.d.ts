@@ -26,8 +26,12 @@ export interface Context {
 
 /** A drawn block. */
 export interface Drawn {
-  /** Show what is selected. */
-  light?(selection: Selection): void;
+  /** Show what is selected. `motion`: the stretches of clips that it stands for, as far as a block knows them. */
+  light?(selection: Selection, motion: Segment[]): void;
+  /** The stretches of clips that a selection stands for; undefined where this block does not know it. */
+  motion?(selection: Selection): Segment[] | undefined;
+  /** Mark what was made with the settings that the page has. */
+  settle?(view: Record<string, string>): void;
   /** Fade what has nothing to do with a label ("" fades nothing), and what is of no clip among these (null: all are). */
   narrow?(label: string, among: Set<string> | null): void;
   /** The page is light or dark now. */
@@ -79,6 +83,10 @@ export interface MapContent {
   postures: string;
   icons: { light: string; dark: string };
   passes: Segment[][];
+  /** Stays of clips on nodes, the longest: five numbers each, index of the clip, node, start, end, index of the label or -1. */
+  stays?: number[];
+  clips?: string[];
+  labels?: string[];
 }
 
 export interface OverviewContent {
@@ -95,7 +103,7 @@ export interface TracksContent {
 }
 
 export interface ActionsContent {
-  actions: { id: number; name: string; short: string; colour: string; ink: string; count: number; segments: Segment[] }[];
+  actions: { id: number; name: string; short: string; colour: string; ink: string; count: number; segments: Segment[]; label?: string }[];
   rows: { clip: string; brief: string; fps: number; seconds: number; pieces: number[][]; cuts: number[] }[];
 }
 
@@ -105,6 +113,9 @@ export interface SweepContent {
   measures: [string, string, string, number][];
   figures: Record<string, ([number, number, number] | null)[][]>;
   ready: [number, number];
+  /** Keys of a view, and their texts at each place of the chart, a row a series. */
+  keys?: string[];
+  settings?: Record<string, string>[][];
 }
 
 /** A coloured stretch of a row, in seconds. */
@@ -121,6 +132,7 @@ export interface Stretch {
 
 export interface Track {
   clip: string;
+  fps: number;
   brief: string;
   seconds: number;
   lanes: Stretch[][];

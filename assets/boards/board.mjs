@@ -2,6 +2,7 @@
 import { changeView, setStore } from "../shared/dash.mjs";
 import { element, withAttributes } from "../shared/dom.mjs";
 import { DATASET_CHOICE, SELECTION } from "../shared/ids.mjs";
+import { lightBlocks } from "../blocks/selection.mjs";
 import { Figure } from "../stage/figure.mjs";
 import { MotionCache } from "../stage/motion.mjs";
 import { ask, Refused } from "../shared/server.mjs";
@@ -34,6 +35,7 @@ export class OpenBoard {
     this.closed = false;
     this.timer = 0;
     this.moving = 0;
+    this.lighting = 0;
     /** @type {Board | null} */
     this.board = null;
     /** @type {Grid | null} */
@@ -82,6 +84,7 @@ export class OpenBoard {
   close() {
     this.closed = true;
     clearTimeout(this.timer);
+    cancelAnimationFrame(this.lighting);
     for (const card of this.cards.values()) card.close();
   }
 
@@ -147,7 +150,10 @@ export class OpenBoard {
       menu: (one, anchor) => this.menu(one, anchor),
       comment: (one) => this.comments.open(/** @type {Board} */ (this.board), one.block.id, one.name),
       renew: (one) => this.change({ action: "renew", block: one.block.id }).then(() => one.compute()),
-      narrow: (one) => this.narrowOne(one),
+      drawn: (one) => {
+        this.narrowOne(one);
+        this.light();
+      },
     });
     fresh.head.addEventListener("keydown", (event) => {
       if (event.target === fresh.head) this.grid?.key(fresh.item, event);
@@ -188,9 +194,15 @@ export class OpenBoard {
     setStore(SELECTION, selection);
   }
 
-  /** @param {Selection} selection */
-  light(selection) {
-    for (const card of this.cards.values()) card.drawn.light?.(selection);
+  /** Show what is selected in all blocks; several changes at once are shown once. */
+  light() {
+    this.lighting ||= requestAnimationFrame(() => {
+      this.lighting = 0;
+      const cards = [...this.cards.values()];
+      lightBlocks(cards.filter(({ block }) => block.dataset === shown.dataset).map((card) => ({ drawn: card.drawn, same: card.isSame })), shown.selection);
+      lightBlocks(cards.filter(({ block }) => block.dataset !== shown.dataset).map((card) => ({ drawn: card.drawn, same: false })), {});
+      for (const { drawn } of cards) drawn.settle?.(shown.view);
+    });
   }
 
   recolour() {

@@ -35,7 +35,7 @@ register("boards", {
       } else showList(place).catch((error) => place.replaceChildren(element("p", "boards-warning", error.message)));
     } else if (now.ended !== before.ended) open?.reload();
     if (now.dark !== before.dark) requestAnimationFrame(() => open?.recolour());
-    open?.light(shown.selection);
+    open?.light();
     return clientside.no_update;
   },
 });

@@ -15,7 +15,7 @@ const POLL = 1500; // milliseconds between two looks at a job
  * @property {(card: Card, anchor: Element) => void} menu
  * @property {(card: Card) => void} comment
  * @property {(card: Card) => void} renew
- * @property {(card: Card) => void} narrow fades what the board is narrowed from
+ * @property {(card: Card) => void} drawn called when its content has been drawn
  */
 
 export class Card {
@@ -47,7 +47,14 @@ export class Card {
     this.item = element("div", "grid-stack-item", element("section", "grid-stack-item-content board-block", this.head, this.note, this.body));
     this.item.dataset.block = block.id;
     this.item.dataset.kind = block.kind;
+    this.body.append(element("div", "muted board-empty", "Loading …"));
     this.show(block);
+  }
+
+  /** Whether numbers of motifs and actions mean the same in it as in the selection: the page has its settings. */
+  get isSame() {
+    const view = this.block.settings.view ?? {};
+    return (kindOf(this.block.kind)?.keys ?? []).every((key) => (view[key] ?? "") === (shown.view[key] ?? ""));
   }
 
   /** What it is called: its title, or what its kind is called. */
@@ -117,8 +124,7 @@ export class Card {
     const place = element("div", "board-content");
     this.body.append(place);
     this.drawn = drawBlock(place, this.block.kind, content, this.context);
-    this.drawn.light?.(shown.selection);
-    this.actions.narrow(this);
+    this.actions.drawn(this);
   }
 
   /** @param {...Node} parts */

@@ -4343,6 +4343,40 @@
     }
   });
 
+  // blocks/selection.mjs
+  function motifsIn(selection) {
+    const text = selection.motifs ?? selection.edge ?? (selection.motif === void 0 ? "" : String(selection.motif));
+    return new Set(text ? text.split("-").map(Number) : []);
+  }
+  var meets = ([clip, start3, end], [name, from, to]) => clip === name && 2 * (Math.min(end, to) - Math.max(start3, from)) >= Math.min(end - start3, to - from);
+  var isIn = (stretch, motion) => motion.some((one) => meets(stretch, one));
+  function motionOf(selection, motifs2) {
+    const chosen3 = motifsIn(selection);
+    const found = motifs2.filter(({ id }) => chosen3.has(id));
+    return found.length ? found.flatMap(({ motions: motions2 }) => motions2) : void 0;
+  }
+  function motifsToLight(selection, motion, motifs2) {
+    const chosen3 = motifsIn(selection);
+    if (chosen3.size || !motion.length) return chosen3;
+    return new Set(motifs2.filter(({ motions: motions2 }) => motions2.some((one) => isIn(one, motion))).map(({ id }) => id));
+  }
+  function lightBlocks(blocks, selection) {
+    const { clip, start: start3, end } = selection;
+    let motion = [];
+    if (clip !== void 0) motion = [[clip, start3 ?? 0, end ?? Infinity]];
+    else {
+      for (const { drawn: drawn8, same: same4 } of blocks) {
+        const known4 = same4 ? drawn8.motion?.(selection) : void 0;
+        if (known4) {
+          motion = known4;
+          break;
+        }
+      }
+    }
+    const stretch = clip === void 0 ? {} : { clip, start: start3, end };
+    for (const { drawn: drawn8, same: same4 } of blocks) drawn8.light?.(same4 ? selection : stretch, motion);
+  }
+
   // blocks/registry.mjs
   var offered = {};
   var offer = (blocks) => Object.assign(offered, blocks);
@@ -4403,7 +4437,13 @@
       this.item = element("div", "grid-stack-item", element("section", "grid-stack-item-content board-block", this.head, this.note, this.body));
       this.item.dataset.block = block2.id;
       this.item.dataset.kind = block2.kind;
+      this.body.append(element("div", "muted board-empty", "Loading …"));
       this.show(block2);
+    }
+    /** Whether numbers of motifs and actions mean the same in it as in the selection: the page has its settings. */
+    get isSame() {
+      const view4 = this.block.settings.view ?? {};
+      return (kindOf(this.block.kind)?.keys ?? []).every((key) => (view4[key] ?? "") === (shown3.view[key] ?? ""));
     }
     /** What it is called: its title, or what its kind is called. */
     get name() {
@@ -4465,8 +4505,7 @@
       const place5 = element("div", "board-content");
       this.body.append(place5);
       this.drawn = drawBlock(place5, this.block.kind, content, this.context);
-      this.drawn.light?.(shown3.selection);
-      this.actions.narrow(this);
+      this.actions.drawn(this);
     }
     /** @param {...Node} parts */
     clear(...parts2) {
@@ -5050,6 +5089,7 @@
       this.closed = false;
       this.timer = 0;
       this.moving = 0;
+      this.lighting = 0;
       this.board = null;
       this.grid = null;
       this.warning = element("p", "boards-warning");
@@ -5092,6 +5132,7 @@
     close() {
       this.closed = true;
       clearTimeout(this.timer);
+      cancelAnimationFrame(this.lighting);
       for (const card4 of this.cards.values()) card4.close();
     }
     /** @param {unknown} error */
@@ -5160,7 +5201,10 @@
           one.name
         ),
         renew: (one) => this.change({ action: "renew", block: one.block.id }).then(() => one.compute()),
-        narrow: (one) => this.narrowOne(one)
+        drawn: (one) => {
+          this.narrowOne(one);
+          this.light();
+        }
       });
       fresh.head.addEventListener("keydown", (event) => {
         if (event.target === fresh.head) this.grid?.key(fresh.item, event);
@@ -5197,9 +5241,15 @@
       if (kindOf(block2.kind)?.computes) changeView(Object.fromEntries(keys.map((key) => [key, view4[key] ?? ""])));
       setStore(SELECTION, selection);
     }
-    /** @param {Selection} selection */
-    light(selection) {
-      for (const card4 of this.cards.values()) card4.drawn.light?.(selection);
+    /** Show what is selected in all blocks; several changes at once are shown once. */
+    light() {
+      this.lighting ||= requestAnimationFrame(() => {
+        this.lighting = 0;
+        const cards = [...this.cards.values()];
+        lightBlocks(cards.filter(({ block: block2 }) => block2.dataset === shown3.dataset).map((card4) => ({ drawn: card4.drawn, same: card4.isSame })), shown3.selection);
+        lightBlocks(cards.filter(({ block: block2 }) => block2.dataset !== shown3.dataset).map((card4) => ({ drawn: card4.drawn, same: false })), {});
+        for (const { drawn: drawn8 } of cards) drawn8.settle?.(shown3.view);
+      });
     }
     recolour() {
       for (const card4 of this.cards.values()) card4.drawn.recolour?.();
@@ -5451,7 +5501,7 @@
         } else showList(place5).catch((error) => place5.replaceChildren(element("p", "boards-warning", error.message)));
       } else if (now6.ended !== before2.ended) open?.reload();
       if (now6.dark !== before2.dark) requestAnimationFrame(() => open?.recolour());
-      open?.light(shown3.selection);
+      open?.light();
       return clientside.no_update;
     }
   });
@@ -5802,7 +5852,7 @@
           tipOn(node, () => [stretch.tip]);
           asButton(node, stretch.tip, stretch.choose);
           node.setAttribute("tabindex", "-1");
-          drawn8.push([stretch, node]);
+          drawn8.push([stretch, node, [track.clip, stretch.start * track.fps, stretch.end * track.fps]]);
           svg.append(node);
         }
       });
@@ -5811,9 +5861,10 @@
       return { clip: track.clip, node: element("div", "block-row", name, svg, element("span", "block-row-end number", clock(track.seconds))) };
     });
     place5.append(element("div", "block-rows", ...rows2.map(({ node }) => node)));
-    return (keys, clip, among2 = null) => {
-      const some = drawn8.some(([{ key }]) => keys.has(key));
-      for (const [{ key }, node] of drawn8) node.classList.toggle("faint", some && !keys.has(key));
+    return (keys, motion, clip, among2) => {
+      const lit4 = drawn8.map(([{ key }, , segment]) => keys.size ? keys.has(key) : isIn(segment, motion));
+      const some = lit4.includes(true);
+      drawn8.forEach(([, node], k) => node.classList.toggle("faint", some && !lit4[k]));
       for (const row7 of rows2) {
         row7.node.classList.toggle("chosen", row7.clip === clip);
         row7.node.classList.toggle("faint", isFaint(among2, row7.clip));
@@ -5825,6 +5876,7 @@
   function drawActions(place5, content, context) {
     const tracks = content.rows.map((row7) => ({
       clip: row7.clip,
+      fps: row7.fps,
       brief: row7.brief,
       seconds: row7.seconds,
       lanes: [row7.pieces.map(([start3, end, id, number2]) => {
@@ -5845,16 +5897,29 @@
       })]
     }));
     const lit4 = drawRows(place5, tracks);
-    let [keys, clip, among2] = [/* @__PURE__ */ new Set(), void 0, null];
+    let [label, clip] = [
+      "",
+      /** @type {string | undefined} */
+      void 0
+    ];
+    let keys = /* @__PURE__ */ new Set();
+    let motion = [];
+    let among2 = null;
+    const show6 = () => {
+      const wanted2 = label ? content.actions.filter((action) => action.label?.startsWith(`${label} (`)).map(({ id }) => `action ${id}`) : [];
+      lit4(/* @__PURE__ */ new Set([...keys, ...wanted2]), motion, clip, among2);
+    };
     return {
-      light(selection) {
+      motion: ({ action }) => content.actions.find(({ id }) => id === action)?.segments,
+      light(selection, named3) {
         keys = new Set(selection.action === void 0 ? [] : [`action ${selection.action}`]);
+        motion = named3;
         ({ clip } = selection);
-        lit4(keys, clip, among2);
+        show6();
       },
-      narrow(_label, clips) {
-        among2 = clips;
-        lit4(keys, clip, among2);
+      narrow(wanted2, clips) {
+        [label, among2] = [wanted2, clips];
+        show6();
       }
     };
   }
@@ -5880,15 +5945,12 @@
     ));
     place5.append(tableOf(["Clip", "Duration", "Frames", "Rate", "Labels", "Motion"], rows2, more2 ? `${plural(more2, "more clip")} not listed.` : ""));
     return {
-      light: (selection) => clips.forEach(({ name }, k) => rows2[k].classList.toggle("chosen", name === selection.clip)),
+      light(_selection, motion) {
+        const chosen3 = new Set(motion.map(([clip]) => clip));
+        clips.forEach(({ name }, k) => rows2[k].classList.toggle("chosen", chosen3.has(name)));
+      },
       narrow: (label, among2) => clips.forEach(({ name, labels: labels2 }, k) => rows2[k].classList.toggle("faint", isFaint(among2, name) || Boolean(label) && !labels2.split(", ").includes(label)))
     };
-  }
-
-  // blocks/selection.mjs
-  function motifsIn(selection) {
-    const text = selection.motifs ?? selection.edge ?? (selection.motif === void 0 ? "" : String(selection.motif));
-    return new Set(text ? text.split("-").map(Number) : []);
   }
 
   // library/tracks_block.mjs
@@ -5919,7 +5981,7 @@
           items: [{ clip: row7.clip, start: Math.round(start3 * row7.fps), end: Math.round(end * row7.fps), label: row7.clip }]
         })
       }));
-      return { clip: row7.clip, brief: row7.brief, seconds: row7.seconds, lanes: [labels2, motions2].filter((lane) => lane.length) };
+      return { clip: row7.clip, fps: row7.fps, brief: row7.brief, seconds: row7.seconds, lanes: [labels2, motions2].filter((lane) => lane.length) };
     });
     const lit4 = drawRows(place5, tracks);
     if (content.actions.length) place5.append(legend2(content.actions, content.colours));
@@ -5930,9 +5992,12 @@
     ];
     let keys = /* @__PURE__ */ new Set();
     let among2 = null;
-    const show6 = () => lit4(wanted2 ? /* @__PURE__ */ new Set([...keys, `label ${wanted2}`]) : keys, clip, among2);
+    let motion = [];
+    const show6 = () => lit4(wanted2 ? /* @__PURE__ */ new Set([...keys, `label ${wanted2}`]) : keys, motion, clip, among2);
     return {
-      light(selection) {
+      motion: (selection) => motionsOf(content, motifsIn(selection), selection.motion),
+      light(selection, named3) {
+        motion = named3;
         keys = new Set([...motifsIn(selection)].map((motif) => `motif ${motif}`));
         ({ clip } = selection);
         show6();
@@ -5942,6 +6007,13 @@
         show6();
       }
     };
+  }
+  function motionsOf({ rows: rows2 }, motifs2, wanted2) {
+    const found = rows2.flatMap(({ clip, fps, motions: motions2 }) => motions2.filter(([, , motif, number2]) => motifs2.has(motif) && (wanted2 === void 0 || wanted2 === number2)).map(([start3, end]) => (
+      /** @type {Segment} */
+      [clip, Math.round(start3 * fps), Math.round(end * fps)]
+    )));
+    return found.length ? found : void 0;
   }
 
   // blocks/pan_zoom.mjs
@@ -6056,9 +6128,9 @@
     const highest = Math.max(...content.heights, 1e-9);
     const svg = svgElement("svg", { class: "block-map", tabindex: 0, role: "application", "aria-label": "Motion map: arrow keys move over it, Enter plays what passes" });
     const ground = svgElement("g", { class: "block-nodes" });
-    content.heights.forEach((height, node) => {
-      ground.append(svgElement("rect", { x: Math.floor(node / ny) - 0.5, y: node % ny - 0.5, width: 1.02, height: 1.02, "fill-opacity": (height / highest).toFixed(3) }));
-    });
+    const squares = content.heights.map((height, node) => svgElement("rect", { x: Math.floor(node / ny) - 0.5, y: node % ny - 0.5, width: 1.02, height: 1.02, "fill-opacity": (height / highest).toFixed(3) }));
+    ground.append(...squares);
+    const stays = staysOf(content);
     const icons = svgElement("g", { class: "block-icons" });
     const mark3 = svgElement("rect", { class: "block-mark", width: 1, height: 1, x: -9, y: -9 });
     svg.append(ground, icons, mark3);
@@ -6115,12 +6187,26 @@
     if (!content.heights.length) place5.append(element("p", "muted", "This map has no nodes."));
     return {
       recolour: paint2,
-      light(selection) {
+      light(selection, motion) {
+        const passed = new Set(motion.length ? stays.filter(({ at: at3 }) => isIn(at3, motion)).map(({ node: node2 }) => node2) : []);
+        squares.forEach((square, k) => square.classList.toggle("lit", passed.has(k)));
         const { clip, start: start3, end } = selection;
         const node = clip === void 0 ? -1 : content.passes.findIndex((passes) => passes.some(([name, from, to]) => name === clip && from === start3 && to === end));
         if (node >= 0) point(Math.floor(node / ny), node % ny);
+      },
+      narrow(label, among2) {
+        const fit2 = stays.filter((stay) => (!label || stay.label === label) && (!among2 || among2.has(stay.at[0])));
+        const nodes = new Set(fit2.map(({ node }) => node));
+        const all = !stays.length || !label && !among2;
+        squares.forEach((square, k) => square.classList.toggle("faint", !all && !nodes.has(k)));
       }
     };
+  }
+  function staysOf({ stays = [], clips = [], labels: labels2 = [] }) {
+    return Array.from({ length: stays.length / 5 }, (_, k) => {
+      const [clip, node, start3, end, label] = stays.slice(5 * k, 5 * k + 5);
+      return { node, at: [clips[clip], start3, end], label: labels2[label] ?? "" };
+    });
   }
 
   // motifs/motif_blocks.mjs
@@ -6143,8 +6229,9 @@
     ));
     place5.append(tableOf(["Motif", "Motions", "Seconds", "Clips", "Mostly", "Motion"], rows2, more2 ? `${plural(more2, "more motif")} not listed.` : ""));
     return {
-      light(selection) {
-        const chosen3 = motifsIn(selection);
+      motion: (selection) => motionOf(selection, motifs2),
+      light(selection, motion) {
+        const chosen3 = motifsToLight(selection, motion, motifs2);
         motifs2.forEach(({ id }, k) => rows2[k].classList.toggle("chosen", chosen3.has(id)));
       },
       narrow: (label, among2) => motifs2.forEach((motif, k) => rows2[k].classList.toggle("faint", !fits(motif, label, among2)))
@@ -6194,8 +6281,9 @@
       narrow(label, among2) {
         for (const motif of motifs2) boxes.get(motif.id)?.classList.toggle("faint", !fits(motif, label, among2));
       },
-      light(selection) {
-        const chosen3 = motifsIn(selection);
+      motion: (selection) => motionOf(selection, motifs2),
+      light(selection, motion) {
+        const chosen3 = motifsToLight(selection, motion, motifs2);
         for (const [id, node] of boxes) node.classList.toggle("chosen", chosen3.has(id));
         for (const [line3, [source, target2]] of ways) {
           const near = selection.edge ? selection.edge === `${source}-${target2}` : chosen3.has(source) || chosen3.has(target2);
@@ -6259,10 +6347,13 @@
       svgElement("rect", { x: k, y: 0, width: 1, height: n, class: "block-line" })
     ]);
     svg.append(...bars);
+    const squares = [];
+    const heads = motifs2.map(() => []);
     for (const [row7, column, count] of cells) {
       const cell2 = svgElement("rect", { x: column + 0.06, y: row7 + 0.06, width: 0.88, height: 0.88, class: "block-cell", "fill-opacity": 0.25 + 0.75 * Math.sqrt(count / most) });
       tipOn(cell2, () => [`${motifs2[row7].name} to ${motifs2[column].name}`, `${count} times`]);
       cell2.addEventListener("click", () => context.select({ edge: `${motifs2[row7].id}-${motifs2[column].id}` }));
+      squares.push(cell2);
       svg.append(cell2);
     }
     motifs2.forEach((motif, k) => {
@@ -6270,14 +6361,22 @@
         const at3 = across ? { x: k + 0.5, y: -0.35, "text-anchor": "middle" } : { x: -0.35, y: k + 0.72, "text-anchor": "end" };
         const name = svgElement("text", { ...at3, class: "block-head", style: `fill: ${motif.colour}` }, String(motif.id));
         tipOn(name, () => [motif.name]);
+        heads[k].push(name);
         svg.append(across ? name : asButton(name, motif.name, () => choose(context, motif)));
         if (across) name.addEventListener("click", () => choose(context, motif));
       }
     });
     place5.append(svg);
     return {
-      light(selection) {
-        const chosen3 = motifsIn(selection);
+      motion: (selection) => motionOf(selection, motifs2),
+      narrow(label, among2) {
+        const fit2 = motifs2.map((motif) => fits(motif, label, among2));
+        heads.forEach((names2, k) => names2.forEach((name) => name.classList.toggle("faint", !fit2[k])));
+        cells.forEach(([row7, column], k) => squares[k].classList.toggle("faint", !(fit2[row7] && fit2[column])));
+      },
+      light(selection, motion) {
+        const chosen3 = motifsToLight(selection, motion, motifs2);
+        cells.forEach(([row7, column], k) => squares[k].classList.toggle("chosen", selection.edge === `${motifs2[row7].id}-${motifs2[column].id}`));
         motifs2.forEach((motif, k) => {
           bars[2 * k].classList.toggle("chosen", chosen3.has(motif.id));
           bars[2 * k + 1].classList.toggle("chosen", chosen3.has(motif.id));
@@ -6296,7 +6395,7 @@
     ));
     place5.append(element("p", "muted", `Like ${query2}`), tableOf(["Clip", "Seconds", "Score", "Frames", "Mostly", "Motion"], rows2, hits.length ? "" : "Nothing is like it."));
     return {
-      light: (selection) => hits.forEach((hit, k) => rows2[k].classList.toggle("chosen", hit.clip === selection.clip && hit.start === selection.start && hit.end === selection.end)),
+      light: (_selection, motion) => hits.forEach(({ clip, start: start3, end }, k) => rows2[k].classList.toggle("chosen", isIn([clip, start3, end], motion))),
       narrow: (label, among2) => hits.forEach((hit, k) => rows2[k].classList.toggle("faint", isFaint(among2, hit.clip) || Boolean(label) && !hit.label.startsWith(`${label} (`)))
     };
   }
@@ -6312,11 +6411,22 @@
     }));
     picker.setAttribute("aria-label", "What the chart shows");
     const chart2 = element("div", "block-chart");
-    const show6 = () => chart2.replaceChildren(lines(content, picker.value));
+    let view4 = {};
+    const show6 = () => chart2.replaceChildren(lines(content, picker.value, view4));
     picker.addEventListener("change", show6);
     show6();
     place5.append(element("div", "block-chart-head", picker, content.series.length > 1 ? legend3(content.series) : null), chart2);
-    return {};
+    return {
+      settle(now6) {
+        const other = (content.keys ?? []).some((key) => (now6[key] ?? "") !== (view4[key] ?? ""));
+        view4 = now6;
+        if (other) show6();
+      }
+    };
+  }
+  function isAt({ keys = [], settings }, series, k, view4) {
+    const own2 = settings?.[series]?.[k];
+    return own2 !== void 0 && keys.every((key) => (own2[key] ?? "") === (view4[key] ?? ""));
   }
   function legend3(series) {
     return element("span", "block-legend", ...series.map((name, k) => {
@@ -6325,7 +6435,8 @@
       return key;
     }));
   }
-  function lines({ x, series, measures, figures }, measure2) {
+  function lines(content, measure2, view4) {
+    const { x, series, measures, figures } = content;
     const [, name, unit2, digits] = measures.find(([key]) => key === measure2) ?? measures[0];
     const rows2 = figures[measure2];
     const values = rows2.flat().flatMap((cell2) => cell2 ?? []);
@@ -6350,8 +6461,10 @@
         if (!cell2) return;
         svg.append(svgElement("path", { d: `M${across(k)} ${up(cell2[1])}V${up(cell2[2])}`, stroke: colour, class: "block-spread" }));
         const dot3 = svgElement("circle", { cx: across(k), cy: up(cell2[0]), r: 4.5, fill: colour, tabindex: 0 });
+        const here3 = isAt(content, s, k, view4);
+        if (here3) svg.append(svgElement("circle", { cx: across(k), cy: up(cell2[0]), r: 9, class: "block-here" }));
         const words4 = cell2.map((value) => value.toFixed(digits));
-        tipOn(dot3, () => [`${name}: ${words4[0]}${unit2 && ` ${unit2}`}`, `${x.name} ${x.values[k]}${series[s] && `, ${series[s]}`}`, words4[1] === words4[2] ? "" : `${words4[1]} to ${words4[2]} over the seeds`]);
+        tipOn(dot3, () => [`${name}: ${words4[0]}${unit2 && ` ${unit2}`}`, `${x.name} ${x.values[k]}${series[s] && `, ${series[s]}`}`, words4[1] === words4[2] ? "" : `${words4[1]} to ${words4[2]} over the seeds`, here3 ? "The settings of this page" : ""]);
         svg.append(dot3);
       });
     });
@@ -8303,7 +8416,7 @@
   );
   var seen;
   var writing2 = 0;
-  var motionOf = (motion) => (
+  var motionOf2 = (motion) => (
     /** @type {BlendMotion} */
     now.data.bodies[now.body].motions.find((one) => one.motion === motion)
   );
@@ -8338,7 +8451,7 @@
     const made = { dataset: mixtureName(), clip: "blend", label: "Mixture" };
     const title = `${data2.title}: mixture of ${shares().filter((share2) => rounded(share2) !== "0").length}`;
     if (!now.sources) return { dataset: data2.dataset, items: [made], layout: "overlay", sync: "warp", title };
-    const used = shares().map((share2, i) => ({ share: share2, one: motionOf(now.chosen[i]) })).filter(({ share: share2 }) => rounded(share2) !== "0");
+    const used = shares().map((share2, i) => ({ share: share2, one: motionOf2(now.chosen[i]) })).filter(({ share: share2 }) => rounded(share2) !== "0");
     const warps = inStep(used);
     const colour = SOURCE[document.documentElement.dataset.mantineColorScheme ?? ""] || SOURCE.light;
     const items = used.map(({ one }, i) => ({

@@ -1,12 +1,12 @@
 // Every clip as a string of actions.
 import { drawRows } from "../blocks/rows.mjs";
 import { clock } from "../shared/words.mjs";
-/** @import { ActionsContent, Draw } from "../blocks/types.d.ts" */
+/** @import { ActionsContent, Draw, Segment } from "../blocks/types.d.ts" */
 
 /** @type {Draw<ActionsContent>} */
 export function drawActions(place, content, context) {
   const tracks = content.rows.map((row) => ({
-    clip: row.clip, brief: row.brief, seconds: row.seconds,
+    clip: row.clip, fps: row.fps, brief: row.brief, seconds: row.seconds,
     lanes: [row.pieces.map(([start, end, id, number]) => {
       const action = content.actions[id];
       return {
@@ -20,17 +20,28 @@ export function drawActions(place, content, context) {
     })],
   }));
   const lit = drawRows(place, tracks);
-  /** @type {[Set<string>, string | undefined, Set<string> | null]} */
-  let [keys, clip, among] = [new Set(), undefined, null];
+  let [label, clip] = ["", /** @type {string | undefined} */ (undefined)];
+  /** @type {Set<string>} */
+  let keys = new Set();
+  /** @type {Segment[]} */
+  let motion = [];
+  /** @type {Set<string> | null} */
+  let among = null;
+  const show = () => {
+    const wanted = label ? content.actions.filter((action) => action.label?.startsWith(`${label} (`)).map(({ id }) => `action ${id}`) : [];
+    lit(new Set([...keys, ...wanted]), motion, clip, among);
+  };
   return {
-    light(selection) {
+    motion: ({ action }) => content.actions.find(({ id }) => id === action)?.segments,
+    light(selection, named) {
       keys = new Set(selection.action === undefined ? [] : [`action ${selection.action}`]);
+      motion = named;
       ({ clip } = selection);
-      lit(keys, clip, among);
+      show();
     },
-    narrow(_label, clips) {
-      among = clips;
-      lit(keys, clip, among);
+    narrow(wanted, clips) {
+      [label, among] = [wanted, clips];
+      show();
     },
   };
 }

@@ -16,7 +16,10 @@ export function drawOverview(place, { facts, clips, more }, context) {
   ));
   place.append(tableOf(["Clip", "Duration", "Frames", "Rate", "Labels", "Motion"], rows, more ? `${plural(more, "more clip")} not listed.` : ""));
   return {
-    light: (selection) => clips.forEach(({ name }, k) => rows[k].classList.toggle("chosen", name === selection.clip)),
+    light(_selection, motion) {
+      const chosen = new Set(motion.map(([clip]) => clip));
+      clips.forEach(({ name }, k) => rows[k].classList.toggle("chosen", chosen.has(name)));
+    },
     narrow: (label, among) => clips.forEach(({ name, labels }, k) => rows[k].classList.toggle("faint", isFaint(among, name) || (Boolean(label) && !labels.split(", ").includes(label)))),
   };
 }

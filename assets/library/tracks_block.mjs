@@ -2,7 +2,7 @@
 import { drawRows, legend } from "../blocks/rows.mjs";
 import { motifsIn } from "../blocks/selection.mjs";
 import { clock } from "../shared/words.mjs";
-/** @import { Draw, TracksContent } from "../blocks/types.d.ts" */
+/** @import { Draw, Segment, TracksContent } from "../blocks/types.d.ts" */
 
 /** @type {Draw<TracksContent>} */
 export function drawTracks(place, content, context) {
@@ -24,7 +24,7 @@ export function drawTracks(place, content, context) {
         items: [{ clip: row.clip, start: Math.round(start * row.fps), end: Math.round(end * row.fps), label: row.clip }],
       }),
     }));
-    return { clip: row.clip, brief: row.brief, seconds: row.seconds, lanes: [labels, motions].filter((lane) => lane.length) };
+    return { clip: row.clip, fps: row.fps, brief: row.brief, seconds: row.seconds, lanes: [labels, motions].filter((lane) => lane.length) };
   });
   const lit = drawRows(place, tracks);
   if (content.actions.length) place.append(legend(content.actions, content.colours));
@@ -33,9 +33,13 @@ export function drawTracks(place, content, context) {
   let keys = new Set();
   /** @type {Set<string> | null} */
   let among = null;
-  const show = () => lit(wanted ? new Set([...keys, `label ${wanted}`]) : keys, clip, among);
+  /** @type {Segment[]} */
+  let motion = [];
+  const show = () => lit(wanted ? new Set([...keys, `label ${wanted}`]) : keys, motion, clip, among);
   return {
-    light(selection) {
+    motion: (selection) => motionsOf(content, motifsIn(selection), selection.motion),
+    light(selection, named) {
+      motion = named;
       keys = new Set([...motifsIn(selection)].map((motif) => `motif ${motif}`));
       ({ clip } = selection);
       show();
@@ -45,4 +49,18 @@ export function drawTracks(place, content, context) {
       show();
     },
   };
+}
+
+/**
+ * The motions of motifs, or the one with a number; undefined where there are none.
+ * @param {TracksContent} content
+ * @param {Set<number>} motifs
+ * @param {number} [wanted]
+ * @returns {Segment[] | undefined}
+ */
+function motionsOf({ rows }, motifs, wanted) {
+  const found = rows.flatMap(({ clip, fps, motions }) => motions
+    .filter(([, , motif, number]) => motifs.has(motif) && (wanted === undefined || wanted === number))
+    .map(([start, end]) => /** @type {Segment} */ ([clip, Math.round(start * fps), Math.round(end * fps)])));
+  return found.length ? found : undefined;
 }

@@ -1,6 +1,6 @@
 // The motif graph: boxes wide for long motions and high for many, arrows for what follows what.
 import { element, svgElement, withAttributes } from "../shared/dom.mjs";
-import { motifsIn } from "../blocks/selection.mjs";
+import { motifsToLight, motionOf } from "../blocks/selection.mjs";
 import { choose, factsOf, fits } from "./motif_blocks.mjs";
 import { panZoom } from "../blocks/pan_zoom.mjs";
 import { asButton, tipOn } from "../blocks/tip.mjs";
@@ -35,8 +35,9 @@ export function drawGraph(place, { motifs, edges }, context) {
     narrow(label, among) {
       for (const motif of motifs) boxes.get(motif.id)?.classList.toggle("faint", !fits(motif, label, among));
     },
-    light(selection) {
-      const chosen = motifsIn(selection);
+    motion: (selection) => motionOf(selection, motifs),
+    light(selection, motion) {
+      const chosen = motifsToLight(selection, motion, motifs);
       for (const [id, node] of boxes) node.classList.toggle("chosen", chosen.has(id));
       for (const [line, [source, target]] of ways) {
         const near = selection.edge ? selection.edge === `${source}-${target}` : chosen.has(source) || chosen.has(target);

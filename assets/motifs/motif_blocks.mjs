@@ -1,5 +1,5 @@
 // The blocks about motifs: what they have in common, the table of motifs and the big numbers.
-import { motifsIn } from "../blocks/selection.mjs";
+import { motifsToLight, motionOf } from "../blocks/selection.mjs";
 import { tableOf, tableRow } from "../blocks/table.mjs";
 import { tipOn } from "../blocks/tip.mjs";
 import { element } from "../shared/dom.mjs";
@@ -37,8 +37,9 @@ export function drawMotifs(place, { motifs, more }, context) {
   ));
   place.append(tableOf(["Motif", "Motions", "Seconds", "Clips", "Mostly", "Motion"], rows, more ? `${plural(more, "more motif")} not listed.` : ""));
   return {
-    light(selection) {
-      const chosen = motifsIn(selection);
+    motion: (selection) => motionOf(selection, motifs),
+    light(selection, motion) {
+      const chosen = motifsToLight(selection, motion, motifs);
       motifs.forEach(({ id }, k) => rows[k].classList.toggle("chosen", chosen.has(id)));
     },
     narrow: (label, among) => motifs.forEach((motif, k) => rows[k].classList.toggle("faint", !fits(motif, label, among))),

@@ -3,8 +3,9 @@ import { element, svgElement } from "../shared/dom.mjs";
 import { clamp } from "../shared/numbers.mjs";
 import { panZoom } from "../blocks/pan_zoom.mjs";
 import { drawPosture, readPostures } from "./posture_block.mjs";
+import { isIn } from "../blocks/selection.mjs";
 import { hideTip, showTip } from "../blocks/tip.mjs";
-/** @import { Draw, MapContent } from "../blocks/types.d.ts" */
+/** @import { Draw, MapContent, Segment } from "../blocks/types.d.ts" */
 
 /** @type {Draw<MapContent>} */
 export function drawMap(place, content, context) {
@@ -13,9 +14,9 @@ export function drawMap(place, content, context) {
   const highest = Math.max(...content.heights, 1e-9);
   const svg = svgElement("svg", { class: "block-map", tabindex: 0, role: "application", "aria-label": "Motion map: arrow keys move over it, Enter plays what passes" });
   const ground = svgElement("g", { class: "block-nodes" });
-  content.heights.forEach((height, node) => {
-    ground.append(svgElement("rect", { x: Math.floor(node / ny) - 0.5, y: (node % ny) - 0.5, width: 1.02, height: 1.02, "fill-opacity": (height / highest).toFixed(3) }));
-  });
+  const squares = content.heights.map((height, node) => svgElement("rect", { x: Math.floor(node / ny) - 0.5, y: (node % ny) - 0.5, width: 1.02, height: 1.02, "fill-opacity": (height / highest).toFixed(3) }));
+  ground.append(...squares);
+  const stays = staysOf(content);
   const icons = svgElement("g", { class: "block-icons" });
   const mark = svgElement("rect", { class: "block-mark", width: 1, height: 1, x: -9, y: -9 });
   svg.append(ground, icons, mark);
@@ -74,10 +75,30 @@ export function drawMap(place, content, context) {
   if (!content.heights.length) place.append(element("p", "muted", "This map has no nodes."));
   return {
     recolour: paint,
-    light(selection) {
+    light(selection, motion) {
+      const passed = new Set(motion.length ? stays.filter(({ at }) => isIn(at, motion)).map(({ node }) => node) : []);
+      squares.forEach((square, k) => square.classList.toggle("lit", passed.has(k)));
       const { clip, start, end } = selection;
       const node = clip === undefined ? -1 : content.passes.findIndex((passes) => passes.some(([name, from, to]) => name === clip && from === start && to === end));
       if (node >= 0) point(Math.floor(node / ny), node % ny);
     },
+    narrow(label, among) {
+      const fit = stays.filter((stay) => (!label || stay.label === label) && (!among || among.has(stay.at[0])));
+      const nodes = new Set(fit.map(({ node }) => node));
+      const all = !stays.length || (!label && !among);
+      squares.forEach((square, k) => square.classList.toggle("faint", !all && !nodes.has(k)));
+    },
   };
+}
+
+/**
+ * Where clips stay; none for contents that an earlier version kept.
+ * @param {MapContent} content
+ * @returns {{ node: number, at: Segment, label: string }[]}
+ */
+function staysOf({ stays = [], clips = [], labels = [] }) {
+  return Array.from({ length: stays.length / 5 }, (_, k) => {
+    const [clip, node, start, end, label] = stays.slice(5 * k, 5 * k + 5);
+    return { node, at: [clips[clip], start, end], label: labels[label] ?? "" };
+  });
 }

@@ -1,6 +1,7 @@
 // A report: blocks that can be explored and a small player beside them, from one file without a server.
 import { Player } from "../blocks/player.mjs";
 import { drawBlock } from "../blocks/registry.mjs";
+import { lightBlocks } from "../blocks/selection.mjs";
 import { element, targetOf, within } from "../shared/dom.mjs";
 import { clock, plural } from "../shared/words.mjs";
 import "./blocks.mjs";
@@ -68,7 +69,7 @@ function start() {
   /** @type {Context} */
   const context = {
     select(selection, playing) {
-      for (const block of drawn) block.light?.(selection);
+      lightBlocks(drawn.map((block) => ({ drawn: block, same: true })), selection);
       if (playing) show(playing);
     },
     figures: (items) => packed.figures(items),

@@ -15,11 +15,25 @@ export function drawSweep(place, content) {
   }));
   picker.setAttribute("aria-label", "What the chart shows");
   const chart = element("div", "block-chart");
-  const show = () => chart.replaceChildren(lines(content, picker.value));
+  /** @type {Record<string, string>} */
+  let view = {};
+  const show = () => chart.replaceChildren(lines(content, picker.value, view));
   picker.addEventListener("change", show);
   show();
   place.append(element("div", "block-chart-head", picker, content.series.length > 1 ? legend(content.series) : null), chart);
-  return {};
+  return {
+    settle(now) {
+      const other = (content.keys ?? []).some((key) => (now[key] ?? "") !== (view[key] ?? ""));
+      view = now;
+      if (other) show();
+    },
+  };
+}
+
+/** Whether a place of the chart has the settings of a view. @param {SweepContent} content @param {number} series @param {number} k @param {Record<string, string>} view */
+function isAt({ keys = [], settings }, series, k, view) {
+  const own = settings?.[series]?.[k];
+  return own !== undefined && keys.every((key) => (own[key] ?? "") === (view[key] ?? ""));
 }
 
 /** @param {string[]} series */
@@ -31,8 +45,9 @@ function legend(series) {
   }));
 }
 
-/** @param {SweepContent} content @param {string} measure */
-function lines({ x, series, measures, figures }, measure) {
+/** @param {SweepContent} content @param {string} measure @param {Record<string, string>} view whose settings are marked */
+function lines(content, measure, view) {
+  const { x, series, measures, figures } = content;
   const [, name, unit, digits] = measures.find(([key]) => key === measure) ?? measures[0];
   const rows = figures[measure];
   const values = rows.flat().flatMap((cell) => cell ?? []);
@@ -57,8 +72,10 @@ function lines({ x, series, measures, figures }, measure) {
       if (!cell) return;
       svg.append(svgElement("path", { d: `M${across(k)} ${up(cell[1])}V${up(cell[2])}`, stroke: colour, class: "block-spread" }));
       const dot = svgElement("circle", { cx: across(k), cy: up(cell[0]), r: 4.5, fill: colour, tabindex: 0 });
+      const here = isAt(content, s, k, view);
+      if (here) svg.append(svgElement("circle", { cx: across(k), cy: up(cell[0]), r: 9, class: "block-here" }));
       const words = cell.map((value) => value.toFixed(digits));
-      tipOn(dot, () => [`${name}: ${words[0]}${unit && ` ${unit}`}`, `${x.name} ${x.values[k]}${series[s] && `, ${series[s]}`}`, words[1] === words[2] ? "" : `${words[1]} to ${words[2]} over the seeds`]);
+      tipOn(dot, () => [`${name}: ${words[0]}${unit && ` ${unit}`}`, `${x.name} ${x.values[k]}${series[s] && `, ${series[s]}`}`, words[1] === words[2] ? "" : `${words[1]} to ${words[2]} over the seeds`, here ? "The settings of this page" : ""]);
       svg.append(dot);
     });
   });

@@ -178,8 +178,18 @@ def motif_columns(dataset: Dataset) -> list[dict[str, Any]]:
     return [column for column in MOTIF_COLUMNS if column["field"] != "label" or dataset.labels]
 
 
+def main_label(segments: Iterable[Segment], labels: dict[str, list[Label]]) -> str:
+    """The action whose labels cover most frames of the segments; empty where none does."""
+    return _main_label(segments, labels)[0]
+
+
 def majority_label(segments: Iterable[Segment], labels: dict[str, list[Label]]) -> str:
     """The action whose labels cover most frames of the segments, with its share; empty where none does."""
+    action, share = _main_label(segments, labels)
+    return f"{action} ({100 * share:.0f} %)" if action else ""
+
+
+def _main_label(segments: Iterable[Segment], labels: dict[str, list[Label]]) -> tuple[str, float]:
     covered: Counter[str] = Counter()
     frames = 0
     for segment in segments:
@@ -187,7 +197,7 @@ def majority_label(segments: Iterable[Segment], labels: dict[str, list[Label]]) 
         for label in labels.get(segment.clip, ()):
             covered[label.action] += max(0, min(label.end, segment.end) - max(label.start, segment.start))
     (action, most), *_ = covered.most_common(1) or [("", 0)]
-    return f"{action} ({100 * most / frames:.0f} %)" if most else ""
+    return (action, most / frames) if most else ("", 0.0)
 
 
 def clock(seconds: float) -> str:

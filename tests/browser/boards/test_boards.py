@@ -21,6 +21,7 @@ def board(workspace: Workspace) -> str:
         Block("words", "text", 0, 0, 4, 3, {"title": "Plan", "options": {"markdown": "## First *draft*"}}),
         Block("graph", "graph", 4, 0, 8, 6, {"title": "Motif graph"}),
         Block("motifs", "motifs", 0, 6, 8, 5, {"title": "Motifs"}),
+        Block("matrix", "matrix", 8, 6, 4, 5, {"title": "What follows what"}),
         Block("tracks", "tracks", 0, 11, 12, 4, {"title": "Over time"}),
     ]
     made = workspace.boards.create("Our board", blocks, "Ana")
@@ -50,8 +51,17 @@ def test_a_selection_in_one_block_lights_in_all_and_plays(both):
     block(page, "graph").locator(".block-motif").first.click()
     expect(block(page, "motifs").locator("tr.chosen")).to_have_count(1)
     expect(block(page, "tracks").locator(".block-stretch.faint").first).to_be_visible()
+    expect(block(page, "matrix").locator(".block-line.chosen")).to_have_count(2)
     expect(page.locator(".ms-stage-title")).to_have_text(re.compile("Motif"))
     expect(page).to_have_url(re.compile(r"motif=\d+"))
+
+    block(page, "tracks").locator(".block-stretch[aria-label*=walk]").first.click()  # a label: its motion lights
+    expect(page).to_have_url(re.compile(r"start=\d+"))
+    expect(block(page, "graph").locator(".block-motif.chosen").first).to_be_visible()
+    expect(block(page, "motifs").locator("tr.chosen").first).to_be_visible()
+    page.get_by_label("Narrow the board to a label").fill("walk")
+    page.keyboard.press("Enter")
+    expect(block(page, "matrix").locator(".block-cell.faint").first).to_be_visible()
 
 
 def test_what_one_changes_the_other_sees(both, workspace, board):

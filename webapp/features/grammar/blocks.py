@@ -9,6 +9,7 @@ from core.mocap.dataset import Dataset
 from core.workspace import Workspace
 from webapp.features.grammar import grammars
 from webapp.features.grammar.figures import actions
+from webapp.ui.tables import labels_by_clip, majority_label
 
 MOST_SEGMENTS = 12  # of an action that play together
 
@@ -16,12 +17,14 @@ MOST_SEGMENTS = 12  # of an action that play together
 def action_string(
     workspace: Workspace, dataset: Dataset, view: Mapping[str, str], options: Mapping[str, str]
 ) -> dict[str, Any] | None:
-    """``actions``: id, name, colour, ink, count, segments; ``rows``: as assets/grammar/strings.mjs has them."""
+    """``actions``: id, name, colour, ink, count, label (of most of it), segments; ``rows``: as grammar/strings.mjs
+    has them."""
     result = grammars.learned(workspace, dataset.name, view)
     if result is None:
         return None
     notes = grammars.notes_of(workspace, dataset.name, view) or {}
     found = result.terminals.segments
+    by_clip = labels_by_clip(dataset)
     cuts: dict[str, list[int]] = {}
     for routine in grammars.routines(result):
         cuts.setdefault(routine.span.clip, []).append(routine.span.start)
@@ -34,6 +37,7 @@ def action_string(
                 "colour": actions.action_colour(action),
                 "ink": actions.ink_on(actions.action_colour(action)),
                 "count": len(own),
+                "label": majority_label(own, by_clip),
                 "segments": [list(segment) for segment in own[:MOST_SEGMENTS]],
             }
             for action, own in enumerate(found)

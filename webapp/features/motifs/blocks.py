@@ -89,15 +89,21 @@ def motif_table(
 def matrix(
     workspace: Workspace, dataset: Dataset, view: Mapping[str, str], options: Mapping[str, str]
 ) -> dict[str, Any] | None:
-    """What follows what: ``motifs`` in order, ``cells``: [row, column, count] by their places in it."""
+    """What follows what: ``motifs`` in order, with the label of most of each;
+    ``cells``: [row, column, count] by their places in it."""
     found = motif_graph(workspace, dataset.name, view)
     if found is None:
         return None
-    notes = motif_notes(workspace, dataset.name, view)
+    notes, by_clip = motif_notes(workspace, dataset.name, view), labels_by_clip(dataset)
     order = [motif for part in found.components("weak") for motif in part]
     by_id, at = {motif.id: motif for motif in found.motifs}, {motif: k for k, motif in enumerate(order)}
     return {
-        "motifs": [_motif(dataset, by_id[motif], notes) | _motions(by_id[motif]) for motif in order],
+        "motifs": [
+            _motif(dataset, by_id[motif], notes)
+            | {"label": majority_label(by_id[motif].segments, by_clip)}
+            | _motions(by_id[motif])
+            for motif in order
+        ],
         "cells": sorted([at[e.source], at[e.target], e.count] for e in found.edges),
     }
 

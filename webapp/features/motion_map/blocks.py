@@ -13,7 +13,9 @@ from core.motion_map.motion_map import MotionMap
 from core.workspace import Workspace
 from webapp.features.motion_map.figures.heatmap import icons_svg
 from webapp.shell import settings
+from webapp.ui.tables import labels_by_clip, main_label
 
+MOST_STAYS = 20_000  # that light and fade with what is selected elsewhere
 PASSES = 3  # stays at a node that play when it is clicked
 BEFORE = 0.6  # seconds around a stay
 
@@ -22,7 +24,8 @@ def motion_map(
     workspace: Workspace, dataset: Dataset, view: Mapping[str, str], options: Mapping[str, str]
 ) -> dict[str, Any] | None:
     """``heights``, ``seconds``: of the nodes, column by column; ``postures``: base64 of int16 millimetres (nodes,
-    joints, 3); ``passes``: of each node, [clip, start, end] of its longest stays; ``icons``: by theme."""
+    joints, 3); ``passes``: of each node, [clip, start, end] of its longest stays; ``icons``: by theme;
+    ``clips``: names; ``stays``, ``labels``: see :func:`_stays`."""
     found: MotionMap | None = settings.result_of(workspace, "map", dataset.name, view)
     if found is None:
         return None
@@ -37,6 +40,8 @@ def motion_map(
         "postures": base64.b64encode(millimetres.tobytes()).decode(),
         "icons": {scheme: icons_svg(found, scheme) for scheme in ("light", "dark")},
         "passes": _passes(found, dataset),
+        "clips": list(found.clips),
+        **_stays(found, dataset),
     }
 
 
@@ -50,6 +55,21 @@ def _passes(found: MotionMap, dataset: Dataset) -> list[list[list[Any]]]:
             clip, first, last = found.segment(int(found.runs.clip[k]), max(start - around, 0), end + around)
             own.append([clip, first, min(last, frames[clip])])
     return nodes
+
+
+def _stays(found: MotionMap, dataset: Dataset) -> dict[str, Any]:
+    """``stays``: the longest, five numbers each: index of the clip, node, start and end in frames of the clip, index of
+    the label that covers most of it or -1; ``labels``: the names."""
+    by_clip, runs = labels_by_clip(dataset), found.runs
+    names = sorted({label.action for label in dataset.labels})
+    at = {name: k for k, name in enumerate(names)}
+    stays: list[int] = []
+    for k in np.argsort(runs.start - runs.end, kind="stable")[:MOST_STAYS]:
+        clip = int(runs.clip[k])
+        stretch = found.segment(clip, int(runs.start[k]), int(runs.end[k]))
+        label = main_label([stretch], by_clip)
+        stays += [clip, int(runs.node[k]), stretch.start, stretch.end, at[label] if label else -1]
+    return {"stays": stays, "labels": names}
 
 
 def segments(content: Mapping[str, Any]) -> Iterator[tuple[str, int, int]]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from core import analyses
@@ -12,7 +13,10 @@ from core.workspace import Person, Workspace, acting_as
 from tests.webapp.generated import walkers
 from webapp.app import create_app
 from webapp.features.boards import contents
+from webapp.features.boards.parts import Part
 from webapp.features.boards.templates import TEMPLATES
+from webapp.features.sweeps import reading
+from webapp.shell import settings
 from webapp.shell.feature import blocks
 
 HEADERS = {"Host": "localhost", "X-Motionscape": "boards"}
@@ -118,6 +122,26 @@ def test_a_block_stays_as_it_was_until_it_is_renewed(ask, board, workspace):
     ask(where, {"action": "renew", "block": block["id"]})
     fresh = ask(address).json
     assert fresh["state"] == "current" and [clip["name"] for clip in fresh["content"]["clips"]] == ["a"]
+
+
+def test_map_and_sweep_say_what_lights_and_fades_them(ask, board, workspace):
+    dataset = workspace.open("walks")
+    analyses.run(workspace, analyses.Request("walks", "map"))
+    content = contents.answer(workspace, "walks", Part("map")).content
+    stays = np.reshape(content["stays"], (-1, 5))
+    assert stays[:, 1].max() < len(content["heights"]) and stays[:, 4].max() < len(content["labels"])
+    for clip, seconds in zip(content["clips"], (clip.seconds for clip in dataset.clips), strict=True):
+        own = stays[stays[:, 0] == content["clips"].index(clip)]
+        assert (own[:, 3] - own[:, 2]).sum() == pytest.approx(seconds * dataset.clip(clip).fps, rel=0.1)
+    view = {"x": "kappa:4,6", "y": "rho:0.5,0.75,1.5", "seeds": "2"}
+    asked = reading.sweep_of(reading.form_of(dataset, view), view)
+    analyses.run(workspace, reading.request_of("walks", asked))
+    chart = contents.answer(workspace, "walks", Part("sweep", view=view)).content
+    shown = [[settings.request_of("motifs", "", place).parameters for place in row] for row in chart["settings"]]
+    assert [[(values["kappa"], values["rho"]) for values in row] for row in shown] == [
+        [(4, rho), (6, rho)] for rho in (0.5, 0.75, 1.5)
+    ]
+    assert "kappa" in chart["keys"] and "seed" not in chart["keys"]
 
 
 def test_what_is_not_computed_or_gone_is_said(ask, board, workspace):
