@@ -51,7 +51,7 @@ export class OpenBoard {
     this.area = undefined;
     /** Of each dataset the clips of the group that the board is narrowed to. @type {Record<string, Set<string>> | null} */
     this.among = null;
-    this.groupShown = "";
+    this.filterMark = "";
   }
 
   get still() {
@@ -128,6 +128,7 @@ export class OpenBoard {
     if (this.moving && this.board) board = { ...board, blocks: board.blocks.map((block) => ({ ...block, ...placeOf(this.board, block.id) })) };
     this.board = board;
     this.showBar(board);
+    this.showFilters(board);
     this.note.textContent = board.note;
     const ids = new Set(board.blocks.map(({ id }) => id));
     for (const [id, card] of this.cards) if (!ids.has(id)) this.drop(id, card);
@@ -234,7 +235,7 @@ export class OpenBoard {
     const picker = withAttributes(element("select", "boards-select", ...names.map((name) => withAttributes(element("option", "", name || "no dataset"), { value: name }))), { "aria-label": "Dataset of the board" });
     picker.value = board.filters.dataset ?? "";
     picker.disabled = this.still;
-    picker.addEventListener("change", () => this.change({ action: "filter", filters: { ...this.board?.filters, dataset: picker.value } }));
+    picker.addEventListener("change", () => this.filter({ dataset: picker.value }));
     return picker;
   }
 
@@ -242,39 +243,39 @@ export class OpenBoard {
   labelField(board) {
     const field = withAttributes(element("input", "boards-label"), { placeholder: "Label", "aria-label": "Narrow the board to a label", type: "search" });
     field.value = board.filters.label ?? "";
-    field.addEventListener("change", () => {
-      const filters = { ...this.board?.filters, label: field.value.trim() };
-      if (this.still && this.board) this.board = { ...this.board, filters }; // for oneself alone
-      else this.change({ action: "filter", filters });
-      this.narrow();
-    });
-    this.narrow();
+    field.addEventListener("change", () => this.filter({ label: field.value.trim() }));
     return field;
   }
 
   /** Narrow the board to clips with a value of a property. @param {Board} board */
   groupPicker(board) {
     const now = board.filters.group ?? "";
-    this.showGroup(now);
     if (!board.groups.length && !now) return [];
     const offered = board.groups.map(([column, values]) => withAttributes(element("optgroup", "", ...values.map((value) => withAttributes(element("option", "", value), { value: `${column}=${value}` }))), { label: column }));
     const offers = board.groups.some(([column, values]) => values.some((value) => `${column}=${value}` === now));
     const picker = withAttributes(element("select", "boards-select", withAttributes(element("option", "", "all clips"), { value: "" }), ...(now && !offers ? [withAttributes(element("option", "", `${now} (gone)`), { value: now })] : []), ...offered), { "aria-label": "Narrow the board to a group of clips" });
     picker.value = now;
-    picker.addEventListener("change", () => {
-      const filters = { ...this.board?.filters, group: picker.value };
-      if (this.still && this.board) this.board = { ...this.board, filters }; // for oneself alone
-      else this.change({ action: "filter", filters });
-      this.showGroup(picker.value);
-    });
+    picker.addEventListener("change", () => this.filter({ group: picker.value }));
     return [picker];
   }
 
-  /** Ask which clips are of a group, and fade the others. @param {string} group */
-  async showGroup(group) {
-    this.groupShown = group;
+  /** Change some filters: for all, or where the board may not be changed for oneself alone. @param {Board["filters"]} some */
+  filter(some) {
+    const board = /** @type {Board} */ (this.board);
+    const filters = { ...board.filters, ...some };
+    if (this.still) this.show({ ...board, filters });
+    else this.change({ action: "filter", filters });
+  }
+
+  /** Fade what the filters leave out; the clips of a group are asked for where they may be others. @param {Board} board */
+  async showFilters(board) {
+    const mark = JSON.stringify([board.filters, board.groups, board.blocks.map(({ dataset }) => dataset)]);
+    if (mark === this.filterMark) return;
+    this.filterMark = mark;
+    const group = board.filters.group ?? "";
+    this.narrow(); // the label at once
     const answer = group ? await ask(`boards/${this.id}/group?of=${encodeURIComponent(group)}`).catch((error) => this.warn(error.message)) : null;
-    if (this.groupShown !== group) return;
+    if (this.filterMark !== mark) return;
     this.among = answer ? Object.fromEntries(Object.entries(/** @type {Record<string, string[]>} */ (answer.clips)).map(([name, clips]) => [name, new Set(clips)])) : null;
     this.narrow();
   }

@@ -1,4 +1,5 @@
 // "Comments" in the header: what is said about the motif or the clip that is selected, with moments that play.
+import { clientside, register } from "../shared/dash.mjs";
 import { closest, find } from "../shared/dom.mjs";
 import { button } from "../shared/dialogs.mjs";
 import { ask } from "../shared/server.mjs";
@@ -16,7 +17,6 @@ class Panel extends Comments {
     this.node.classList.add("discussion");
     /** @type {Discussion | null} */
     this.about = null;
-    this.etag = "";
     this.asked = "";
     this.timer = 0;
   }
@@ -90,16 +90,18 @@ document.addEventListener("click", async (event) => {
   panel.poll();
 });
 
-// the address says what is selected; it changes without an event
 let waiting = 0;
-const look = () => {
-  const query = location.search.replace(/&?(time|camera|speed|layout)=[^&]*/g, "");
-  if (query === panel.asked) return;
-  panel.asked = query;
-  clearTimeout(waiting);
-  waiting = window.setTimeout(() => panel.update(), SETTLED);
-};
-setInterval(look, SETTLED);
+register("discussion", {
+  // Called with the address, which says what is selected.
+  look() {
+    const query = location.search.replace(/&?(time|camera|speed|layout)=[^&]*/g, "");
+    if (query === panel.asked) return clientside.no_update;
+    panel.asked = query;
+    clearTimeout(waiting);
+    waiting = window.setTimeout(() => panel.update(), SETTLED);
+    return clientside.no_update;
+  },
+});
 
 /** The frame of a clip where the Stage stands; the first where it shows another. @param {string} place */
 function frameNow(place) {

@@ -45,7 +45,6 @@ export interface Discussion {
   moments: boolean;
   comments: CommentData[];
   me: string;
-  may_edit: boolean;
   names: string[];
 }
 

@@ -833,7 +833,7 @@
   function watch(picture2) {
     const awaited2 = (picture2.dataset.until || "").split(" ").filter(Boolean);
     let wanted2 = true;
-    const look3 = () => {
+    const look2 = () => {
       const stands = find(PAGE)?.firstElementChild;
       if (stands && !picture2.classList.contains("passed")) {
         picture2.classList.add("passed");
@@ -841,10 +841,10 @@
           wanted2 = false;
         }, { once: true });
       }
-      if (wanted2 && performance.now() < PATIENCE && !(stands && awaited2.every(drawn))) return requestAnimationFrame(look3);
+      if (wanted2 && performance.now() < PATIENCE && !(stands && awaited2.every(drawn))) return requestAnimationFrame(look2);
       requestAnimationFrame(() => picture2.remove());
     };
-    look3();
+    look2();
   }
   var picture = find(FIRST_PICTURE);
   if (picture) watch(picture);
@@ -5079,10 +5079,10 @@
   var motions = new MotionCache();
   var OpenBoard = class {
     /** @param {HTMLElement} place @param {string} id @param {string} look "read", "present" or "" */
-    constructor(place5, id, look3) {
+    constructor(place5, id, look2) {
       this.place = place5;
       this.id = id;
-      this.look = look3;
+      this.look = look2;
       this.cards = /* @__PURE__ */ new Map();
       this.comments = new Comments(() => this.update(true));
       this.mark = "";
@@ -5101,7 +5101,7 @@
       this.barMark = "";
       this.area = void 0;
       this.among = null;
-      this.groupShown = "";
+      this.filterMark = "";
     }
     get still() {
       return this.look !== "" || !this.board?.may_edit;
@@ -5171,6 +5171,7 @@
       if (this.moving && this.board) board = { ...board, blocks: board.blocks.map((block2) => ({ ...block2, ...placeOf(this.board, block2.id) })) };
       this.board = board;
       this.showBar(board);
+      this.showFilters(board);
       this.note.textContent = board.note;
       const ids = new Set(board.blocks.map(({ id }) => id));
       for (const [id, card4] of this.cards) if (!ids.has(id)) this.drop(id, card4);
@@ -5287,44 +5288,46 @@
       const picker = withAttributes(element("select", "boards-select", ...names2.map((name) => withAttributes(element("option", "", name || "no dataset"), { value: name }))), { "aria-label": "Dataset of the board" });
       picker.value = board.filters.dataset ?? "";
       picker.disabled = this.still;
-      picker.addEventListener("change", () => this.change({ action: "filter", filters: { ...this.board?.filters, dataset: picker.value } }));
+      picker.addEventListener("change", () => this.filter({ dataset: picker.value }));
       return picker;
     }
     /** @param {Board} board */
     labelField(board) {
       const field = withAttributes(element("input", "boards-label"), { placeholder: "Label", "aria-label": "Narrow the board to a label", type: "search" });
       field.value = board.filters.label ?? "";
-      field.addEventListener("change", () => {
-        const filters = { ...this.board?.filters, label: field.value.trim() };
-        if (this.still && this.board) this.board = { ...this.board, filters };
-        else this.change({ action: "filter", filters });
-        this.narrow();
-      });
-      this.narrow();
+      field.addEventListener("change", () => this.filter({ label: field.value.trim() }));
       return field;
     }
     /** Narrow the board to clips with a value of a property. @param {Board} board */
     groupPicker(board) {
       const now6 = board.filters.group ?? "";
-      this.showGroup(now6);
       if (!board.groups.length && !now6) return [];
       const offered2 = board.groups.map(([column, values]) => withAttributes(element("optgroup", "", ...values.map((value) => withAttributes(element("option", "", value), { value: `${column}=${value}` }))), { label: column }));
       const offers = board.groups.some(([column, values]) => values.some((value) => `${column}=${value}` === now6));
       const picker = withAttributes(element("select", "boards-select", withAttributes(element("option", "", "all clips"), { value: "" }), ...now6 && !offers ? [withAttributes(element("option", "", `${now6} (gone)`), { value: now6 })] : [], ...offered2), { "aria-label": "Narrow the board to a group of clips" });
       picker.value = now6;
-      picker.addEventListener("change", () => {
-        const filters = { ...this.board?.filters, group: picker.value };
-        if (this.still && this.board) this.board = { ...this.board, filters };
-        else this.change({ action: "filter", filters });
-        this.showGroup(picker.value);
-      });
+      picker.addEventListener("change", () => this.filter({ group: picker.value }));
       return [picker];
     }
-    /** Ask which clips are of a group, and fade the others. @param {string} group */
-    async showGroup(group) {
-      this.groupShown = group;
+    /** Change some filters: for all, or where the board may not be changed for oneself alone. @param {Board["filters"]} some */
+    filter(some) {
+      const board = (
+        /** @type {Board} */
+        this.board
+      );
+      const filters = { ...board.filters, ...some };
+      if (this.still) this.show({ ...board, filters });
+      else this.change({ action: "filter", filters });
+    }
+    /** Fade what the filters leave out; the clips of a group are asked for where they may be others. @param {Board} board */
+    async showFilters(board) {
+      const mark3 = JSON.stringify([board.filters, board.groups, board.blocks.map(({ dataset: dataset2 }) => dataset2)]);
+      if (mark3 === this.filterMark) return;
+      this.filterMark = mark3;
+      const group = board.filters.group ?? "";
+      this.narrow();
       const answer2 = group ? await ask2(`boards/${this.id}/group?of=${encodeURIComponent(group)}`).catch((error) => this.warn(error.message)) : null;
-      if (this.groupShown !== group) return;
+      if (this.filterMark !== mark3) return;
       this.among = answer2 ? Object.fromEntries(Object.entries(
         /** @type {Record<string, string[]>} */
         answer2.clips
@@ -5521,7 +5524,6 @@
       super(() => this.update());
       this.node.classList.add("discussion");
       this.about = null;
-      this.etag = "";
       this.asked = "";
       this.timer = 0;
     }
@@ -5594,14 +5596,17 @@
     panel.poll();
   });
   var waiting = 0;
-  var look = () => {
-    const query2 = location.search.replace(/&?(time|camera|speed|layout)=[^&]*/g, "");
-    if (query2 === panel.asked) return;
-    panel.asked = query2;
-    clearTimeout(waiting);
-    waiting = window.setTimeout(() => panel.update(), SETTLED3);
-  };
-  setInterval(look, SETTLED3);
+  register("discussion", {
+    // Called with the address, which says what is selected.
+    look() {
+      const query2 = location.search.replace(/&?(time|camera|speed|layout)=[^&]*/g, "");
+      if (query2 === panel.asked) return clientside.no_update;
+      panel.asked = query2;
+      clearTimeout(waiting);
+      waiting = window.setTimeout(() => panel.update(), SETTLED3);
+      return clientside.no_update;
+    }
+  });
   function frameNow(place5) {
     const clip = place5.replace(/^moment:[^/]+\//, "");
     for (let k = 0, item; k < 48 && (item = player.frameOf(k)); k++) if (item.clip === clip) return Math.round(item.frame);
@@ -6709,7 +6714,7 @@
     const result = element("div", "groups-result");
     place5.replaceChildren(form(choices2), result);
     const { by, first, second } = shown4.view;
-    if (by && Boolean(first) === Boolean(second)) await look2(result, mark3);
+    if (by && Boolean(first) === Boolean(second)) await look(result, mark3);
     else if (by) result.append(element("p", "muted", "Choose the other group as well, or all for both."));
     else result.append(element("p", "muted", "Choose the property that makes the groups, such as condition or session."));
   }
@@ -6760,7 +6765,7 @@
   }
   var query = () => new URLSearchParams(Object.entries(shown4.view).filter(([, value]) => value)).toString();
   var address2 = () => `groups/${encodeURIComponent(shown4.dataset)}`;
-  async function look2(result, mark3) {
+  async function look(result, mark3) {
     let answer2;
     try {
       answer2 = await ask2(`${address2()}/comparison?${query()}`);
@@ -6775,13 +6780,13 @@
     }
     const begin2 = button("Compare", async () => {
       await ask2(`${address2()}/comparison`, Object.fromEntries(Object.entries(shown4.view))).catch((problem2) => result.prepend(element("p", "form-problem", problem2.message)));
-      look2(result, mark3);
+      look(result, mark3);
     }, "primary for-editors");
     if (state3 === "running") {
       const bar = element("progress", "boards-progress");
       bar.value = fraction;
       result.replaceChildren(element("p", "muted", `${stage2}, ${percent(fraction)}`), bar);
-      timer2 = window.setTimeout(() => look2(result, mark3), POLL3);
+      timer2 = window.setTimeout(() => look(result, mark3), POLL3);
     } else if (state3 === "refused") result.replaceChildren(withAttributes(element("p", "groups-refused", error), { role: "alert" }));
     else if (state3 === "failed") result.replaceChildren(withAttributes(element("p", "form-problem", error), { role: "alert" }), begin2);
     else result.replaceChildren(element("p", "muted", "This comparison has not been made yet."), begin2);

@@ -7,11 +7,11 @@ from dash.dependencies import ClientsideFunction
 
 from core.workspace import Workspace
 from webapp.features.boards import names
-from webapp.shell.names import DATASET, JOB_ENDED, SELECTION, THEME, VIEW
+from webapp.shell.names import ADDRESS, DATASET, JOB_ENDED, SELECTION, THEME, VIEW
 
 
 def register(app: Dash, workspace: Workspace) -> None:
-    """Registers the callback that tells the page what is shown."""
+    """Registers the callbacks that tell the page what is shown, and the comments what is selected."""
     app.clientside_callback(
         ClientsideFunction("boards", "show"),
         Output(names.BOARDS_SHOWN, "data"),
@@ -21,3 +21,4 @@ def register(app: Dash, workspace: Workspace) -> None:
         Input(THEME, "data"),
         Input(JOB_ENDED, "data"),
     )
+    app.clientside_callback(ClientsideFunction("discussion", "look"), Input(ADDRESS, "data"))

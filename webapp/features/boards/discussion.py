@@ -50,6 +50,5 @@ def _answer(workspace: Workspace, place: str, title: str, fps: float | None) -> 
         "moments": fps is not None,
         "comments": shown,
         "me": acting().name,
-        "may_edit": acting().may("editor"),
         "names": people_of(workspace, *(comment.author for comment in comments)),
     }
