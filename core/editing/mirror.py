@@ -24,6 +24,7 @@ from core.mocap.skeleton import Skeleton
 from core.poses.body_frames import BodyFrames, body_frames, matrices
 
 MIRROR = np.diag([-1.0, 1, 1])  # of the world
+_REFLECTED = np.array([1.0, 1, -1, -1])  # signs of a quaternion's numbers in that mirror
 _SIDE = np.diag([1.0, 1, -1])  # of a segment: what was right is left
 _LIKENESS = 0.06  # of the body's height: a rest pose off by more from its mirror image is not its own
 _PULL = 1e-6  # how much a frame counts against a bone as long as the body: bones are to be reflected exactly
@@ -40,17 +41,14 @@ def mirror(clip: Clip, name: str | None = None, frames: BodyFrames | None = None
     skeleton = clip.skeleton
     partner = partners(skeleton)
     turns = _frame_turns(clip, partner, frames)
-    world = matrices(forward_kinematics(clip)[1])
+    world = forward_kinematics(clip)[1].astype(np.float64)
+    own_turns = np.roll(Rotation.from_matrix(turns).as_quat(), 1, axis=-1)
     reflected = np.empty_like(world)
-    for j, p in enumerate(partner):
-        reflected[:, p] = MIRROR @ world[:, j] @ MIRROR @ turns[j]
-    parents = np.array(skeleton.parents)
+    reflected[:, list(partner)] = quat.multiply(world * _REFLECTED, own_turns)
     local = reflected.copy()
-    local[:, 1:] = np.swapaxes(reflected[:, parents[1:]], -1, -2) @ reflected[:, 1:]
-    local[:, list(skeleton.end_sites)] = np.eye(3)
-    rotations = np.roll(Rotation.from_matrix(local.reshape(-1, 3, 3)).as_quat(), 1, axis=-1).reshape(
-        clip.rotations.shape
-    )
+    local[:, 1:] = quat.multiply(quat.conjugate(reflected[:, list(skeleton.parents[1:])]), reflected[:, 1:])
+    local[:, list(skeleton.end_sites)] = (1, 0, 0, 0)
+    rotations = quat.normalise(local)
     tracks = {
         int(partner[j]): (track @ MIRROR @ turns[skeleton.parents[j]]).astype(np.float32)
         for j, track in clip.translations.items()

@@ -83,32 +83,34 @@ def feature_table(
     for clip in clips:
         frames_of.setdefault(clip.skeleton, []).append(clip)
     bodies = {skeleton: body_frames(group) for skeleton, group in frames_of.items()}
-    positions, angles, contacts, frames = [], [], [], []
+    n = len(poses.values)
+    positions = np.empty((n, len(CANONICAL), 3), np.float32)
+    angles = np.empty((n, len(ANGLE_NAMES)), np.float32)
+    contacts, frames = np.empty((n, 2), bool), np.empty(n, np.int32)
     for k, clip in enumerate(clips):
-        sampled = resample(clip, analysis_fps)
-        positions.append(_positions(sampled))
-        angles.append(_angles(sampled, bodies[clip.skeleton]))
-        contacts.append(foot_contacts(sampled))
-        frames.append([poses.frame_of(k, i) for i in range(sampled.n_frames)])
+        sampled, rows = resample(clip, analysis_fps), slice(poses.clip_starts[k], poses.clip_starts[k + 1])
+        positions[rows] = _positions(sampled)
+        angles[rows] = _angles(sampled, bodies[clip.skeleton])
+        contacts[rows] = foot_contacts(sampled)
+        frames[rows] = [poses.frame_of(k, i) for i in range(sampled.n_frames)]
         report("features", (k + 1) / len(clips))
     groups = motion_groups(clips)
     split = split_groups(groups, [clip.n_frames for clip in clips], test_share)
-    rows = np.concatenate(frames).astype(np.int32)
     table = FeatureTable(
         clips=poses.clips,
         subjects=groups,
         splits=tuple(split[group] for group in groups),
         clip_starts=poses.clip_starts,
         fps=poses.fps,
-        frames=rows,
+        frames=frames,
         joints=CANONICAL,
-        positions=np.concatenate(positions),
+        positions=positions,
         angle_names=ANGLE_NAMES,
-        angles=np.concatenate(angles),
-        contacts=np.concatenate(contacts),
+        angles=angles,
+        contacts=contacts,
         poses=poses.values,
         actions=(),
-        labels=np.full(len(rows), -1, np.int16),
+        labels=np.full(n, -1, np.int16),
     )
     return labelled(table, dataset)
 

@@ -17,7 +17,7 @@ import numpy as np
 
 from core.arrays import Int32Array, Int64Array
 from core.compiled import njit
-from core.progress import Report, silent
+from core.progress import Progress, unheard
 
 Sentence = tuple[int, ...]
 WAYS = ("pairs", "contexts")
@@ -42,7 +42,7 @@ def ways(sentences: Sequence[Sentence]) -> tuple[str, ...]:
     return tuple(way for way, fits in zip(WAYS, (cells <= _CELLS, spans <= _SPANS), strict=True) if fits) or WAYS[:1]
 
 
-def align(sentences: Sequence[Sentence], how: str = "pairs", report: Report = silent) -> Hypotheses:
+def align(sentences: Sequence[Sentence], how: str = "pairs", progress: Progress = unheard) -> Hypotheses:
     """The hypotheses of different sentences; how: "pairs" by edit distance, or "contexts".
 
     Raises ValueError for another word or for equal sentences.
@@ -50,13 +50,13 @@ def align(sentences: Sequence[Sentence], how: str = "pairs", report: Report = si
     if len(set(sentences)) < len(sentences):
         raise ValueError("the sentences to align must differ")
     if how == "pairs":
-        return align_pairs(sentences, report)
+        return align_pairs(sentences, progress)
     if how == "contexts":
-        return align_contexts(sentences)
+        return align_contexts(sentences, progress)
     raise ValueError(f"the ways to align are {', '.join(WAYS)}, not {how!r}")
 
 
-def align_pairs(sentences: Sequence[Sentence], report: Report = silent) -> Hypotheses:
+def align_pairs(sentences: Sequence[Sentence], progress: Progress = unheard) -> Hypotheses:
     """Hypotheses from the alignment of every pair of sentences by edit distance (insertions and deletions).
 
     Spans that get exchanged in several pairs become one kind. The contexts of all spans of a kind are equal: the
@@ -66,12 +66,13 @@ def align_pairs(sentences: Sequence[Sentence], report: Report = silent) -> Hypot
     bases = _bases(sentences)
     parent = np.full(bases[-1], -1, np.int64)
     for k in range(len(sentences) - 1):
-        report("aligning", k / (len(sentences) - 1))
         _align_with_later(symbols, begins, bases, k, parent)
+        n = len(sentences) - 1 - k  # later ones: a triangle is left
+        progress(1 - n * (n - 1) / (len(sentences) * (len(sentences) - 1)))
     return _hypotheses(sentences, bases, _roots(parent))
 
 
-def align_contexts(sentences: Sequence[Sentence]) -> Hypotheses:
+def align_contexts(sentences: Sequence[Sentence], progress: Progress = unheard) -> Hypotheses:
     """Hypotheses from contexts alone: all spans with the same symbol (or end of a sentence) before and after are of
     one kind, where not all are equal. No span is a whole sentence.
 
@@ -85,6 +86,7 @@ def align_contexts(sentences: Sequence[Sentence]) -> Hypotheses:
             for j in range(i, n + 1 if i else n):
                 context = (sentence[i - 1] if i else -1, sentence[j] if j < n else -1)
                 groups.setdefault(context, []).append((k, i, j))
+        progress((k + 1) / len(sentences))
     links = []
     for kind, spans in enumerate(groups.values()):
         if len({sentences[k][i:j] for k, i, j in spans}) > 1:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass, fields
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -20,7 +21,7 @@ from core.grammar.terminals import Terminals
 from core.mocap.clip import Segment
 from core.mocap.dataset import Dataset
 from core.parameters import parameter
-from core.progress import Report, silent, timed
+from core.progress import Progress, Report, part_of, silent, timed
 
 ENOUGH_CLIPS = 8  # recordings that can be sentences by themselves: fewer have little to be compared
 
@@ -135,13 +136,16 @@ def grammar_of_terminals(
     with timed("sentences", seconds):
         sentences = _sentences(terminals, parameters, report)
     with timed("rules", seconds):
-        learned = induce((s.terminals for s in sentences), **parameters.induction, report=report)
+        heard = partial(report, "rules")
+        strings = [s.terminals for s in sentences]
+        learned = induce(strings, **parameters.induction, report=lambda _, fraction: heard(0.95 * fraction))
+        baselines = _baselines(strings, learned, part_of(heard, 0.95, 1.0))
     return LearnedGrammar(
         terminals=terminals,
         sentences=sentences,
         grammar=learned.grammar,
         trees=learned.trees,
-        baselines=_baselines([s.terminals for s in sentences], learned),
+        baselines=baselines,
         parameters=asdict(parameters),
         seconds=seconds,
     )
@@ -154,13 +158,23 @@ def _sentences(terminals: Terminals, parameters: GrammarParameters, report: Repo
     cuts: Sequence[tuple[int, ...]] = [()] * len(strings)
     few = len(strings) < ENOUGH_CLIPS and parameters.sentences == "auto"
     if few or parameters.sentences == "shortest":
+        shown = 0.0
+
+        def heard(stage: str, fraction: float) -> None:
+            nonlocal shown
+            shown = fraction
+            report(stage, fraction)
+
+        def stopped(_stage: str, _fraction: float) -> None:  # of one way to cut: only that it can be cancelled
+            report("sentences", shown)
+
         cuts = best_cuts(
             strings,
-            lambda parts: induce(parts, **parameters.induction).bits,
+            lambda parts: induce(parts, **parameters.induction, report=stopped).bits,
             candidates=parameters.candidates,
             shortest=parameters.min_sentence,
             seed=parameters.seed,
-            report=report,
+            report=heard,
         )
     return tuple(
         Sentence(name, tuple(pieces[start:end]))
@@ -173,12 +187,17 @@ def _runs(terminals: Terminals, clip: str, repeats: str) -> Sequence[tuple[int, 
     return terminals.runs(clip) if repeats == "join" else terminals.occurrences[clip]
 
 
-def _baselines(strings: Sequence[tuple[int, ...]], learned: Induced) -> dict[str, Mapping[str, float]]:
+def _baselines(
+    strings: Sequence[tuple[int, ...]], learned: Induced, progress: Progress
+) -> dict[str, Mapping[str, float]]:
     """Size and bits of what the same sentences give a state machine and Sequitur.
 
     The machine's bits: a transition is two symbols of its states and the end; a sentence's those of its probability.
     """
-    machine, hierarchy = state_machine(strings), sequitur(strings)
+    machine = state_machine(strings)
+    progress(0.2)
+    hierarchy = sequitur(strings)
+    progress(0.6)
     states = len(machine.leaving)
     of_strings = -sum(machine.log2_probability(string) for string in strings)
     trees = [tree for tree in map(hierarchy.parse, strings) if tree is not None]  # it generates each of them

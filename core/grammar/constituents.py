@@ -13,8 +13,10 @@ from core.grammar.motion_grammar import START, Grammar, counted
 from core.grammar.neighbours import END, Neighbours
 from core.grammar.selection import Bracket
 from core.grammar.trees import Node, Symbol, preorder
+from core.progress import Progress, unheard
 
 Right = tuple[Symbol, ...]
+_TURNS = 6  # of merging: progress is half way after so many
 
 
 def read_off(sentences: Sequence[Sentence], brackets: Sequence[Sequence[Bracket]]) -> tuple[Node, ...]:
@@ -90,7 +92,9 @@ def alike(a: set[tuple[int, int]], b: set[tuple[int, int]]) -> bool:
     return all(x[0] == y[0] or x[1] == y[1] for x in a for y in b)
 
 
-def merge_kinds(sentences: Sequence[Sentence], trees: Sequence[Node], sharing: str = "side") -> tuple[Node, ...]:
+def merge_kinds(
+    sentences: Sequence[Sentence], trees: Sequence[Node], sharing: str = "side", progress: Progress = unheard
+) -> tuple[Node, ...]:
     """The trees with kinds made one while that shortens the total description (SYN equation 6), the most gain first.
 
     sharing: "rules" looks at kinds that have half of the rules of the smaller one in common; "side" asks besides that
@@ -102,7 +106,9 @@ def merge_kinds(sentences: Sequence[Sentence], trees: Sequence[Node], sharing: s
     if sharing not in ("side", "rules"):
         raise ValueError(f"sharing must be side or rules, not {sharing!r}")
     neighbours, trees = Neighbours(sentences), tuple(trees)
+    turn = 0
     while True:
+        progress(turn / (turn + _TURNS))  # nobody knows how many there will be
         description = Description(trees)
         contexts, words = contexts_of(sentences, trees), _words_of(sentences, trees)
         names = _merged(description, contexts, words, neighbours, sharing)
@@ -112,6 +118,7 @@ def merge_kinds(sentences: Sequence[Sentence], trees: Sequence[Node], sharing: s
             return _numbered_on(trees)
         rights = description.rights(inner)
         trees = tuple(_with_inner(tree, outer, inner, rights) for tree in trees)
+        turn += 1
 
 
 def _merged(

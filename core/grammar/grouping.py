@@ -24,9 +24,11 @@ import numpy as np
 
 from core.grammar.objective import Clustering, span_distances
 from core.grammar.pose_space import PoseSpace
+from core.progress import Progress, part_of, unheard
 
 MOST_GROUPS = 60  # numbers of groups that are looked at
 _JOINED = 600  # pieces that Ward's method looks at; beyond, a sample of them, and the others join the nearest mean
+_OFTEN = 1000  # pieces between two reports
 _CENTRAL = 400  # pieces among which the medoid of a group is looked for
 
 
@@ -55,13 +57,18 @@ class Choice:
     description: Mapping[int, float]
 
 
-def choose_groups(space: PoseSpace, searches: Sequence[Clustering], seed: int = 0) -> Choice:
+def choose_groups(
+    space: PoseSpace, searches: Sequence[Clustering], seed: int = 0, progress: Progress = unheard
+) -> Choice:
     """The number of groups, and the groups of the best of several searches. Raises ValueError where there are none."""
     if not searches:
         raise ValueError("there must be searches to choose from")
     pieces = [pieces_of(space, found) for found in searches]
     noise, dimensions = _noise(pieces)
-    levels = [_joined(part, np.random.default_rng(seed)) for part in pieces]
+    levels = []
+    for k, part in enumerate(pieces):
+        levels.append(_joined(part, np.random.default_rng(seed)))
+        progress((k + 1) / len(pieces))
     most = min(len(own) for own in levels)
     costs = np.array(
         [[_description(part, own[k - 1], noise, dimensions) for k in range(1, most + 1)]
@@ -74,7 +81,7 @@ def choose_groups(space: PoseSpace, searches: Sequence[Clustering], seed: int = 
     return Choice(labels, best, {k: float(cost) for k, cost in enumerate(mean, 1)})
 
 
-def pieces_of(space: PoseSpace, found: Clustering) -> Pieces:
+def pieces_of(space: PoseSpace, found: Clustering, progress: Progress = unheard) -> Pieces:
     """Neighbours of one clip and one group as one piece each."""
     spans, clip = found.spans, np.searchsorted(space.clip_starts, found.spans[:, 0], side="right")
     new = np.ones(len(spans), bool)
@@ -83,20 +90,28 @@ def pieces_of(space: PoseSpace, found: Clustering) -> Pieces:
     lasts = np.append(firsts[1:], len(spans)) - 1
     joined = np.stack([spans[firsts, 0], spans[lasts, 1]], axis=1)
     middle = np.clip(joined.mean(1).astype(np.int64), joined[:, 0] + 1, np.maximum(joined[:, 1] - 1, joined[:, 0] + 1))
-    first = describe(space, np.stack([joined[:, 0], middle], axis=1))
-    second = describe(space, np.stack([np.minimum(middle, joined[:, 1] - 1), joined[:, 1]], axis=1))
+    stretches = (
+        joined,
+        np.stack([joined[:, 0], middle], axis=1),
+        np.stack([np.minimum(middle, joined[:, 1] - 1), joined[:, 1]], axis=1),
+    )
+    whole, first, second = (
+        describe(space, spans, part_of(progress, k / 3, (k + 1) / 3)) for k, spans in enumerate(stretches)
+    )
     lengths = (joined[:, 1] - joined[:, 0]).astype(np.float64)
-    return Pieces(joined, np.cumsum(new) - 1, describe(space, joined), lengths, first - second)
+    return Pieces(joined, np.cumsum(new) - 1, whole, lengths, first - second)
 
 
-def describe(space: PoseSpace, spans: np.ndarray) -> np.ndarray:
+def describe(space: PoseSpace, spans: np.ndarray, progress: Progress = unheard) -> np.ndarray:
     """Mean pose and its standard deviation in each span, ``(n, f)``.
 
     Where mirror images count as the same, so that a span and its mirror image have the same features: the mean of both
     images, half the size of their difference, and the mean of both deviations.
     """
     rows = []
-    for start, end in spans:
+    for k, (start, end) in enumerate(spans):
+        if k % _OFTEN == 0:
+            progress(k / len(spans))
         mean, swing = space.values[start:end].mean(0), space.values[start:end].std(0)
         if space.mirrored is not None:
             other = space.mirrored[start:end]
@@ -130,13 +145,18 @@ def ward(features: np.ndarray, weights: np.ndarray, most: int) -> list[np.ndarra
 
 
 def nearest_groups(
-    space: PoseSpace, everything: Clustering, part: PoseSpace, found: Clustering, labels: np.ndarray
+    space: PoseSpace,
+    everything: Clustering,
+    part: PoseSpace,
+    found: Clustering,
+    labels: np.ndarray,
+    progress: Progress = unheard,
 ) -> np.ndarray:
     """Groups ``(n,)`` of all spans of ``everything``: those of the pieces of a part that are most like them.
 
     found: clustering of ``part``, whose spans have the groups ``labels``.
     """
-    known, pieces = pieces_of(part, found), pieces_of(space, everything)
+    known, pieces = pieces_of(part, found), pieces_of(space, everything, progress)
     of_piece = np.zeros(len(known.spans), np.int64)
     of_piece[known.of_span] = labels
     means = _means(known.features, known.lengths, of_piece)
@@ -145,11 +165,13 @@ def nearest_groups(
     return _numbered(nearest)
 
 
-def grouped(space: PoseSpace, spans: np.ndarray, labels: np.ndarray, seed: int = 0) -> Clustering:
+def grouped(
+    space: PoseSpace, spans: np.ndarray, labels: np.ndarray, seed: int = 0, progress: Progress = unheard
+) -> Clustering:
     """The clustering of spans ``(n, 2)`` with these groups ``(n,)``, numbered from 0; medoids are the most central."""
     lengths, rng = spans[:, 1] - spans[:, 0], np.random.default_rng(seed)
     medoids, distances = [], np.zeros(len(spans))
-    for label in range(int(labels.max()) + 1):
+    for label in range(number := int(labels.max()) + 1):
         members = np.flatnonzero(labels == label)
         some = members
         if len(members) > _CENTRAL:
@@ -157,6 +179,7 @@ def grouped(space: PoseSpace, spans: np.ndarray, labels: np.ndarray, seed: int =
         medoid = int(some[(span_distances(space, spans[some]) @ lengths[some]).argmin()])
         medoids.append(medoid)
         distances[members] = span_distances(space, spans[members], spans[[medoid]])[:, 0]
+        progress((label + 1) / number)
     return Clustering(spans, np.array(medoids), labels, np.maximum(distances, 0))
 
 

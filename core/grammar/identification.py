@@ -116,18 +116,20 @@ def chosen(
             report(stage, (number + share) / _SEARCHES)
 
         found.append(search(part, replace(fine, seed=parameters.seed * _SEARCHES + number), progress))
-    choice = choose_groups(part, found, parameters.seed)
+    heard = partial(report, "grouping")
+    choice = choose_groups(part, found, parameters.seed, part_of(heard, 0.0, 0.2))
     groups = int(choice.labels.max()) + 1
     if parameters.method != "alternation":
         return search(space, replace(parameters, n_terminals=groups), report), dict(choice.description)
-    best = found[choice.search]
+    best, left = found[choice.search], part_of(heard, 0.8, 1.0)
     if part is space:
-        return grouped(space, best.spans, choice.labels, parameters.seed), dict(choice.description)
+        return grouped(space, best.spans, choice.labels, parameters.seed, left), dict(choice.description)
     models = np.stack([rows[best.spans[best.medoids, 0]], rows[best.spans[best.medoids, 1] - 1] + 1], axis=1)
-    spans, terminals = cut_by_medoids(space, models, limits_of(parameters, space.fps))
+    limits = limits_of(parameters, space.fps)
+    spans, terminals = cut_by_medoids(space, models, limits, progress=part_of(heard, 0.2, 0.6))
     everything = Clustering(spans, best.medoids, terminals, np.zeros(len(spans)))
-    labels = nearest_groups(space, everything, part, best, choice.labels)
-    return grouped(space, spans, labels, parameters.seed), dict(choice.description)
+    labels = nearest_groups(space, everything, part, best, choice.labels, part_of(heard, 0.6, 0.8))
+    return grouped(space, spans, labels, parameters.seed, left), dict(choice.description)
 
 
 def limits_of(parameters: TerminalParameters, fps: float) -> tuple[int, int]:

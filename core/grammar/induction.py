@@ -12,7 +12,7 @@ from core.grammar.constituents import grammar_of, merge_kinds, read_off
 from core.grammar.motion_grammar import Grammar
 from core.grammar.selection import select
 from core.grammar.trees import Node
-from core.progress import Report, silent
+from core.progress import Progress, Report, part_of, silent
 
 
 class Induced(NamedTuple):
@@ -48,20 +48,25 @@ def induce(
     if not given or not all(given):
         raise AnalysisError("a grammar needs sentences, and every sentence at least one terminal")
     tried = ways(list(dict.fromkeys(given))) if align_by == "auto" else (align_by,)
-    learned = [_induced(given, way, select_by, touching, merge, report) for way in tried]
+    learned = []
+    for k, way in enumerate(tried):
+        heard = part_of(lambda fraction: report("rules", fraction), k / len(tried), (k + 1) / len(tried))
+        learned.append(_induced(given, way, select_by, touching, merge, heard))
     return min(learned, key=lambda one: one.bits)
 
 
 def _induced(
-    given: list[Sentence], align_by: str, select_by: str, touching: bool, merge: str, report: Report
+    given: list[Sentence], align_by: str, select_by: str, touching: bool, merge: str, progress: Progress
 ) -> Induced:
     different: dict[Sentence, int] = Counter(given)
     kept = list(different)
-    hypotheses = align(kept, align_by, report)
-    trees = read_off(kept, select(kept, hypotheses, list(different.values()), select_by, touching))
+    hypotheses = align(kept, align_by, part_of(progress, 0.0, 0.1))
+    chosen = select(kept, hypotheses, list(different.values()), select_by, touching, part_of(progress, 0.1, 0.25))
+    trees = read_off(kept, chosen)
     place = {sentence: k for k, sentence in enumerate(kept)}
     every = [trees[place[sentence]] for sentence in given]
     if merge != "no":
-        every = list(merge_kinds(given, every, merge))
+        every = list(merge_kinds(given, every, merge, part_of(progress, 0.25, 0.95)))
+    progress(0.95)
     grammar, numbered = grammar_of(every)
     return Induced(grammar, numbered)

@@ -10,21 +10,33 @@ With mirroring a motion and its mirror image are the same: the distance is the s
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from itertools import pairwise
 
 import numpy as np
 from scipy.ndimage import uniform_filter1d
 
-from core.editing.mirror import mirror
+from core.editing.mirror import mirror, partners
 from core.errors import AnalysisError
 from core.grammar.cuts import pose_distances
 from core.mocap.clip import Clip, Segment
 from core.mocap.dataset import Dataset
 from core.mocap.kinematics import resample
-from core.poses.body_frames import body_frames
-from core.poses.features import SPEED_FPS, Poses, Scales, pose_features, principal_directions
-from core.progress import Report, silent
+from core.mocap.skeleton import Skeleton
+from core.poses.body_frames import BodyFrames, body_frames
+from core.poses.features import (
+    SPEED_FPS,
+    RawFeatures,
+    Scales,
+    principal_directions,
+    projected,
+    raw_features,
+    sparse,
+)
+from core.poses.rows import Rows
+from core.progress import Progress, Report, part_of, silent
 
 _AROUND = 1 / 6  # seconds either side over which velocities are taken: a step is one movement, its tremor none
 _KEPT = 0.99  # share of the variance that the axes of the space keep
@@ -136,22 +148,25 @@ def pose_space(
     clips = sorted(dataset.clips, key=lambda clip: clip.name)
     if not clips:
         raise AnalysisError("the dataset has no clips, so there are no poses")
-    sampled = []
+    frames = _frames_to_mirror(clips) if mirrored else None
+    rows = Rows()  # of every clip, and after each those of its mirror image
+    weighting, counts = (
+        _weighting(clips, frames, analysis_fps, pose, velocity, partial(report, "reading recordings")),
+        [],
+    )
     for k, clip in enumerate(clips):
-        report("reading recordings", k / len(clips))
-        sampled.append(resample(clip, analysis_fps))
-    images = _images(sampled, report) if mirrored else None
-    bodies = _numbered(sampled, images or [])
-    poses = pose_features(bodies, analysis_fps=analysis_fps, pose=pose, variance=1.0, scales=_UNITS, report=report)
-    values = _weighted(poses, velocity)
-    mean, basis, _ = principal_directions(values, _KEPT)
-    values = np.ascontiguousarray((values - mean.astype(np.float32)) @ basis.astype(np.float32))
-    n = int(poses.clip_starts[len(clips)])
-    own = values[:n]
+        sampled = resample(clip, analysis_fps)
+        counts.append(sampled.n_frames)
+        rows.add(weighting.of(sampled))
+        if frames is not None:
+            rows.add(weighting.of(mirror(sampled, frames=frames[clip.skeleton])))
+        report("poses", 0.9 * (k + 1) / len(clips))
+    heard, starts = partial(report, "poses"), np.concatenate([[0], np.cumsum(counts)]).astype(np.int64)
+    own, *images = _projected(rows.array(), starts, 1 if frames is None else 2, part_of(heard, 0.9, 1.0))
     return PoseSpace(
         values=own,
-        mirrored=values[n:] if images else None,
-        clip_starts=poses.clip_starts[: len(clips) + 1],
+        mirrored=images[0] if images else None,
+        clip_starts=starts,
         clips=tuple(clip.name for clip in clips),
         clip_fps=tuple(float(clip.fps) for clip in clips),
         clip_frames=tuple(clip.n_frames for clip in clips),
@@ -160,44 +175,75 @@ def pose_space(
     )
 
 
-def _images(clips: list[Clip], report: Report) -> list[Clip] | None:
-    """The clips seen in a mirror; None where a body cannot be mirrored."""
-    frames = {}
+def _frames_to_mirror(clips: Sequence[Clip]) -> dict[Skeleton, BodyFrames] | None:
+    """The anatomical frames of each skeleton; None where a body cannot be mirrored."""
+    clips_of: dict[Skeleton, list[Clip]] = {}
     for clip in clips:
-        if clip.skeleton not in frames:
-            frames[clip.skeleton] = body_frames([c for c in clips if c.skeleton == clip.skeleton])
+        clips_of.setdefault(clip.skeleton, []).append(clip)
+    frames = {skeleton: body_frames(group) for skeleton, group in clips_of.items()}
     try:
-        images = []
-        for k, clip in enumerate(clips):
-            report("mirroring recordings", k / len(clips))
-            images.append(mirror(clip, frames=frames[clip.skeleton]))
-        return images
+        for skeleton in frames:
+            partners(skeleton)
     except AnalysisError:
         return None
+    return frames
 
 
-def _numbered(clips: list[Clip], images: list[Clip]) -> Dataset:
-    """Clips, then their images, under names that keep this order."""
-    everything = [*clips, *images]
-    named = tuple(replace(clip, name=f"{k:08d}") for k, clip in enumerate(everything))
-    return Dataset("poses", named, digests=tuple(clip.name for clip in named))
+@dataclass(frozen=True, eq=False)
+class _Weighting:
+    """Raw features times their weights ``(f,)``, and the velocities of the columns ``still`` beside them; ``speeds``:
+    columns that are averaged over as long as velocities are; velocity: seconds; half: frames either side."""
+
+    features: RawFeatures
+    weights: np.ndarray
+    still: list[int]
+    speeds: list[int]
+    velocity: float
+    half: int
+    fps: float
+
+    def of(self, clip: Clip) -> np.ndarray:
+        """Features of a clip at the rate of the analysis, ``(n, f)`` float32."""
+        raw = self.features.of(clip) * self.weights
+        moving = np.float32(self.velocity) * _velocities(raw[:, self.still], self.fps, self.half)
+        raw[:, self.speeds] = uniform_filter1d(raw[:, self.speeds], 2 * self.half + 1, axis=0, mode="nearest")
+        return np.concatenate([raw, moving], axis=1)
 
 
-def _weighted(poses: Poses, velocity: float) -> np.ndarray:
-    """Raw features times their weights, and the velocities of postures, height and tilt beside them: ``(n, f)``."""
-    raw = poses.values @ poses.basis.T.astype(np.float32) + poses.mean.astype(np.float32)
-    joints = sum(name not in _WEIGHTS for name in poses.names) / 3
-    raw *= np.array([_WEIGHTS.get(name, joints**-0.5) for name in poses.names], np.float32)
-    if any(name.endswith("position x") for name in poses.names):
-        raw[:, [name in ("pitch", "roll") for name in poses.names]] = 0  # joints seen from the pelvis turn with it
-    still = [k for k, name in enumerate(poses.names) if name not in _WEIGHTS or name == "root height"]
-    speeds = [k for k, name in enumerate(poses.names) if "speed" in name]
-    moving = np.empty((len(raw), len(still)), np.float32)
-    half = max(1, round(_AROUND * poses.fps))
-    for start, end in pairwise(poses.clip_starts):
-        moving[start:end] = velocity * _velocities(raw[start:end, still], poses.fps, half)
-        raw[start:end, speeds] = uniform_filter1d(raw[start:end, speeds], 2 * half + 1, axis=0, mode="nearest")
-    return np.concatenate([raw, moving], axis=1)
+def _weighting(
+    clips: Sequence[Clip],
+    frames: Mapping[Skeleton, BodyFrames] | None,
+    fps: float,
+    pose: str,
+    velocity: float,
+    progress: Progress,
+) -> _Weighting:
+    """The weighting that clips, and where there are ``frames`` also their mirror images, share."""
+    images: Iterator[Clip] = iter(())
+    if frames is not None:
+        images = (mirror(sparse(clip), frames=frames[clip.skeleton]) for clip in clips)
+    features = raw_features(clips, fps, pose, _UNITS, images=images, progress=progress)
+    names = features.names
+    joints = sum(name not in _WEIGHTS for name in names) / 3
+    weights = np.array([_WEIGHTS.get(name, joints**-0.5) for name in names], np.float32)
+    if any(name.endswith("position x") for name in names):
+        weights[[name in ("pitch", "roll") for name in names]] = 0  # joints seen from the pelvis turn with it
+    still = [k for k, name in enumerate(names) if name not in _WEIGHTS or name == "root height"]
+    speeds = [k for k, name in enumerate(names) if "speed" in name]
+    return _Weighting(features, weights, still, speeds, velocity, max(1, round(_AROUND * fps)), fps)
+
+
+def _projected(rows: np.ndarray, starts: np.ndarray, images: int, progress: Progress) -> list[np.ndarray]:
+    """Rows ``(images * n, f)``, for each clip one image after the other, along the axes of the space: for each image
+    the poses ``(n, d)`` of all clips."""
+    mean, basis, _ = principal_directions(rows, _KEPT, part_of(progress, 0.0, 0.6))
+    found = [np.empty((int(starts[-1]), basis.shape[1]), np.float32) for _ in range(images)]
+    for start, end in pairwise(starts.tolist()):
+        for k, values in enumerate(found):
+            first = images * start + k * (end - start)
+            values[start:end] = projected(rows[first : first + end - start], mean, basis)
+        progress(0.6 + 0.4 * end / len(found[0]))
+    return found
 
 
 def _velocities(track: np.ndarray, fps: float, half: int) -> np.ndarray:

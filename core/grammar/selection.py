@@ -8,6 +8,7 @@ from itertools import groupby
 from typing import NamedTuple
 
 from core.grammar.alignment import Hypotheses, Sentence
+from core.progress import Progress, unheard
 
 BY = ("saving", "branch", "leaf")
 
@@ -26,6 +27,7 @@ def select(
     weights: Sequence[int] | None = None,
     by: str = "branch",
     touching: bool = True,
+    progress: Progress = unheard,
 ) -> list[list[Bracket]]:
     """The constituents of every sentence: hypotheses by falling worth, unless one taken before stands in the way.
 
@@ -66,6 +68,7 @@ def select(
             if not any(_in_the_way((start, end), (b.start, b.end), touching) for b in taken):
                 taken.append(Bracket(start, end, kind))
         taken.sort(key=lambda b: (b.start, -b.end))
+        progress((sentence + 1) / len(sentences))
     return chosen
 
 

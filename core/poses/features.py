@@ -10,8 +10,10 @@ the same units. ``positions`` replaces the angles by joint positions in the head
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import partial
+from itertools import chain
 
 import numpy as np
 
@@ -24,7 +26,7 @@ from core.mocap.kinematics import forward_kinematics, resample
 from core.mocap.rigs import kinds_of, rigs_of
 from core.mocap.skeleton import Skeleton
 from core.poses.rows import Rows
-from core.progress import Report, silent
+from core.progress import Progress, Report, part_of, silent, unheard
 
 CMU_UNIT = 0.056444
 """Metres per length unit of the CMU recordings."""
@@ -103,26 +105,21 @@ def pose_features(
     pose kind, a rate or a variance out of range, an empty dataset, or skeletons without a joint in common.
     """
     clips = sorted(dataset.clips, key=lambda clip: clip.name)
-    if pose not in _KINDS:
-        raise ValueError(f"pose must be one of {', '.join(_KINDS)}, not {pose!r}")
-    if not analysis_fps > 0 or not 0 < variance <= 1:
-        raise ValueError("analysis_fps must be positive and variance between 0 and 1")
-    if not clips:
-        raise AnalysisError("the dataset has no clips, so there are no poses")
-    bodies = _bodies([clip.skeleton for clip in clips])
-    rest = _mean_rotations(clips, bodies)
+    if not 0 < variance <= 1:
+        raise ValueError(f"variance must be between 0 and 1, not {variance}")
+    heard = partial(report, "poses")
+    features = raw_features(clips, analysis_fps, pose, scales, progress=part_of(heard, 0.0, 0.1))
     rows, counts = Rows(), []
     for i, clip in enumerate(clips):
-        body = bodies[clip.skeleton]
-        block = _clip_features(resample(clip, analysis_fps), body, rest[body.family], pose, scales)
+        block = features.of(resample(clip, analysis_fps))
         rows.add(block)
         counts.append(len(block))
-        report("poses", (i + 1) / len(clips))
+        heard(0.1 + 0.7 * (i + 1) / len(clips))
     starts = np.concatenate([[0], np.cumsum(counts)]).astype(np.int64)
     raw = rows.array()
-    mean, basis, explained = principal_directions(raw, variance)
+    mean, basis, explained = principal_directions(raw, variance, part_of(heard, 0.8, 0.9))
     return Poses(
-        values=_projected(raw, mean.astype(np.float32), basis.astype(np.float32)),
+        values=projected(raw, mean, basis, part_of(heard, 0.9, 1.0)),
         clip_starts=starts,
         clips=tuple(clip.name for clip in clips),
         clip_fps=tuple(float(clip.fps) for clip in clips),
@@ -130,12 +127,62 @@ def pose_features(
         fps=float(analysis_fps),
         basis=basis,
         mean=mean,
-        names=_names(bodies[clips[0].skeleton].names, pose),
+        names=features.names,
         explained=explained,
     )
 
 
-def principal_directions(raw: np.ndarray, variance: float) -> tuple[np.ndarray, np.ndarray, float]:
+@dataclass(frozen=True, eq=False)
+class RawFeatures:
+    """Features of clips before their principal directions are taken. names: what each is; pose, scales: as of
+    :func:`pose_features`."""
+
+    names: tuple[str, ...]
+    pose: str
+    scales: Scales
+    _bodies: dict[Skeleton, _Body]
+    _rest: dict[int, tuple[np.ndarray, np.ndarray]]
+
+    def of(self, clip: Clip) -> np.ndarray:
+        """The features of a clip at the rate of the analysis, ``(n, f)`` float32. Its skeleton must be a known one."""
+        body = self._bodies[clip.skeleton]
+        return _clip_features(clip, body, self._rest[body.family], self.pose, self.scales)
+
+
+def raw_features(
+    clips: Sequence[Clip],
+    analysis_fps: float,
+    pose: str = "angles",
+    scales: Scales = _SCALES,
+    *,
+    images: Iterable[Clip] = (),
+    progress: Progress = unheard,
+) -> RawFeatures:
+    """What computes the features of one clip after the other, so that no more than one is in memory.
+
+    images: more clips of the same skeletons, whose rotations count for the mean ones; a few frames a second are enough,
+    see :func:`sparse`. Raises as :func:`pose_features`.
+    """
+    if pose not in _KINDS:
+        raise ValueError(f"pose must be one of {', '.join(_KINDS)}, not {pose!r}")
+    if not analysis_fps > 0:
+        raise ValueError(f"analysis_fps must be positive, not {analysis_fps}")
+    if not clips:
+        raise AnalysisError("the dataset has no clips, so there are no poses")
+    bodies = _bodies([clip.skeleton for clip in clips])
+    rest = _mean_rotations(clips, images, bodies, progress)
+    return RawFeatures(_names(bodies[clips[0].skeleton].names, pose), pose, scales, bodies, rest)
+
+
+def sparse(clip: Clip) -> Clip:
+    """About three frames a second of a clip, which are plenty for a mean; its joints do not stretch."""
+    step = max(1, round(clip.fps / 3))
+    return Clip(clip.name, clip.skeleton, clip.fps / step, clip.root_positions[::step], clip.rotations[::step])
+
+
+def principal_directions(
+    raw: np.ndarray, variance: float, progress: Progress = unheard
+) -> tuple[np.ndarray, np.ndarray, float]:
     """Mean ``(f,)``, fewest principal directions ``(f, k)`` that keep ``variance`` of the variance, and what they keep.
 
     raw: ``(n, f)``. Signs are fixed (largest entry positive); constant data gives one direction. The
@@ -146,6 +193,7 @@ def principal_directions(raw: np.ndarray, variance: float) -> tuple[np.ndarray, 
     for i in range(0, len(raw), 16_384):
         part = raw[i : i + 16_384] - mean
         covariance += part.T @ part
+        progress(min((i + 16_384) / len(raw), 1.0))
     values, vectors = np.linalg.eigh(covariance)
     values, vectors = np.maximum(values[::-1], 0), vectors[:, ::-1]
     share = np.cumsum(values) / max(values.sum(), 1e-12)
@@ -155,11 +203,13 @@ def principal_directions(raw: np.ndarray, variance: float) -> tuple[np.ndarray, 
     return mean, basis * signs, float(share[k - 1])
 
 
-def _projected(raw: np.ndarray, mean: np.ndarray, basis: np.ndarray) -> np.ndarray:
+def projected(raw: np.ndarray, mean: np.ndarray, basis: np.ndarray, progress: Progress = unheard) -> np.ndarray:
     """Raw features ``(n, f)`` about their mean along the directions ``(f, k)``, so many at a time: ``(n, k)``."""
     values = np.empty((len(raw), basis.shape[1]), np.float32)
+    mean, basis = mean.astype(np.float32), basis.astype(np.float32)
     for i in range(0, len(raw), _TOGETHER):
         values[i : i + _TOGETHER] = (raw[i : i + _TOGETHER] - mean) @ basis
+        progress(min((i + _TOGETHER) / len(raw), 1.0))
     return values
 
 
@@ -212,17 +262,18 @@ def _body(skeleton: Skeleton, anatomy: Anatomy, chosen: dict[str, int], rig: int
     return _Body(tuple(chosen), joints, tuple(above), hips if min(hips) >= 0 else None, anatomy.body_height, rig)
 
 
-def _mean_rotations(clips: Sequence[Clip], bodies: dict[Skeleton, _Body]) -> dict[int, tuple[np.ndarray, np.ndarray]]:
+def _mean_rotations(
+    clips: Sequence[Clip], images: Iterable[Clip], bodies: dict[Skeleton, _Body], progress: Progress
+) -> dict[int, tuple[np.ndarray, np.ndarray]]:
     """Per family: mean rotation of each joint ``(n_joints, 4)`` and mean pelvis rotation without heading ``(4,)``."""
     sums: dict[int, np.ndarray] = {}
-    for clip in clips:
+    for k, clip in enumerate(chain(clips, images)):
         body = bodies[clip.skeleton]
-        step = max(1, round(clip.fps / 3))  # a few frames a second are plenty for a mean
-        sparse = Clip(clip.name, clip.skeleton, clip.fps / step, clip.root_positions[::step], clip.rotations[::step])
-        positions, world = forward_kinematics(sparse)
+        positions, world = forward_kinematics(sparse(clip))
         local = np.concatenate([_relative(world, body), _without_heading(positions, world, body)[:, None]], axis=1)
         moments = np.einsum("fji,fjk->jik", local.astype(np.float64), local)
         sums[body.family] = sums.get(body.family, 0) + moments
+        progress(min((k + 1) / len(clips), 1.0))
     means = {family: np.linalg.eigh(moments)[1][..., -1] for family, moments in sums.items()}
     return {family: (mean[:-1], mean[-1]) for family, mean in means.items()}
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -67,7 +67,7 @@ class FrameStore:
         axes = [*self.axes]
         for rig in range(len(self.axes), len(rigs)):
             family = [clip for clip in clips if number[clip.skeleton] == rig]
-            axes.append(find_axes(family[:: max(1, len(family) // _FOR_AXES)]))
+            axes.append(find_axes(_heard(family[:: max(1, len(family) // _FOR_AXES)], report)))
         codes, has = [], []
         for k, clip in enumerate(clips):
             frames = part_frames(clip, axes[number[clip.skeleton]], self.fps)
@@ -164,6 +164,13 @@ class FrameStore:
         )
         clips = tuple(IndexedClip(name, int(frames), float(fps)) for name, frames, fps in document["clips"])
         return cls(clips, arrays["codes"], arrays["starts"], arrays["has"], rigs, axes, float(document["fps"]))
+
+
+def _heard(clips: Sequence[Clip], report: Report) -> Iterator[Clip]:
+    """The clips, one after the other, as bodies that are looked at."""
+    for k, clip in enumerate(clips):
+        report("reading bodies", k / len(clips))
+        yield clip
 
 
 def jitter(codes: np.ndarray) -> float:

@@ -29,7 +29,11 @@ FAST, SLOW = 600, 4000  # milliseconds between two polls
 FAILED_SHOWN = 600.0  # seconds a failed job stays in the bar
 STAGES = {  # words for the stages that computations report
     "": "starting",
+    "reading bodies": "looking at the bodies",
+    "reading recordings": "reading recordings",
+    "reading postures": "computing postures",
     "poses": "computing postures",
+    "features": "computing features",
     "quantisation": "clustering postures",
     "matching": "looking for repetitions",
     "discovery": "choosing motifs",
@@ -48,7 +52,8 @@ STAGES = {  # words for the stages that computations report
     "fine search": "cutting exactly",
     "fine tuning": "moving the cuts",
     "sentences": "dividing into routines",
-    "aligning": "aligning routines",
+    "grouping": "counting actions",
+    "rules": "finding phrases",
     "held out": "testing held-out routines",
     "new motion": "making new motion",
 }
