@@ -201,6 +201,7 @@ def _baselines(
     states = len(machine.leaving)
     of_strings = -sum(machine.log2_probability(string) for string in strings)
     trees = [tree for tree in map(hierarchy.parse, strings) if tree is not None]  # it generates each of them
+    progress(1.0)
     return {
         "state_machine": _figures(
             len(machine.transitions), Bits(2 * len(machine.transitions) * np.log2(states), of_strings)

@@ -10,7 +10,7 @@ With mirroring a motion and its mirror image are the same: the distance is the s
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from itertools import pairwise
@@ -33,7 +33,6 @@ from core.poses.features import (
     principal_directions,
     projected,
     raw_features,
-    sparse,
 )
 from core.poses.rows import Rows
 from core.progress import Progress, Report, part_of, silent
@@ -159,7 +158,7 @@ def pose_space(
         counts.append(sampled.n_frames)
         rows.add(weighting.of(sampled))
         if frames is not None:
-            rows.add(weighting.of(mirror(sampled, frames=frames[clip.skeleton])))
+            rows.add(weighting.of(_image(frames, sampled)))
         report("poses", 0.9 * (k + 1) / len(clips))
     heard, starts = partial(report, "poses"), np.concatenate([[0], np.cumsum(counts)]).astype(np.int64)
     own, *images = _projected(rows.array(), starts, 1 if frames is None else 2, part_of(heard, 0.9, 1.0))
@@ -187,6 +186,11 @@ def _frames_to_mirror(clips: Sequence[Clip]) -> dict[Skeleton, BodyFrames] | Non
     except AnalysisError:
         return None
     return frames
+
+
+def _image(frames: Mapping[Skeleton, BodyFrames], clip: Clip) -> Clip:
+    """The clip seen in a mirror."""
+    return mirror(clip, frames=frames[clip.skeleton])
 
 
 @dataclass(frozen=True, eq=False)
@@ -219,10 +223,8 @@ def _weighting(
     progress: Progress,
 ) -> _Weighting:
     """The weighting that clips, and where there are ``frames`` also their mirror images, share."""
-    images: Iterator[Clip] = iter(())
-    if frames is not None:
-        images = (mirror(sparse(clip), frames=frames[clip.skeleton]) for clip in clips)
-    features = raw_features(clips, fps, pose, _UNITS, images=images, progress=progress)
+    image = None if frames is None else partial(_image, frames)
+    features = raw_features(clips, fps, pose, _UNITS, image=image, progress=progress)
     names = features.names
     joints = sum(name not in _WEIGHTS for name in names) / 3
     weights = np.array([_WEIGHTS.get(name, joints**-0.5) for name in names], np.float32)

@@ -10,10 +10,9 @@ the same units. ``positions`` replaces the angles by joint positions in the head
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import partial
-from itertools import chain
 
 import numpy as np
 
@@ -155,13 +154,13 @@ def raw_features(
     pose: str = "angles",
     scales: Scales = _SCALES,
     *,
-    images: Iterable[Clip] = (),
+    image: Callable[[Clip], Clip] | None = None,
     progress: Progress = unheard,
 ) -> RawFeatures:
     """What computes the features of one clip after the other, so that no more than one is in memory.
 
-    images: more clips of the same skeletons, whose rotations count for the mean ones; a few frames a second are enough,
-    see :func:`sparse`. Raises as :func:`pose_features`.
+    image: makes another clip of the same skeleton out of a clip, such as its mirror image; its rotations then count for
+    the mean ones as well. Raises as :func:`pose_features`.
     """
     if pose not in _KINDS:
         raise ValueError(f"pose must be one of {', '.join(_KINDS)}, not {pose!r}")
@@ -170,11 +169,11 @@ def raw_features(
     if not clips:
         raise AnalysisError("the dataset has no clips, so there are no poses")
     bodies = _bodies([clip.skeleton for clip in clips])
-    rest = _mean_rotations(clips, images, bodies, progress)
+    rest = _mean_rotations(clips, image, bodies, progress)
     return RawFeatures(_names(bodies[clips[0].skeleton].names, pose), pose, scales, bodies, rest)
 
 
-def sparse(clip: Clip) -> Clip:
+def _sparse(clip: Clip) -> Clip:
     """About three frames a second of a clip, which are plenty for a mean; its joints do not stretch."""
     step = max(1, round(clip.fps / 3))
     return Clip(clip.name, clip.skeleton, clip.fps / step, clip.root_positions[::step], clip.rotations[::step])
@@ -263,17 +262,18 @@ def _body(skeleton: Skeleton, anatomy: Anatomy, chosen: dict[str, int], rig: int
 
 
 def _mean_rotations(
-    clips: Sequence[Clip], images: Iterable[Clip], bodies: dict[Skeleton, _Body], progress: Progress
+    clips: Sequence[Clip], image: Callable[[Clip], Clip] | None, bodies: dict[Skeleton, _Body], progress: Progress
 ) -> dict[int, tuple[np.ndarray, np.ndarray]]:
     """Per family: mean rotation of each joint ``(n_joints, 4)`` and mean pelvis rotation without heading ``(4,)``."""
     sums: dict[int, np.ndarray] = {}
-    for k, clip in enumerate(chain(clips, images)):
-        body = bodies[clip.skeleton]
-        positions, world = forward_kinematics(sparse(clip))
-        local = np.concatenate([_relative(world, body), _without_heading(positions, world, body)[:, None]], axis=1)
-        moments = np.einsum("fji,fjk->jik", local.astype(np.float64), local)
-        sums[body.family] = sums.get(body.family, 0) + moments
-        progress(min((k + 1) / len(clips), 1.0))
+    for k, clip in enumerate(clips):
+        body, few = bodies[clip.skeleton], _sparse(clip)
+        for one in (few,) if image is None else (few, image(few)):
+            positions, world = forward_kinematics(one)
+            local = np.concatenate([_relative(world, body), _without_heading(positions, world, body)[:, None]], axis=1)
+            moments = np.einsum("fji,fjk->jik", local.astype(np.float64), local)
+            sums[body.family] = sums.get(body.family, 0) + moments
+        progress((k + 1) / len(clips))
     means = {family: np.linalg.eigh(moments)[1][..., -1] for family, moments in sums.items()}
     return {family: (mean[:-1], mean[-1]) for family, mean in means.items()}
 
