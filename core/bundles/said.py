@@ -13,7 +13,7 @@ from core.mocap.dataset import Dataset
 from core.mocap.properties import Properties, from_json
 from core.workspace import Workspace, WorkspaceError
 from core.workspace.blocks import Block
-from core.workspace.properties import present_properties
+from core.workspace.clip_properties import present_properties
 
 
 def said_of(workspace: Workspace, dataset: Dataset) -> dict[str, list[dict[str, Any]]]:

@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from core.errors import FormatError
 from core.mocap.properties import Properties, from_json
 from core.workspace.database import Database
 from core.workspace.documents import Document, Documents, Kept
 from core.workspace.errors import DocumentGone
 from core.workspace.people import require
-
-if TYPE_CHECKING:
-    from core.workspace.workspace import Workspace
 
 _KIND = "properties"
 
@@ -67,8 +62,3 @@ class PropertyStore(Documents[Properties]):
 
     def _require(self, id: str | None, document: Document | None, to: str) -> None:
         require("editor", id, to="change properties of clips")
-
-
-def present_properties(workspace: Workspace, dataset: str) -> Properties:
-    """The properties of the clips a data set has now. Raises WorkspaceError where there is none, DocumentDamaged."""
-    return workspace.properties.of(workspace.info(dataset).id).of_clips(workspace.open(dataset).names)

@@ -48,6 +48,7 @@ def test_a_doubt_is_listed_marked_and_played(show, odd):
     wait_for_link(page, start=str(first), end=str(last))
 
 
+@pytest.mark.slow
 def test_repairs_of_one_doubt_and_of_several_clips_are_undone(show, workspace, odd):
     page = show("/clip?dataset=odd&clip=jumpy")
     drawn(page, "jumpy")

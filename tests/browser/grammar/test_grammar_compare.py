@@ -26,6 +26,7 @@ def bars(page: Page, title: str) -> dict[str, float]:
     )
 
 
+@pytest.mark.slow
 def test_four_ways_are_compared_and_play_side_by_side(show, workspace):
     page = show(LINK + "&show=compare")
     wait_for_string(page)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.app import address, demo_workspace, link_of, show, wait_for_stage
@@ -49,6 +50,7 @@ def wait_for_sentence(page: Page, actions: list[int]) -> None:
 SHORT = LINK + "&show=compose&sentence=random:1:12"
 
 
+@pytest.mark.slow
 def test_a_routine_by_chance_is_changed_part_by_part(show, workspace):
     found = learned(workspace)
     page = show(SHORT, viewport={"width": 1700, "height": 950})

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.app import address, demo_workspace, show, wait_for_link
@@ -22,6 +23,7 @@ def wait_for_points(page: Page, numbers: list[int]) -> None:
     page.wait_for_function(f"(numbers) => ({POINTS})().join() === numbers.join()", arg=numbers, timeout=PATIENCE)
 
 
+@pytest.mark.slow
 def test_numbers_are_compared_and_one_is_chosen(show):
     page = show(LINK + "&show=tune")
     wait_for_string(page)
@@ -47,6 +49,7 @@ def test_numbers_are_compared_and_one_is_chosen(show):
     wait_for_points(page, [5, 14])
 
 
+@pytest.mark.slow
 def test_a_comparison_can_be_stopped_and_sliders_learn(show, workspace):
     page = show(LINK + "&show=tune&counts=14,16,18,22,24,26,28,32,34,36")
     wait_for_string(page)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import psutil
+import pytest
 from playwright.sync_api import Page, expect
 
 from core import analyses
@@ -81,6 +82,7 @@ def test_cancel_and_run_again(show, workspace):
     expect(page.locator(".job", has_text="Demo: long")).to_be_visible()
 
 
+@pytest.mark.slow
 def test_a_reload_and_a_second_tab_see_the_same_job(show, workspace, address):
     page = show("/motifs")
     slow_job(workspace)
@@ -93,6 +95,7 @@ def test_a_reload_and_a_second_tab_see_the_same_job(show, workspace, address):
     expect(page.locator(".job")).to_have_count(0)
 
 
+@pytest.mark.slow
 def test_the_button_works_after_a_reload_in_the_middle_of_a_search(show, workspace):
     page = show("/motifs")
     wait_for_graph(page)

@@ -48,6 +48,7 @@ def act(page: Page, action: str) -> None:
     page.click(f"[data-blend={action}]")
 
 
+@pytest.mark.slow
 def test_motions_are_mixed_live(show, graph):
     page = show("/motifs?dataset=demo&init=random&motif=3&side=blend")
     wait_for_graph(page)
@@ -146,6 +147,7 @@ def test_motions_are_mixed_live(show, graph):
     wait_for_stage(page, "Motif 5: 4 motions")
 
 
+@pytest.mark.slow
 def test_size_against_error(show, graph):
     page = show("/motifs?dataset=demo&init=random&view=compression")
     wait_for_graph(page)

@@ -117,6 +117,7 @@ def _bars_and_boxes_select_too(page, comparison) -> None:
     wait_for_stage(page, f"Motif {two.motif} and" if two.partners else f"Motif {two.motif}, only here")
 
 
+@pytest.mark.slow
 def test_a_step_away_is_computed_and_the_link_shows_it_again(workspace, show):
     analyses.run(workspace, analyses.Request("demo", "motifs", {"analysis_fps": 15}))
     page = show("/motifs?dataset=demo&analysis_fps=15&view=compare&motif=0")
@@ -131,6 +132,7 @@ def test_a_step_away_is_computed_and_the_link_shows_it_again(workspace, show):
     page.wait_for_function("motionscape.stage.layout === 'side'")
 
 
+@pytest.mark.slow
 def test_stability_is_measured_shown_and_hidden(workspace, show, tmp_path):
     analyses.run(workspace, analyses.Request("demo", "motifs", {"analysis_fps": 15}))
     page = show("/motifs?dataset=demo&analysis_fps=15")

@@ -6,6 +6,7 @@ import json
 import re
 from pathlib import Path
 
+import pytest
 from playwright.sync_api import Page, expect
 
 from tests.browser.app import PATIENCE, address, demo_workspace, show, wait_for_graph, wait_for_stage, workspace
@@ -80,6 +81,7 @@ def test_a_motif_is_named_found_and_shown_along_the_clips(show, address):
     wait_for_label(page, 1, "the <b>")
 
 
+@pytest.mark.slow
 def test_the_coverage_report_is_made_and_its_postures_play(show):
     page = show("/motifs?dataset=demo&view=report")
     wait_for_graph(page)

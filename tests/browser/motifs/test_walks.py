@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from urllib.parse import urlsplit
 
+import pytest
 from playwright.sync_api import Page, expect
 
 from core import analyses
@@ -46,6 +47,7 @@ def marked(page: Page, kind: str) -> list[str]:
     )
 
 
+@pytest.mark.slow
 def test_a_walk_from_the_first_click_to_the_file(show, workspace) -> None:
     dataset = workspace.open("demo")
     graph = analyses.stored(workspace, analyses.Request("demo", "motifs"))

@@ -6,6 +6,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
+import pytest
 from playwright.sync_api import expect
 
 from core import analyses
@@ -53,6 +54,7 @@ def test_a_posture_is_shaped_by_dragging_and_bones_keep_their_lengths(mapped, sh
     page.wait_for_function("text => location.search.includes(text)", arg=f"keys={a}-{b},{wanted[0]}-{wanted[1]}")
 
 
+@pytest.mark.slow
 def test_a_drawn_path_finds_the_motions_that_go_like_it(mapped, show):
     page = open_map(show, "&click=draw")
     nodes = mapped.nodes_of(mapped.clips[0])[10:40]
@@ -122,6 +124,7 @@ def test_pictures_hold_what_was_chosen(mapped, show, tmp_path):
     assert download.value.suggested_filename == "demo-map.csv"
 
 
+@pytest.mark.slow
 def test_other_clips_are_laid_on_a_map_without_learning(mapped, show, workspace):
     workspace.add_dataset("more", make_demo(minutes=0.5, seed=3))
     page = show("/map?dataset=more")

@@ -122,6 +122,7 @@ def _a_range_is_dragged(page: Page, name: str) -> None:
     wait_for_hits(page, link_of(page)["query"])
 
 
+@pytest.mark.slow
 def test_parts_are_weighed_by_clicks_keys_and_presets(show, indexed) -> None:
     page = open_search(show, stretch(indexed))
     arm = page.locator(".search-part[data-part='left_arm']")
@@ -147,6 +148,7 @@ def test_parts_are_weighed_by_clicks_keys_and_presets(show, indexed) -> None:
     page.wait_for_function("() => !motionscape.search.now.view.parts")
 
 
+@pytest.mark.slow
 def test_a_query_is_put_together_from_pieces(show, indexed) -> None:
     page = open_search(show, stretch(indexed))
     page.locator("[data-search='combine']").click()
@@ -242,6 +244,7 @@ def test_filters_options_and_exports(show, indexed) -> None:
     assert copied.startswith("motionscape search ") and f"--query {query}" in copied and "--root-path 0.4" in copied
 
 
+@pytest.mark.slow
 def test_more_like_this_from_other_pages_and_the_stage(show, indexed) -> None:
     name = indexed.open("demo").names[0]
     page = show(f"/clip?dataset=demo&clip={name}&start=60&end=160", viewport=WIDE)

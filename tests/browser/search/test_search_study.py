@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+import pytest
 from playwright.sync_api import Page, expect
 
 from core import analyses
@@ -13,6 +14,7 @@ from tests.browser.app import PATIENCE, address, demo_workspace, show, wait_for_
 __all__ = ["address", "demo_workspace", "show", "workspace"]
 
 
+@pytest.mark.slow
 def test_pairs_are_rated_duels_are_won_and_results_are_shown(show, workspace) -> None:
     page = show("/search?dataset=demo&look=agree", viewport={"width": 1500, "height": 900})
     page.locator("[data-study='draw']").click(timeout=PATIENCE)
@@ -76,6 +78,7 @@ def test_the_query_of_the_search_can_be_studied(show, workspace) -> None:
     expect(page.locator("#study-rate")).to_contain_text("Choose queries above", timeout=PATIENCE)
 
 
+@pytest.mark.slow
 def test_engines_are_compared_with_the_labels(show, workspace) -> None:
     page = show("/search?dataset=demo&look=evaluate", viewport={"width": 1500, "height": 900})
     expect(page.locator("#ranking-status")).to_contain_text("No evaluation yet", timeout=PATIENCE)

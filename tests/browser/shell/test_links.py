@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from playwright.sync_api import expect
 
 from tests.browser.app import address, demo_workspace, show, wait_for_graph, wait_for_link, wait_for_stage, workspace
@@ -110,6 +111,7 @@ def test_share_copies_the_link(show):
     assert page.evaluate("navigator.clipboard.readText()") == page.url
 
 
+@pytest.mark.slow
 def test_the_theme_follows_the_system_and_is_remembered(show):
     page = show("/motifs", color_scheme="dark")
     wait_for_graph(page)

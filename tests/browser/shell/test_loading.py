@@ -76,6 +76,7 @@ def test_what_a_browser_has_is_not_sent_again(fresh, address):
     assert again.received < first.received / 10
 
 
+@pytest.mark.slow
 def test_a_library_comes_when_its_page_is_opened_later(fresh, address):
     load(fresh, f"{address}/search", set())
     wire = Wire(fresh)

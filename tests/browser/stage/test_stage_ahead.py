@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import pytest
+
 from tests.browser.app import (
     address,
     click_in_graph,
@@ -21,6 +23,7 @@ PLACE = """id => {
 }"""
 
 
+@pytest.mark.slow
 def test_motions_come_before_the_click_and_only_once(show):
     page = show("/motifs")
     wait_for_graph(page)

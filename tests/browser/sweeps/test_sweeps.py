@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from urllib.parse import urlsplit
 
+import pytest
 from playwright.sync_api import Page, expect
 
 from core import analyses
@@ -115,6 +116,7 @@ def test_from_the_form_to_the_result(show, workspace):
     wait_for_link(page, kappa="20", seed="1")
 
 
+@pytest.mark.slow
 def test_cancel_keeps_points_and_a_link_shows_them(show, workspace):
     analyses.run(
         workspace,

@@ -13,7 +13,7 @@ from urllib.parse import urlencode
 from core.workspace import Board, Comment, SavedView, Workspace, WorkspaceError, acting, pinned_state
 from core.workspace.blocks import Block
 from core.workspace.boards import shown
-from core.workspace.properties import present_properties
+from core.workspace.clip_properties import present_properties
 from webapp.features.boards.contents import request_of
 from webapp.features.boards.parts import Part
 from webapp.shell import settings

@@ -12,7 +12,7 @@ from core.comparing import design_json
 from core.errors import ParameterError
 from core.groups.design import SUBJECT_NAMES, make_design
 from core.workspace import Job, Workspace
-from core.workspace.properties import present_properties
+from core.workspace.clip_properties import present_properties
 from webapp.shell import settings
 from webapp.shell.results import motif_notes
 

@@ -10,7 +10,7 @@ from flask import Blueprint, Response, jsonify
 from core.mocap.properties import Properties
 from core.mocap.property_files import by_pattern, mixed_words, parse_properties
 from core.workspace import Workspace
-from core.workspace.properties import present_properties
+from core.workspace.clip_properties import present_properties
 from webapp.shell.routes import BadRequest, answer_errors, attachment, json_body
 
 LARGEST_TABLE = 8_000_000  # bytes
