@@ -6,6 +6,7 @@ import { lightBlocks } from "../blocks/selection.mjs";
 import { Figure } from "../stage/figure.mjs";
 import { MotionCache } from "../stage/motion.mjs";
 import { ask, Refused } from "../shared/server.mjs";
+import { take } from "./ahead.mjs";
 import { Card } from "./card.mjs";
 import { Comments, countOf, wordsOf } from "./comments.mjs";
 import { button, iconButton, openMenu, openWindow, say } from "../shared/dialogs.mjs";
@@ -61,7 +62,7 @@ export class OpenBoard {
   async open() {
     let board;
     try {
-      const all = [ask(`boards/${this.id}`), known.listing ? null : refresh(), gridstack()]; // at once
+      const all = [take(`boards/${this.id}`), known.listing ? null : refresh(), gridstack()]; // at once
       board = /** @type {Board} */ ((await Promise.all(all))[0]);
     } catch (error) {
       return this.fail(error);
@@ -131,8 +132,10 @@ export class OpenBoard {
     this.showFilters(board);
     this.note.textContent = board.note;
     const ids = new Set(board.blocks.map(({ id }) => id));
-    for (const [id, card] of this.cards) if (!ids.has(id)) this.drop(id, card);
-    for (const block of board.blocks) this.put(block);
+    this.grid?.together(() => {
+      for (const [id, card] of this.cards) if (!ids.has(id)) this.drop(id, card);
+      for (const block of board.blocks) this.put(block);
+    });
     this.grid?.place(board.blocks.map((block) => [/** @type {Card} */ (this.cards.get(block.id)).item, block]));
     for (const [id, card] of this.cards) {
       const [open, all] = countOf(board.comments, id);

@@ -4,6 +4,7 @@ import { element } from "../shared/dom.mjs";
 import { percent } from "../shared/words.mjs";
 import { ask } from "../shared/server.mjs";
 import { button, iconButton } from "../shared/dialogs.mjs";
+import { take } from "./ahead.mjs";
 import { kindOf, shown } from "./state.mjs";
 /** @import { Context, Drawn } from "../blocks/types.d.ts" */
 /** @import { BlockAnswer, BlockData } from "./types.d.ts" */
@@ -86,7 +87,7 @@ export class Card {
     /** @type {BlockAnswer} */
     let answer;
     try {
-      answer = await ask(`boards/${this.board}/blocks/${this.block.id}`);
+      answer = await take(`boards/${this.board}/blocks/${this.block.id}`);
     } catch (error) {
       answer = { state: "broken", content: null, words: error instanceof Error ? error.message : String(error), job: null };
     }

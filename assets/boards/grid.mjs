@@ -60,6 +60,15 @@ export class Grid {
     this.quiet -= 1;
   }
 
+  /** Several changes, after which the grid is laid out once. @param {() => void} changes */
+  together(changes) {
+    this.silently(() => {
+      this.grid.batchUpdate();
+      changes();
+      this.grid.batchUpdate(false);
+    });
+  }
+
   /** @param {HTMLElement} item @param {BlockData} block */
   add(item, { x, y, w, h }) {
     this.silently(() => this.grid.makeWidget(item, { x, y, w, h, minW: 2, minH: 2 }));
@@ -74,12 +83,10 @@ export class Grid {
   place(items) {
     if (this.grid.getColumn() !== COLUMNS || document.querySelector(".ui-draggable-dragging, .ui-resizable-resizing")) return;
     const now = this.places();
-    this.silently(() => {
-      this.grid.batchUpdate();
+    this.together(() => {
       for (const [item, { id, x, y, w, h }] of items) {
         if (JSON.stringify(now[id]) !== JSON.stringify([x, y, w, h])) this.grid.update(item, { x, y, w, h });
       }
-      this.grid.batchUpdate(false);
     });
   }
 

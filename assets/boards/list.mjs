@@ -1,4 +1,5 @@
 // The page without an open board: boards, templates to begin with, and saved views.
+import { take } from "./ahead.mjs";
 import { changeView, openPage } from "../shared/dash.mjs";
 import { element, svgElement, withAttributes } from "../shared/dom.mjs";
 import { ask } from "../shared/server.mjs";
@@ -12,7 +13,7 @@ const COLOURS = { graph: 0, motifs: 0, matrix: 0, map: 1, overview: 2, tracks: 2
 
 /** Ask for everything that can be listed. @returns {Promise<Listing>} */
 export async function refresh() {
-  known.listing = await ask("boards");
+  known.listing = await take("boards");
   return /** @type {Listing} */ (known.listing);
 }
 

@@ -2112,8 +2112,8 @@
     return { header, positions: new Float32Array(buffer, at3, header.frames * header.joints.length * 3), bytes: buffer.byteLength };
   }
   function decodeParts(buffer) {
-    const [{ parts: parts2 }, begin2] = readHeader(buffer);
-    let at3 = begin2;
+    const [{ parts: parts2 }, begin3] = readHeader(buffer);
+    let at3 = begin3;
     return parts2.map(
       /** @param {{ error?: string, bytes: number }} part */
       ({ error, bytes: bytes2 }) => {
@@ -4037,11 +4037,11 @@
       else openPage(place5.address);
       if (place5.opens) unfold(place5.opens);
     };
-    let asked2 = 0;
+    let asked3 = 0;
     const show6 = async () => {
-      const number2 = ++asked2;
+      const number2 = ++asked3;
       const found = (await findPlaces(field.value)).slice(0, MOST);
-      if (number2 !== asked2) return;
+      if (number2 !== asked3) return;
       list3.replaceChildren(...found.map((place5) => {
         const entry = element("button", "boards-button", element("span", "ellipsis", place5.name), element("span", "muted ellipsis", place5.about));
         entry.type = "button";
@@ -4377,6 +4377,150 @@
     for (const { drawn: drawn8, same: same4 } of blocks) drawn8.light?.(same4 ? selection : stretch, motion);
   }
 
+  // boards/grid.mjs
+  var COLUMNS2 = 12;
+  var ROW2 = 64;
+  var NARROW = 620;
+  var library = null;
+  function gridstack() {
+    library ??= new Promise((resolve, reject) => {
+      document.head.append(withAttributes(element("link"), { rel: "stylesheet", href: "/assets/vendor/gridstack.css" }));
+      const script = element("script");
+      script.src = "/assets/vendor/gridstack.js";
+      script.onload = () => resolve(
+        /** @type {any} */
+        globalThis.GridStack
+      );
+      script.onerror = () => {
+        library = null;
+        reject(new Error("The grid could not be loaded; reload the page."));
+      };
+      document.head.append(script);
+    });
+    return library;
+  }
+  var Grid = class _Grid {
+    /**
+     * @param {HTMLElement} place
+     * @param {boolean} still nothing may be moved
+     * @param {(places: Record<string, number[]>) => void} moved
+     */
+    static async open(place5, still, moved2) {
+      const GridStack = await gridstack();
+      return new _Grid(GridStack, place5, still, moved2);
+    }
+    /** @param {any} GridStack @param {HTMLElement} place @param {boolean} still @param {(places: Record<string, number[]>) => void} moved */
+    constructor(GridStack, place5, still, moved2) {
+      this.quiet = 0;
+      this.grid = GridStack.init({
+        column: COLUMNS2,
+        cellHeight: ROW2,
+        margin: 6,
+        float: false,
+        animate: false,
+        staticGrid: still,
+        handle: ".board-head",
+        columnOpts: { breakpoints: [{ w: NARROW, c: 1 }] },
+        resizable: { handles: "e,se,s,sw,w" }
+      }, place5);
+      this.grid.on("change", () => {
+        if (!this.quiet && this.grid.getColumn() === COLUMNS2) moved2(this.places());
+      });
+    }
+    /** @returns {Record<string, number[]>} */
+    places() {
+      return Object.fromEntries(this.grid.engine.nodes.map(({ el, x, y, w, h }) => [el.dataset.block, [x, y, w, h]]));
+    }
+    /** @param {() => void} change */
+    silently(change2) {
+      this.quiet += 1;
+      change2();
+      this.quiet -= 1;
+    }
+    /** Several changes, after which the grid is laid out once. @param {() => void} changes */
+    together(changes) {
+      this.silently(() => {
+        this.grid.batchUpdate();
+        changes();
+        this.grid.batchUpdate(false);
+      });
+    }
+    /** @param {HTMLElement} item @param {BlockData} block */
+    add(item, { x, y, w, h }) {
+      this.silently(() => this.grid.makeWidget(item, { x, y, w, h, minW: 2, minH: 2 }));
+    }
+    /** @param {HTMLElement} item */
+    remove(item) {
+      this.silently(() => this.grid.removeWidget(item));
+    }
+    /** Put blocks where others have put them. @param {[HTMLElement, BlockData][]} items */
+    place(items) {
+      if (this.grid.getColumn() !== COLUMNS2 || document.querySelector(".ui-draggable-dragging, .ui-resizable-resizing")) return;
+      const now6 = this.places();
+      this.together(() => {
+        for (const [item, { id, x, y, w, h }] of items) {
+          if (JSON.stringify(now6[id]) !== JSON.stringify([x, y, w, h])) this.grid.update(item, { x, y, w, h });
+        }
+      });
+    }
+    /**
+     * Arrow keys move a block, with shift they resize it.
+     * @param {HTMLElement} item
+     * @param {KeyboardEvent} event
+     */
+    key(item, event) {
+      const steps2 = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+      const step3 = steps2[event.key];
+      const node = this.grid.engine.nodes.find((one) => one.el === item);
+      if (!step3 || !node || this.grid.opts.staticGrid) return;
+      event.preventDefault();
+      const { x, y, w, h } = node;
+      if (event.shiftKey) this.grid.update(item, { w: Math.min(Math.max(w + step3[0], 2), COLUMNS2 - x), h: Math.max(h + step3[1], 2) });
+      else {
+        this.grid.update(item, { x: Math.min(Math.max(x + step3[0], 0), COLUMNS2 - w), y: Math.max(y + step3[1] * (step3[1] > 0 ? h : 1), 0) });
+      }
+    }
+    /** The first free row below all blocks. */
+    bottom() {
+      return this.grid.engine.getRow();
+    }
+    close() {
+      this.grid.destroy(false);
+    }
+  };
+
+  // boards/ahead.mjs
+  var FRESH = 1e4;
+  var asked = /* @__PURE__ */ new Map();
+  function take(path2) {
+    const answer2 = asked.get(path2);
+    asked.delete(path2);
+    return answer2 ?? ask2(path2);
+  }
+  function begin(path2) {
+    const answer2 = ask2(path2);
+    answer2.catch(() => {
+    });
+    asked.set(path2, answer2);
+    return answer2;
+  }
+  async function beginBoard(board2) {
+    begin("boards");
+    gridstack().catch(() => {
+    });
+    const { blocks } = (
+      /** @type {Board} */
+      await begin(`boards/${board2}`)
+    );
+    for (const { id } of blocks) begin(`boards/${board2}/blocks/${id}`);
+  }
+  var board = new URLSearchParams(location.search).get("board") ?? "";
+  if (location.pathname.endsWith("/boards") && /^[\w-]+$/.test(board)) {
+    beginBoard(board).catch(() => {
+    });
+    setTimeout(() => asked.clear(), FRESH);
+  }
+
   // blocks/registry.mjs
   var offered = {};
   var offer = (blocks) => Object.assign(offered, blocks);
@@ -4417,8 +4561,8 @@
      * @param {Context} context
      * @param {CardActions} actions
      */
-    constructor(board, block2, still, context, actions4) {
-      this.board = board;
+    constructor(board2, block2, still, context, actions4) {
+      this.board = board2;
       this.still = still;
       this.last = "";
       this.block = block2;
@@ -4470,7 +4614,7 @@
       const mark3 = this.mark;
       let answer2;
       try {
-        answer2 = await ask2(`boards/${this.board}/blocks/${this.block.id}`);
+        answer2 = await take(`boards/${this.board}/blocks/${this.block.id}`);
       } catch (error) {
         answer2 = { state: "broken", content: null, words: error instanceof Error ? error.message : String(error), job: null };
       }
@@ -4539,20 +4683,20 @@
       this.board = null;
     }
     /** @param {Board} board @param {string} block @param {string} title */
-    open(board, block2, title) {
+    open(board2, block2, title) {
       Object.assign(this, { block: block2, title });
       this.node.hidden = false;
       this.last = "";
-      this.show(board);
+      this.show(board2);
       this.node.querySelector("textarea")?.focus();
     }
     close() {
       this.node.hidden = true;
     }
     /** Draw what has been said, unless nothing has changed or someone is writing an answer. @param {Board} board */
-    show(board) {
-      this.board = board;
-      const own2 = board.comments.filter((comment) => comment.block === this.block);
+    show(board2) {
+      this.board = board2;
+      const own2 = board2.comments.filter((comment) => comment.block === this.block);
       const mark3 = JSON.stringify(own2);
       if (this.node.hidden || mark3 === this.last) return;
       const draft = this.node.querySelector("textarea")?.value ?? "";
@@ -4634,43 +4778,43 @@
 
   // boards/edit.mjs
   var viewOf = (kind) => Object.fromEntries(Object.entries(shown3.view).filter(([key, text]) => text && kind?.keys.includes(key)));
-  function addBlock(board, row7, take3) {
+  function addBlock(board2, row7, take4) {
     const kinds2 = known.listing?.kinds ?? [];
     const dialog2 = openWindow("Add a block", element("div", "boards-kinds", ...kinds2.map((kind) => button(kind.label, () => {
       dialog2.close();
-      fillIn(board, kind, row7, take3);
+      fillIn(board2, kind, row7, take4);
     }))), element("p", "muted", "A block takes over the settings of the page as they are now; a Stage loop plays what is selected."));
   }
-  function fillIn(board, kind, row7, take3) {
+  function fillIn(board2, kind, row7, take4) {
     const settings = { title: kind.kind === "text" || kind.kind === "numbers" ? "" : kind.label, view: viewOf(kind), options: {} };
     if (kind.kind === "stage") settings.options = { selection: JSON.stringify(shown3.selection) };
     const [w, h] = kind.size;
-    const add3 = async (filled2) => take3(await ask2(`boards/${board.id}`, { action: "add", block: { kind: kind.kind, x: 0, y: row7, w, h, settings: filled2 } }));
+    const add3 = async (filled2) => take4(await ask2(`boards/${board2.id}`, { action: "add", block: { kind: kind.kind, x: 0, y: row7, w, h, settings: filled2 } }));
     if (!["text", "view"].includes(kind.kind)) return add3(settings);
-    return openForm(`Add: ${kind.label}`, fieldsOf(board, kind.kind, settings), "Add", (values) => add3(settingsOf(settings, values)));
+    return openForm(`Add: ${kind.label}`, fieldsOf(board2, kind.kind, settings), "Add", (values) => add3(settingsOf(settings, values)));
   }
-  function editBlock(board, block2, take3) {
-    openForm("Change the block", fieldsOf(board, block2.kind, block2.settings), "Save", async (values) => {
+  function editBlock(board2, block2, take4) {
+    openForm("Change the block", fieldsOf(board2, block2.kind, block2.settings), "Save", async (values) => {
       const settings = settingsOf(block2.settings, values);
       try {
-        take3(await saveBlock(board, block2, settings));
+        take4(await saveBlock(board2, block2, settings));
       } catch (error) {
         if (!(error instanceof Refused) || !error.answer.conflict) throw error;
-        tellConflict(board, block2, settings, error.answer, take3);
+        tellConflict(board2, block2, settings, error.answer, take4);
       }
     });
   }
-  var saveBlock = (board, { id, kind, version: own2 }, settings, version = own2) => ask2(`boards/${board.id}`, { action: "change", version, block: { id, kind, settings } });
-  function tellConflict(board, block2, mine2, { error, theirs, author }, take3) {
+  var saveBlock = (board2, { id, kind, version: own2 }, settings, version = own2) => ask2(`boards/${board2.id}`, { action: "change", version, block: { id, kind, settings } });
+  function tellConflict(board2, block2, mine2, { error, theirs, author }, take4) {
     const column = (title, text, choice2) => element("div", "boards-version", element("h3", "", title), element("pre", "", text), choice2);
     const dialog2 = openWindow("Someone was faster", element("p", "", error), element(
       "div",
       "boards-versions",
       column("Yours", wordsOf2(mine2), theirs ? button("Save mine over it", async () => {
-        take3(await saveBlock(board, block2, mine2, theirs.version));
+        take4(await saveBlock(board2, block2, mine2, theirs.version));
         dialog2.close();
       }, "primary") : button("Add mine again", async () => {
-        take3(await ask2(`boards/${board.id}`, { action: "add", block: { ...block2, settings: mine2 } }));
+        take4(await ask2(`boards/${board2.id}`, { action: "add", block: { ...block2, settings: mine2 } }));
         dialog2.close();
       }, "primary")),
       column(theirs ? `Of ${author || "someone else"}` : "Removed", theirs ? wordsOf2(theirs.settings) : "The block is no longer on the board.", button("Keep theirs", () => dialog2.close()))
@@ -4684,13 +4828,13 @@
     ...Object.entries(view4 ?? {}),
     ...Object.entries(options ?? {})
   ].filter(([, value]) => value).map(([name, value]) => `${name}: ${value}`).join("\n");
-  function fieldsOf(board, kind, { title = "", dataset: dataset2 = "", view: view4 = {}, options = {} }) {
+  function fieldsOf(board2, kind, { title = "", dataset: dataset2 = "", view: view4 = {}, options = {} }) {
     const fields = [{ name: "title", label: "Title", value: title }];
     if (kind === "text") return [...fields, { name: "option-markdown", label: "Text", kind: "text", value: options.markdown ?? "", hint: "Markdown: ## heading, **bold**, - list, [words](address)" }];
     if (kind === "view") {
       return [...fields, { name: "option-view", label: "Saved view", kind: "choice", value: options.view ?? "", choices: (known.listing?.views ?? []).map(({ id, title: name }) => [id, name]) }];
     }
-    fields.push({ name: "dataset", label: "Dataset", kind: "choice", value: dataset2, choices: [["", "that of the board"], ...board.datasets.map((name) => (
+    fields.push({ name: "dataset", label: "Dataset", kind: "choice", value: dataset2, choices: [["", "that of the board"], ...board2.datasets.map((name) => (
       /** @type {[string, string]} */
       [name, name]
     ))] });
@@ -4714,112 +4858,6 @@
     delete settings.pinned;
     return settings;
   }
-
-  // boards/grid.mjs
-  var COLUMNS2 = 12;
-  var ROW2 = 64;
-  var NARROW = 620;
-  var library = null;
-  function gridstack() {
-    library ??= new Promise((resolve, reject) => {
-      document.head.append(withAttributes(element("link"), { rel: "stylesheet", href: "/assets/vendor/gridstack.css" }));
-      const script = element("script");
-      script.src = "/assets/vendor/gridstack.js";
-      script.onload = () => resolve(
-        /** @type {any} */
-        globalThis.GridStack
-      );
-      script.onerror = () => {
-        library = null;
-        reject(new Error("The grid could not be loaded; reload the page."));
-      };
-      document.head.append(script);
-    });
-    return library;
-  }
-  var Grid = class _Grid {
-    /**
-     * @param {HTMLElement} place
-     * @param {boolean} still nothing may be moved
-     * @param {(places: Record<string, number[]>) => void} moved
-     */
-    static async open(place5, still, moved2) {
-      const GridStack = await gridstack();
-      return new _Grid(GridStack, place5, still, moved2);
-    }
-    /** @param {any} GridStack @param {HTMLElement} place @param {boolean} still @param {(places: Record<string, number[]>) => void} moved */
-    constructor(GridStack, place5, still, moved2) {
-      this.quiet = 0;
-      this.grid = GridStack.init({
-        column: COLUMNS2,
-        cellHeight: ROW2,
-        margin: 6,
-        float: false,
-        animate: false,
-        staticGrid: still,
-        handle: ".board-head",
-        columnOpts: { breakpoints: [{ w: NARROW, c: 1 }] },
-        resizable: { handles: "e,se,s,sw,w" }
-      }, place5);
-      this.grid.on("change", () => {
-        if (!this.quiet && this.grid.getColumn() === COLUMNS2) moved2(this.places());
-      });
-    }
-    /** @returns {Record<string, number[]>} */
-    places() {
-      return Object.fromEntries(this.grid.engine.nodes.map(({ el, x, y, w, h }) => [el.dataset.block, [x, y, w, h]]));
-    }
-    /** @param {() => void} change */
-    silently(change2) {
-      this.quiet += 1;
-      change2();
-      this.quiet -= 1;
-    }
-    /** @param {HTMLElement} item @param {BlockData} block */
-    add(item, { x, y, w, h }) {
-      this.silently(() => this.grid.makeWidget(item, { x, y, w, h, minW: 2, minH: 2 }));
-    }
-    /** @param {HTMLElement} item */
-    remove(item) {
-      this.silently(() => this.grid.removeWidget(item));
-    }
-    /** Put blocks where others have put them. @param {[HTMLElement, BlockData][]} items */
-    place(items) {
-      if (this.grid.getColumn() !== COLUMNS2 || document.querySelector(".ui-draggable-dragging, .ui-resizable-resizing")) return;
-      const now6 = this.places();
-      this.silently(() => {
-        this.grid.batchUpdate();
-        for (const [item, { id, x, y, w, h }] of items) {
-          if (JSON.stringify(now6[id]) !== JSON.stringify([x, y, w, h])) this.grid.update(item, { x, y, w, h });
-        }
-        this.grid.batchUpdate(false);
-      });
-    }
-    /**
-     * Arrow keys move a block, with shift they resize it.
-     * @param {HTMLElement} item
-     * @param {KeyboardEvent} event
-     */
-    key(item, event) {
-      const steps2 = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
-      const step3 = steps2[event.key];
-      const node = this.grid.engine.nodes.find((one) => one.el === item);
-      if (!step3 || !node || this.grid.opts.staticGrid) return;
-      event.preventDefault();
-      const { x, y, w, h } = node;
-      if (event.shiftKey) this.grid.update(item, { w: Math.min(Math.max(w + step3[0], 2), COLUMNS2 - x), h: Math.max(h + step3[1], 2) });
-      else {
-        this.grid.update(item, { x: Math.min(Math.max(x + step3[0], 0), COLUMNS2 - w), y: Math.max(y + step3[1] * (step3[1] > 0 ? h : 1), 0) });
-      }
-    }
-    /** The first free row below all blocks. */
-    bottom() {
-      return this.grid.engine.getRow();
-    }
-    close() {
-      this.grid.destroy(false);
-    }
-  };
 
   // boards/picture.mjs
   var [WIDTH, HEIGHT, BESIDE] = [360, 220, 130];
@@ -4890,25 +4928,25 @@
 
   // boards/reports.mjs
   var POLL2 = 500;
-  function openReport(dataset2, board) {
+  function openReport(dataset2, board2) {
     const place5 = element("div", "boards-form");
-    const dialog2 = openWindow(board ? `Report of ${board.title}` : `Report of ${dataset2}`, element(
+    const dialog2 = openWindow(board2 ? `Report of ${board2.title}` : `Report of ${dataset2}`, element(
       "p",
       "muted",
       "One file that opens without Motionscape and without a network. Its figures play, its graph and map can be explored."
     ), place5);
-    const begin2 = (form2) => write(dialog2, place5, dataset2, board?.id ?? "", form2);
-    place5.append(element("div", "boards-actions", button("As PDF", () => begin2("pdf")), button("As HTML", () => begin2("html"), "primary")));
+    const begin3 = (form2) => write(dialog2, place5, dataset2, board2?.id ?? "", form2);
+    place5.append(element("div", "boards-actions", button("As PDF", () => begin3("pdf")), button("As HTML", () => begin3("html"), "primary")));
   }
   document.addEventListener("click", (event) => {
     const { report } = closest(event, "[data-report]")?.dataset ?? {};
     if (report) openReport(report, null);
   });
-  async function write(dialog2, place5, dataset2, board, form2) {
+  async function write(dialog2, place5, dataset2, board2, form2) {
     const address3 = `report/${encodeURIComponent(dataset2)}`;
     let again = "&again=yes";
     while (dialog2.open) {
-      const state3 = await ask2(`${address3}?form=${form2}&board=${board}${again}`).catch((error) => ({ error: error.message }));
+      const state3 = await ask2(`${address3}?form=${form2}&board=${board2}${again}`).catch((error) => ({ error: error.message }));
       again = "";
       if (state3.error) {
         place5.replaceChildren(element("p", "form-problem", state3.error), element("div", "boards-actions", button("Close", () => dialog2.close())));
@@ -4932,7 +4970,7 @@
   // boards/list.mjs
   var COLOURS = { graph: 0, motifs: 0, matrix: 0, map: 1, overview: 2, tracks: 2, actions: 3, sweep: 4, hits: 5, stage: 6 };
   async function refresh() {
-    known.listing = await ask2("boards");
+    known.listing = await take("boards");
     return (
       /** @type {Listing} */
       known.listing
@@ -4953,8 +4991,8 @@
       );
       const words4 = search2.value.toLowerCase().split(/\s+/).filter(Boolean);
       const found = (texts) => words4.every((word) => texts.join(" ").toLowerCase().includes(word));
-      const [some, more2] = [all.filter((board) => found([board.title, board.note, board.author, board.dataset])), saved.filter((one) => found([one.title, one.note, one.author, ...one.tags]))];
-      boards.replaceChildren(...some.map((board) => boardCard(board, again)), ...some.length ? [] : [all.length ? empty("No board is called so.") : beginning()]);
+      const [some, more2] = [all.filter((board2) => found([board2.title, board2.note, board2.author, board2.dataset])), saved.filter((one) => found([one.title, one.note, one.author, ...one.tags]))];
+      boards.replaceChildren(...some.map((board2) => boardCard(board2, again)), ...some.length ? [] : [all.length ? empty("No board is called so.") : beginning()]);
       views.replaceChildren(...more2.map((one) => viewCard(one, again)), ...more2.length ? [] : [empty(saved.length ? "No view is called so." : "Save a view with “Save view” at the top, on any page.")]);
     };
     search2.addEventListener("input", fill);
@@ -4976,28 +5014,28 @@
     element("div", "boards-cards for-editors", ...templateCards(() => void 0))
   );
   var empty = (words4) => element("p", "muted", words4);
-  function boardCard(board, again) {
-    const open6 = button("", () => changeView({ board: board.id, screen: "" }), "boards-open");
-    open6.append(drawShape(board.shape), element("strong", "ellipsis", board.title));
-    const about = [board.dataset, board.author, ago(board.updated)].filter(Boolean).join(" · ");
-    const more2 = iconButton("dots", `More for ${board.title}`, () => openMenu(more2, [
-      ["Rename", () => renameBoard(board, again)],
-      ["Duplicate", () => change(board.id, { action: "duplicate" }).then(again)],
-      ["History", () => showHistory(`boards/${board.id}`, board.title, (version) => change(board.id, { action: "restore", version }).then(again))],
-      ["Delete", () => deleteBoard(board, again)]
+  function boardCard(board2, again) {
+    const open6 = button("", () => changeView({ board: board2.id, screen: "" }), "boards-open");
+    open6.append(drawShape(board2.shape), element("strong", "ellipsis", board2.title));
+    const about = [board2.dataset, board2.author, ago(board2.updated)].filter(Boolean).join(" · ");
+    const more2 = iconButton("dots", `More for ${board2.title}`, () => openMenu(more2, [
+      ["Rename", () => renameBoard(board2, again)],
+      ["Duplicate", () => change(board2.id, { action: "duplicate" }).then(again)],
+      ["History", () => showHistory(`boards/${board2.id}`, board2.title, (version) => change(board2.id, { action: "restore", version }).then(again))],
+      ["Delete", () => deleteBoard(board2, again)]
     ]));
     more2.classList.add("for-editors");
     return element("article", "boards-card", open6, element("div", "boards-card-foot", element("span", "muted ellipsis", about), more2));
   }
   var change = (id, body2) => ask2(`boards/${id}`, body2).catch((error) => say(error.message));
-  var renameBoard = (board, again) => openForm("Rename the board", [
-    { name: "title", label: "Title", value: board.title },
-    { name: "note", label: "Note", kind: "text", value: board.note }
-  ], "Save", (values) => ask2(`boards/${board.id}`, { action: "rename", ...values }).then(again));
-  async function deleteBoard(board, again) {
-    if (!await change(board.id, { action: "delete" })) return;
+  var renameBoard = (board2, again) => openForm("Rename the board", [
+    { name: "title", label: "Title", value: board2.title },
+    { name: "note", label: "Note", kind: "text", value: board2.note }
+  ], "Save", (values) => ask2(`boards/${board2.id}`, { action: "rename", ...values }).then(again));
+  async function deleteBoard(board2, again) {
+    if (!await change(board2.id, { action: "delete" })) return;
     again();
-    say(`“${board.title}” was deleted.`, () => change(board.id, { action: "undelete" }).then(again));
+    say(`“${board2.title}” was deleted.`, () => change(board2.id, { action: "undelete" }).then(again));
   }
   function viewCard(saved, again) {
     const picture2 = withAttributes(element("img", "boards-picture"), { src: saved.picture, alt: "", loading: "lazy" });
@@ -5053,8 +5091,8 @@
       const card4 = button("", () => {
         chosen3();
         openForm(`New board: ${template.title}`, [{ name: "title", label: "Title", value: template.name === "empty" ? "" : `${shown3.dataset}: ${template.title.toLowerCase()}` }], "Make it", async ({ title }) => {
-          const board = await ask2("boards", { template: template.name, title, dataset: shown3.dataset });
-          changeView({ board: board.id, screen: "" });
+          const board2 = await ask2("boards", { template: template.name, title, dataset: shown3.dataset });
+          changeView({ board: board2.id, screen: "" });
         });
       }, "boards-open boards-card");
       card4.append(drawShape(template.shape), element("strong", "", template.title), element("span", "muted", template.words));
@@ -5107,24 +5145,24 @@
       return this.look !== "" || !this.board?.may_edit;
     }
     async open() {
-      let board;
+      let board2;
       try {
-        const all = [ask2(`boards/${this.id}`), known.listing ? null : refresh(), gridstack()];
-        board = /** @type {Board} */
+        const all = [take(`boards/${this.id}`), known.listing ? null : refresh(), gridstack()];
+        board2 = /** @type {Board} */
         (await Promise.all(all))[0];
       } catch (error) {
         return this.fail(error);
       }
-      this.board = board;
-      this.mark = board.etag ?? "";
+      this.board = board2;
+      this.mark = board2.etag ?? "";
       const area = element("div", "grid-stack boards-grid");
       this.place.replaceChildren(element("div", "boards-open-board", element("div", "boards-main", this.bar, this.note, this.warning, this.stale, area), this.comments.node));
       this.grid = await Grid.open(area, this.still, (places) => this.moved(places));
       if (this.closed) return void 0;
       this.area = area;
-      this.show(board);
-      if (board.filters.dataset && board.filters.dataset !== shown3.dataset && board.datasets.includes(board.filters.dataset)) {
-        setStore(DATASET_CHOICE, { dataset: board.filters.dataset, at: Date.now() });
+      this.show(board2);
+      if (board2.filters.dataset && board2.filters.dataset !== shown3.dataset && board2.datasets.includes(board2.filters.dataset)) {
+        setStore(DATASET_CHOICE, { dataset: board2.filters.dataset, at: Date.now() });
       }
       this.poll();
       return void 0;
@@ -5150,11 +5188,11 @@
     /** Ask whether the board has changed. @param {boolean} [surely] */
     async update(surely) {
       try {
-        const board = await ask2(`boards/${this.id}`, void 0, surely ? "" : this.mark);
+        const board2 = await ask2(`boards/${this.id}`, void 0, surely ? "" : this.mark);
         this.warn("");
-        if (board && !this.closed) {
-          this.mark = board.etag ?? "";
-          this.show(board);
+        if (board2 && !this.closed) {
+          this.mark = board2.etag ?? "";
+          this.show(board2);
         }
       } catch (error) {
         if (error instanceof Refused && error.status === 404) this.warn("This board has been deleted, or its link renewed. What you see is its last state.");
@@ -5167,26 +5205,28 @@
       this.warning.textContent = words4;
     }
     /** @param {Board} board */
-    show(board) {
-      if (this.moving && this.board) board = { ...board, blocks: board.blocks.map((block2) => ({ ...block2, ...placeOf(this.board, block2.id) })) };
-      this.board = board;
-      this.showBar(board);
-      this.showFilters(board);
-      this.note.textContent = board.note;
-      const ids = new Set(board.blocks.map(({ id }) => id));
-      for (const [id, card4] of this.cards) if (!ids.has(id)) this.drop(id, card4);
-      for (const block2 of board.blocks) this.put(block2);
-      this.grid?.place(board.blocks.map((block2) => [
+    show(board2) {
+      if (this.moving && this.board) board2 = { ...board2, blocks: board2.blocks.map((block2) => ({ ...block2, ...placeOf(this.board, block2.id) })) };
+      this.board = board2;
+      this.showBar(board2);
+      this.showFilters(board2);
+      this.note.textContent = board2.note;
+      const ids = new Set(board2.blocks.map(({ id }) => id));
+      this.grid?.together(() => {
+        for (const [id, card4] of this.cards) if (!ids.has(id)) this.drop(id, card4);
+        for (const block2 of board2.blocks) this.put(block2);
+      });
+      this.grid?.place(board2.blocks.map((block2) => [
         /** @type {Card} */
         this.cards.get(block2.id).item,
         block2
       ]));
       for (const [id, card4] of this.cards) {
-        const [open6, all] = countOf(board.comments, id);
+        const [open6, all] = countOf(board2.comments, id);
         card4.count(open6, all);
       }
-      this.showStale(board);
-      this.comments.show(board);
+      this.showStale(board2);
+      this.comments.show(board2);
     }
     /** @param {BlockData} block */
     put(block2) {
@@ -5259,20 +5299,20 @@
       for (const card4 of this.cards.values()) card4.load();
     }
     /** @param {Board} board */
-    showBar(board) {
-      const mark3 = JSON.stringify([board.title, board.filters, board.datasets, board.groups, board.comments.length, wordsOf(board.comments), this.still, this.look]);
+    showBar(board2) {
+      const mark3 = JSON.stringify([board2.title, board2.filters, board2.datasets, board2.groups, board2.comments.length, wordsOf(board2.comments), this.still, this.look]);
       if (mark3 === this.barMark) return;
       this.barMark = mark3;
-      const title = element("h2", "ellipsis", board.title);
+      const title = element("h2", "ellipsis", board2.title);
       const more2 = iconButton("dots", "More", () => openMenu(more2, this.boardMenu()));
-      const parts2 = [iconButton("left", "All boards", () => changeView({ board: "", screen: "" })), title, ...this.look === "present" ? [] : [this.datasetPicker(board), ...this.groupPicker(board), this.labelField(board)]];
+      const parts2 = [iconButton("left", "All boards", () => changeView({ board: "", screen: "" })), title, ...this.look === "present" ? [] : [this.datasetPicker(board2), ...this.groupPicker(board2), this.labelField(board2)]];
       if (!this.still) parts2.push(button("Add block", () => addBlock(
         /** @type {Board} */
         this.board,
         this.grid?.bottom() ?? 0,
         (made) => this.take(made)
       ), "primary"));
-      if (this.look !== "present") parts2.push(button(wordsOf(board.comments), () => this.comments.open(
+      if (this.look !== "present") parts2.push(button(wordsOf(board2.comments), () => this.comments.open(
         /** @type {Board} */
         this.board,
         "",
@@ -5283,27 +5323,27 @@
       this.bar.replaceChildren(...parts2);
     }
     /** @param {Board} board */
-    datasetPicker(board) {
-      const names2 = [.../* @__PURE__ */ new Set(["", board.filters.dataset ?? "", ...board.datasets])];
+    datasetPicker(board2) {
+      const names2 = [.../* @__PURE__ */ new Set(["", board2.filters.dataset ?? "", ...board2.datasets])];
       const picker = withAttributes(element("select", "boards-select", ...names2.map((name) => withAttributes(element("option", "", name || "no dataset"), { value: name }))), { "aria-label": "Dataset of the board" });
-      picker.value = board.filters.dataset ?? "";
+      picker.value = board2.filters.dataset ?? "";
       picker.disabled = this.still;
       picker.addEventListener("change", () => this.filter({ dataset: picker.value }));
       return picker;
     }
     /** @param {Board} board */
-    labelField(board) {
+    labelField(board2) {
       const field = withAttributes(element("input", "boards-label"), { placeholder: "Label", "aria-label": "Narrow the board to a label", type: "search" });
-      field.value = board.filters.label ?? "";
+      field.value = board2.filters.label ?? "";
       field.addEventListener("change", () => this.filter({ label: field.value.trim() }));
       return field;
     }
     /** Narrow the board to clips with a value of a property. @param {Board} board */
-    groupPicker(board) {
-      const now6 = board.filters.group ?? "";
-      if (!board.groups.length && !now6) return [];
-      const offered2 = board.groups.map(([column, values]) => withAttributes(element("optgroup", "", ...values.map((value) => withAttributes(element("option", "", value), { value: `${column}=${value}` }))), { label: column }));
-      const offers = board.groups.some(([column, values]) => values.some((value) => `${column}=${value}` === now6));
+    groupPicker(board2) {
+      const now6 = board2.filters.group ?? "";
+      if (!board2.groups.length && !now6) return [];
+      const offered2 = board2.groups.map(([column, values]) => withAttributes(element("optgroup", "", ...values.map((value) => withAttributes(element("option", "", value), { value: `${column}=${value}` }))), { label: column }));
+      const offers = board2.groups.some(([column, values]) => values.some((value) => `${column}=${value}` === now6));
       const picker = withAttributes(element("select", "boards-select", withAttributes(element("option", "", "all clips"), { value: "" }), ...now6 && !offers ? [withAttributes(element("option", "", `${now6} (gone)`), { value: now6 })] : [], ...offered2), { "aria-label": "Narrow the board to a group of clips" });
       picker.value = now6;
       picker.addEventListener("change", () => this.filter({ group: picker.value }));
@@ -5311,20 +5351,20 @@
     }
     /** Change some filters: for all, or where the board may not be changed for oneself alone. @param {Board["filters"]} some */
     filter(some) {
-      const board = (
+      const board2 = (
         /** @type {Board} */
         this.board
       );
-      const filters = { ...board.filters, ...some };
-      if (this.still) this.show({ ...board, filters });
+      const filters = { ...board2.filters, ...some };
+      if (this.still) this.show({ ...board2, filters });
       else this.change({ action: "filter", filters });
     }
     /** Fade what the filters leave out; the clips of a group are asked for where they may be others. @param {Board} board */
-    async showFilters(board) {
-      const mark3 = JSON.stringify([board.filters, board.groups, board.blocks.map(({ dataset: dataset2 }) => dataset2)]);
+    async showFilters(board2) {
+      const mark3 = JSON.stringify([board2.filters, board2.groups, board2.blocks.map(({ dataset: dataset2 }) => dataset2)]);
       if (mark3 === this.filterMark) return;
       this.filterMark = mark3;
-      const group = board.filters.group ?? "";
+      const group = board2.filters.group ?? "";
       this.narrow();
       const answer2 = group ? await ask2(`boards/${this.id}/group?of=${encodeURIComponent(group)}`).catch((error) => this.warn(error.message)) : null;
       if (this.filterMark !== mark3) return;
@@ -5342,8 +5382,8 @@
       card4.drawn.narrow?.(this.board?.filters.label ?? "", this.among ? this.among[card4.block.dataset] ?? /* @__PURE__ */ new Set() : null);
     }
     /** @param {Board} board */
-    showStale(board) {
-      const changed2 = board.blocks.filter((block2) => block2.data === "changed");
+    showStale(board2) {
+      const changed2 = board2.blocks.filter((block2) => block2.data === "changed");
       this.stale.replaceChildren(...changed2.length ? [
         element("span", "", `The data of ${changed2.length === 1 ? "a block has" : `${changed2.length} blocks has`} changed since ${changed2.length === 1 ? "it was" : "they were"} made.`),
         this.still ? "" : button("Recompute all", () => this.change({ action: "renew" }).then(() => {
@@ -5361,9 +5401,9 @@
       }
     }
     /** @param {Board} board */
-    take(board) {
+    take(board2) {
       this.mark = "";
-      this.show(board);
+      this.show(board2);
     }
     /** @param {Record<string, number[]>} places */
     moved(places) {
@@ -5382,7 +5422,7 @@
           /** @type {Board} */
           this.board,
           card4.block,
-          (board) => this.take(board)
+          (board2) => this.take(board2)
         )],
         ["Duplicate", () => this.change({ action: "add", block: { ...block2, id: "", y: block2.y + block2.h } })],
         ["Comment", () => this.comments.open(
@@ -5401,19 +5441,19 @@
     }
     /** @returns {[string, () => void][]} */
     boardMenu() {
-      const board = (
+      const board2 = (
         /** @type {Board} */
         this.board
       );
       return [
-        ["Rename", () => renameBoard(board, () => this.update(true))],
+        ["Rename", () => renameBoard(board2, () => this.update(true))],
         ["Duplicate", async () => {
           const copy2 = await ask2(`boards/${this.id}`, { action: "duplicate" });
           changeView({ board: copy2.id });
         }],
-        ["Report", () => openReport(board.filters.dataset || shown3.dataset, board)],
-        ["History", () => showHistory(`boards/${this.id}`, board.title, (version) => this.change({ action: "restore", version }))],
-        ["Delete", () => deleteBoard(board, () => changeView({ board: "", screen: "" }))]
+        ["Report", () => openReport(board2.filters.dataset || shown3.dataset, board2)],
+        ["History", () => showHistory(`boards/${this.id}`, board2.title, (version) => this.change({ action: "restore", version }))],
+        ["Delete", () => deleteBoard(board2, () => changeView({ board: "", screen: "" }))]
       ];
     }
     share() {
@@ -5444,8 +5484,8 @@
     }
   };
   var asPlace = (place5) => place5 ? { x: place5[0], y: place5[1], w: place5[2], h: place5[3] } : {};
-  function placeOf(board, id) {
-    const block2 = board?.blocks.find((one) => one.id === id);
+  function placeOf(board2, id) {
+    const block2 = board2?.blocks.find((one) => one.id === id);
     return block2 ? { x: block2.x, y: block2.y, w: block2.w, h: block2.h } : {};
   }
 
@@ -5455,11 +5495,11 @@
   var COMMENTS_BUTTON = "comments-button";
 
   // boards/places.mjs
-  var FRESH = 5e3;
+  var FRESH2 = 5e3;
   var listing = null;
-  var asked = 0;
+  var asked2 = 0;
   addPlaces(async () => {
-    if (!listing || performance.now() - asked > FRESH) [listing, asked] = [refresh(), performance.now()];
+    if (!listing || performance.now() - asked2 > FRESH2) [listing, asked2] = [refresh(), performance.now()];
     const { boards, views } = await listing;
     return [
       ...boards.map(({ id, title, note }) => ({ name: title, about: `board ${note}`.trim(), address: `/boards?board=${id}` })),
@@ -6778,7 +6818,7 @@
       result.replaceChildren(...drawResult(made));
       return;
     }
-    const begin2 = button("Compare", async () => {
+    const begin3 = button("Compare", async () => {
       await ask2(`${address2()}/comparison`, Object.fromEntries(Object.entries(shown4.view))).catch((problem2) => result.prepend(element("p", "form-problem", problem2.message)));
       look(result, mark3);
     }, "primary for-editors");
@@ -6788,8 +6828,8 @@
       result.replaceChildren(element("p", "muted", `${stage2}, ${percent(fraction)}`), bar);
       timer2 = window.setTimeout(() => look(result, mark3), POLL3);
     } else if (state3 === "refused") result.replaceChildren(withAttributes(element("p", "groups-refused", error), { role: "alert" }));
-    else if (state3 === "failed") result.replaceChildren(withAttributes(element("p", "form-problem", error), { role: "alert" }), begin2);
-    else result.replaceChildren(element("p", "muted", "This comparison has not been made yet."), begin2);
+    else if (state3 === "failed") result.replaceChildren(withAttributes(element("p", "form-problem", error), { role: "alert" }), begin3);
+    else result.replaceChildren(element("p", "muted", "This comparison has not been made yet."), begin3);
   }
   function* drawResult(made) {
     const { unit: unit2 } = made;
@@ -6971,10 +7011,10 @@
     kind.append(element("span", "body-name", "Kind of body"), kinds2);
     rows2.append(kind);
     if (Object.keys(rig.suggested).length && !said2.changed) {
-      const take3 = element("button", "body-take", "Take these suggestions");
-      take3.type = "button";
-      take3.dataset.body = "take";
-      rows2.append(take3);
+      const take4 = element("button", "body-take", "Take these suggestions");
+      take4.type = "button";
+      take4.dataset.body = "take";
+      rows2.append(take4);
     }
     const joints = rig.names.filter((_, j) => !rig.ends[j]).map((name) => [name, name]);
     for (const part2 of edited.rigs?.parts ?? []) {
@@ -8558,7 +8598,7 @@
     now = /** @type {any} */
     null;
   }
-  function begin(data2, view4, selection, linked) {
+  function begin2(data2, view4, selection, linked) {
     now = { data: data2, body: 0, chosen: [], values: [], sources: false, written: "" };
     start2(0);
     if (linked && view4.weights) read(view4.weights);
@@ -8568,7 +8608,7 @@
     if (stills) player.show(data2.middles);
     within(document, "[data-blend='sources']").setAttribute("aria-pressed", "false");
   }
-  function take(data2, view4, selection) {
+  function take2(data2, view4, selection) {
     const name = `${data2.key} ${data2.motif}`;
     const linked = !seen || seen === name;
     if (data2.motif === void 0 || data2.motif === null) {
@@ -8582,7 +8622,7 @@
       if (data2.together && seen !== name) player.show(data2.together);
     } else {
       message("");
-      if (!now || `${now.data.key} ${now.data.motif}` !== name) begin(data2, view4, selection, linked);
+      if (!now || `${now.data.key} ${now.data.motif}` !== name) begin2(data2, view4, selection, linked);
       else if (!need(BLEND_CONTROLS).childElementCount) show2(true);
       else if ((view4.weights || "") !== now.written && read(view4.weights)) show2();
     }
@@ -8601,7 +8641,7 @@
         return clientside.no_update;
       }
       if (!data2 || !find(BLEND_PANEL)) return clientside.no_update;
-      take(data2, view4, selection);
+      take2(data2, view4, selection);
       return clientside.no_update;
     }
   });
@@ -10911,10 +10951,10 @@
       this.n = this.nx * this.ny;
       this.width = 3 * this.joints.length;
       let at3 = 4 + length;
-      const take3 = (n) => (at3 += 4 * n) - 4 * n;
-      this.weights = new Float32Array(buffer, take3(this.n * this.width), this.n * this.width);
-      const ints = () => new Int32Array(buffer, take3(this.runs), this.runs);
-      const floats = () => new Float32Array(buffer, take3(this.runs), this.runs);
+      const take4 = (n) => (at3 += 4 * n) - 4 * n;
+      this.weights = new Float32Array(buffer, take4(this.n * this.width), this.n * this.width);
+      const ints = () => new Int32Array(buffer, take4(this.runs), this.runs);
+      const floats = () => new Float32Array(buffer, take4(this.runs), this.runs);
       const table3 = { clip: ints(), start: ints(), end: ints(), node: ints(), distance: floats(), ahead: floats(), aside: floats() };
       this.table = table3;
       this.seconds = new Float32Array(this.n);
@@ -12831,7 +12871,7 @@
     const [low, high] = [SEARCH_SHORTEST, SEARCH_LONGEST].map((id) => need(id).value.trim());
     return low || high ? `${low}-${high}` : "";
   }
-  function take2(id) {
+  function take3(id) {
     const value = find(id) ? need(id).value : "";
     if (id === SEARCH_ENGINE) changeSearch({ "search-method": value === "bounded-edit" ? "" : value });
     else if (id === SEARCH_LEVEL) changeSearch({ level: value, top: "" });
@@ -12842,7 +12882,7 @@
   }
   var mine = (target2) => target2.closest && target2.closest(`#${SEARCH_OPTIONS}`);
   document.addEventListener("change", (event) => {
-    if (mine(targetOf(event)) && targetOf(event).tagName === "SELECT") take2(targetOf(event).id);
+    if (mine(targetOf(event)) && targetOf(event).tagName === "SELECT") take3(targetOf(event).id);
   });
   document.addEventListener("input", (event) => {
     if (!mine(targetOf(event)) || targetOf(event).tagName === "SELECT") return;
@@ -12851,7 +12891,7 @@
     const { id } = targetOf(event);
     waiting3 = setTimeout(() => {
       waiting3 = 0;
-      take2(id);
+      take3(id);
     }, 220);
   });
 
