@@ -36,6 +36,7 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> Loadi
     Raises WorkspaceError where the folder cannot be used.
     """
     workspace = shared_workspace(workspace_path)
+    jobs.get_ready(workspace)
     app = LoadingDash(
         __name__,
         title="Motionscape",
@@ -44,7 +45,7 @@ def create_app(workspace_path: str | Path, *, token: str | None = None) -> Loadi
         assets_path_ignore=[VENDOR, PARTS],
         serve_locally=True,
         suppress_callback_exceptions=True,
-        background_callback_manager=jobs.background_manager(workspace.path),
+        background_callback_manager=jobs.background_manager(),
         on_error=messages.on_callback_error,
     )
     stores = [*changes.stores(), *(store for feature in features() for store in feature.stores())]

@@ -78,11 +78,12 @@ def prepare_demo(workspace: Workspace) -> None:
 
 def _serve(workspace: Workspace, arguments: Namespace, token: str | None, listener: socket.socket) -> int:
     from webapp.connections import make_server
-    from webapp.jobs import ensure_worker, resume
+    from webapp.jobs import ensure_worker, get_ready, resume
     from webapp.shell.access import admits
     from webapp.shell.uploads import Limits
     from webapp.shell.visitors import accounts_exist
 
+    get_ready(workspace)
     if arguments.demo:
         prepare_demo(workspace)  # its worker starts while the app is being built
     resume(workspace)  # jobs that were broken off, as by a restart of the machine

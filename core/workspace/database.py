@@ -1,4 +1,8 @@
-"""The workspace's SQLite file: one connection a thread, write-ahead logging, short transactions."""
+"""The workspace's SQLite file: one connection a thread, write-ahead logging, short transactions.
+
+Write-ahead logging needs memory that all processes share, so machines that share a folder use a rollback journal
+(https://www.sqlite.org/wal.html); which of the two it is stands in the file.
+"""
 
 from __future__ import annotations
 
@@ -87,6 +91,10 @@ class Database:
 
     def __init__(self, path: Path, patience: float = 10.0):
         self.path, self.patience, self._local = path, patience, threading.local()
+        with plain_errors("open the job table"):
+            connection = self._connection()
+            if not connection.execute("SELECT count(*) FROM sqlite_master").fetchone()[0]:
+                _set_journal(connection, "wal", patience)
         with self.transaction("open the job table") as table:
             present = {row[0] for row in table.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
             for statement in SCHEMA.split(";"):
@@ -117,6 +125,11 @@ class Database:
         with plain_errors("read the job table"):
             return self._connection().execute(query, values).fetchall()
 
+    def share_between_machines(self) -> None:
+        """Makes the file one that several machines may use; raises WorkspaceError where others have it open."""
+        with plain_errors("make the job table one for several machines (others have it open)"):
+            _set_journal(self._connection(), "delete", self.patience)
+
     def close(self) -> None:
         """Closes this thread's connection."""
         connection = getattr(self._local, "connection", None)
@@ -137,13 +150,16 @@ class Database:
 def _connect(path: Path, patience: float) -> sqlite3.Connection:
     connection = sqlite3.connect(path, timeout=patience, isolation_level=None)
     connection.row_factory = sqlite3.Row
+    connection.execute("PRAGMA synchronous = NORMAL")
+    return connection
+
+
+def _set_journal(connection: sqlite3.Connection, mode: str, patience: float) -> None:
     deadline = time.monotonic() + patience
-    while connection.execute("PRAGMA journal_mode").fetchone()[0] != "wal":
+    while connection.execute("PRAGMA journal_mode").fetchone()[0] != mode:
         try:
-            connection.execute("PRAGMA journal_mode = WAL")
-        except sqlite3.OperationalError:  # two processes switch a new file at once: SQLite does not wait here
+            connection.execute(f"PRAGMA journal_mode = {mode}")
+        except sqlite3.OperationalError:  # another process switches at once, or reads: SQLite does not wait here
             if time.monotonic() > deadline:
                 raise
             time.sleep(0.02)
-    connection.execute("PRAGMA synchronous = NORMAL")
-    return connection

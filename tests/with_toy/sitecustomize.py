@@ -2,5 +2,5 @@
 
 import sys
 
-if "webapp.jobs" in sys.orig_argv and "--detach" not in sys.orig_argv:
+if {"webapp.jobs", "webapp.jobs.celery_workers"} & set(sys.orig_argv) and "--detach" not in sys.orig_argv:
     import tests.toy_method  # noqa: F401

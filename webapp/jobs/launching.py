@@ -1,6 +1,7 @@
 """Starts work: a request enters the workspace's job table, and a worker is called or started for it.
 
-A worker (``webapp.jobs.worker``) is a separate process that outlives the server.
+A worker (``webapp.jobs.worker``) is a separate process that outlives the server. Where MOTIONSCAPE_REDIS_URL is set,
+Celery's workers do the same on any machine (``webapp.jobs.celery_workers``).
 Only the standard library is imported at the top: a worker must start quickly.
 """
 
@@ -34,8 +35,8 @@ _lock = threading.Lock()
 
 
 def limit() -> int:
-    """How many jobs run at the same time: one for each core; the others wait in order."""
-    return os.cpu_count() or 1
+    """How many jobs run at the same time: one for each core, or as many as there are Celery workers."""
+    return sys.maxsize if os.environ.get(REDIS) else os.cpu_count() or 1
 
 
 def start(workspace: Workspace, request: Request) -> Job:
@@ -89,6 +90,10 @@ def ensure_worker(workspace: Workspace) -> bool:
         if job == newest and now - when < RELAUNCH:
             return False  # a worker for it is starting
         _launched[place] = newest, now
+    if os.environ.get(REDIS):
+        from webapp.jobs import celery_workers
+
+        return celery_workers.call(workspace.path, workspace.jobs.counts().get("queued", 0))
     launch(workspace.path)
     return True
 
@@ -114,21 +119,22 @@ def launch(workspace_path: str | Path) -> None:
         subprocess.run(_command("--detach", os.getpid(), path), check=True, **_QUIET)
 
 
-def background_manager(workspace_path: str | Path) -> Any:
-    """What runs Dash's background callbacks: Celery where MOTIONSCAPE_REDIS_URL is set, else threads that only wait.
+def get_ready(workspace: Workspace) -> None:
+    """Where MOTIONSCAPE_REDIS_URL is set, makes the job table one that several machines can use. Do it before any work.
 
-    Raises RuntimeError where Redis is asked for and Celery is not installed.
+    Raises RuntimeError where Celery is not installed, WorkspaceError where other processes have the table open.
     """
-    url = os.environ.get(REDIS)
-    if url:
-        try:
-            from celery import Celery
-            from dash import CeleryManager
-        except ImportError as error:
-            raise RuntimeError(
-                f"{REDIS} is set, but Celery is not installed: pip install 'motionscape[celery]'"
-            ) from error
-        return CeleryManager(Celery("motionscape", broker=url, backend=url))
+    if not os.environ.get(REDIS):
+        return
+    try:
+        from webapp.jobs import celery_workers  # noqa: F401
+    except ImportError as error:
+        raise RuntimeError(f"{REDIS} is set, but Celery is not installed: pip install 'motionscape[celery]'") from error
+    workspace.share_between_machines()
+
+
+def background_manager() -> Any:
+    """What runs Dash's background callbacks: threads, for they only wait; workers compute."""
     from diskcache import Cache
 
     from webapp.jobs.background import WaitingManager

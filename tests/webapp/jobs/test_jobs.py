@@ -12,6 +12,7 @@ from types import SimpleNamespace
 import psutil
 import pytest
 
+import webapp.jobs
 from core import analyses, estimates
 from core.workspace import Workspace, WorkspaceError
 from core.workspace.jobs import STOPPED
@@ -21,6 +22,7 @@ from tests.core.workspace.test_jobs import wait_for
 from tests.toy_method import REPOSITORY, make_dataset
 from webapp import jobs
 from webapp.jobs import job_bar, launching, worker
+from webapp.jobs.background import WaitingManager
 
 
 @pytest.fixture
@@ -157,25 +159,19 @@ def test_two_who_ask_at_once_share_one_job(workspace, tmp_path):
     assert (tmp_path / "log").read_text().count("\n") == 1
 
 
-def test_dash_gets_processes_here_and_celery_where_redis_is_set(tmp_path, monkeypatch):
-    from dash import DiskcacheManager
+def test_callbacks_of_dash_wait_in_threads_and_leave_nothing_in_the_workspace(workspace):
+    before = sorted(workspace.path.rglob("*"))
+    assert isinstance(jobs.background_manager(), WaitingManager)
+    assert sorted(workspace.path.rglob("*")) == before
 
-    monkeypatch.delenv(launching.REDIS, raising=False)
-    manager = jobs.background_manager(tmp_path)
-    assert isinstance(manager, DiskcacheManager)
-    assert not list(tmp_path.iterdir())  # its pickles do not lie in the workspace
+
+def test_a_server_with_redis_but_without_celery_says_what_to_install(workspace, monkeypatch):
     monkeypatch.setenv(launching.REDIS, "redis://localhost:1/0")
     monkeypatch.setitem(sys.modules, "celery", None)
+    monkeypatch.delitem(sys.modules, "webapp.jobs.celery_workers", raising=False)
+    monkeypatch.delattr(webapp.jobs, "celery_workers", raising=False)
     with pytest.raises(RuntimeError, match="pip install"):
-        jobs.background_manager(tmp_path)
-
-
-def test_celery_is_asked_where_redis_is_set(tmp_path, monkeypatch):
-    pytest.importorskip("celery")
-    from dash import CeleryManager
-
-    monkeypatch.setenv(launching.REDIS, "redis://localhost:1/0")
-    assert isinstance(jobs.background_manager(tmp_path), CeleryManager)
+        jobs.get_ready(workspace)
 
 
 def test_a_job_that_would_take_too_much_asks_first(workspace, monkeypatch):
