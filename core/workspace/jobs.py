@@ -72,6 +72,13 @@ class JobTable:
     def __init__(self, database: Database):
         self._database = database
 
+    def share_between_machines(self) -> None:
+        """Makes the table one that several machines may use, where the folder is on a file system that they share.
+
+        Raises WorkspaceError where other processes have the table open.
+        """
+        self._database.share_between_machines()
+
     def submit(self, key: str, request: dict[str, Any], title: str, *, expected: str = "", held: str = "") -> Job:
         """The living job for ``key``, or a new one, queued. ``request`` must be JSON; the rest as in :class:`Job`."""
         text, now = json.dumps(request, sort_keys=True), time.time()

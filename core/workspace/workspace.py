@@ -388,13 +388,6 @@ class Workspace:
         self.properties.forget_deleted()
         return deleted
 
-    def share_between_machines(self) -> None:
-        """Makes the job table one that several machines may use, where the folder is on a file system that they share.
-
-        Raises WorkspaceError where other processes have the table open.
-        """
-        self._database.share_between_machines()
-
     def close(self) -> None:
         """Closes this thread's connection to the table."""
         self._database.close()

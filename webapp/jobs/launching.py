@@ -130,7 +130,7 @@ def get_ready(workspace: Workspace) -> None:
         from webapp.jobs import celery_workers  # noqa: F401
     except ImportError as error:
         raise RuntimeError(f"{REDIS} is set, but Celery is not installed: pip install 'motionscape[celery]'") from error
-    workspace.share_between_machines()
+    workspace.jobs.share_between_machines()
 
 
 def background_manager() -> Any:
