@@ -99,6 +99,9 @@ def _stated_frames(path: str | Path, data: bytes, word: str, at: int) -> int:
     return int(word)
 
 
+_SHORTEST, _LONGEST = 4.0, 100.0  # a Frame Time between these is milliseconds: nobody records a frame in four seconds
+
+
 def _frame_time(path: str | Path, data: bytes, word: str, at: int, findings: list[Finding]) -> float:
     line = line_at(data, at)
     if re.fullmatch(r"[0-9]*,[0-9]+", word):
@@ -108,6 +111,10 @@ def _frame_time(path: str | Path, data: bytes, word: str, at: int, findings: lis
         words = f"Frame Time is 0: taken as {DEFAULT_FPS:g} frames per second; say the rate if it is another"
         findings.append(Finding("rate", words))
         return 1 / DEFAULT_FPS
+    if _SHORTEST <= seconds <= _LONGEST:
+        words = f"Frame Time is {seconds:g}: taken as milliseconds, {1000 / seconds:.4g} frames per second"
+        findings.append(Finding("rate", f"{words}; say the rate if it is another"))
+        return seconds / 1000
     if not 1e-6 <= seconds <= 3600:
         raise RecordingError(path, f"Frame Time: {quoted(word)}", "a positive number of seconds", line)
     return seconds

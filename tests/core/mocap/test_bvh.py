@@ -57,6 +57,14 @@ def test_odd_forms_of_the_same_file(tmp_path, how):
     np.testing.assert_array_equal(joint_positions(_read(tmp_path, SAME[how](samples.BVH), "b.bvh")), plain)
 
 
+@pytest.mark.parametrize(("said", "fps"), [("33.3333", 30.0), ("16,6667", 60.0), ("4", 250.0)])
+def test_a_frame_time_in_milliseconds_is_read_as_such_and_said(tmp_path, said, fps):
+    clip = _read(tmp_path, samples.BVH.replace("0.0333333", said))
+    assert clip.fps == pytest.approx(fps, rel=1e-4) and clip.n_frames == 3
+    assert len(clip.warnings) == 1 and "milliseconds" in clip.warnings[0] and "say the rate" in clip.warnings[0]
+    assert _read(tmp_path, samples.BVH.replace("0.0333333", "3")).fps == pytest.approx(1 / 3)
+
+
 def test_gzip(tmp_path):
     clip = _read(tmp_path, gzip.compress(samples.BVH.encode()), "a.bvh.gz")
     assert clip.name == "a" and clip.n_frames == 3
