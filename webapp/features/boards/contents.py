@@ -15,7 +15,7 @@ from core.mocap.dataset import Dataset
 from core.workspace import ResultDamaged, Workspace, WorkspaceError
 from webapp.features.boards.parts import Part, fill
 from webapp.shell import settings
-from webapp.shell.feature import Block, blocks
+from webapp.shell.feature import blocks
 
 State = Literal["current", "changed", "gone", "missing", "broken"]
 FORMAT = "motionscape/block/1"
@@ -60,7 +60,8 @@ def _present(workspace: Workspace, dataset: Dataset, part: Part) -> Answer:
         return Answer("current", content, "", pin)
     filled = fill(workspace, dataset, part)
     if filled.content is None:
-        return Answer("missing" if _can_compute(block) else "broken", None, filled.problem, pin)
+        can_compute = filled.missing and block.method != ""
+        return Answer("missing" if can_compute else "broken", None, filled.problem, pin)
     if block.lasting:
         _made.put(key, filled.content)
         _keep(workspace, part, pin, filled.content)
@@ -78,10 +79,6 @@ def pin_of(workspace: Workspace, dataset: str, kind: str, view: Mapping[str, str
 
 def _pin(workspace: Workspace, dataset: Dataset, part: Part) -> dict[str, str]:
     return {"dataset": dataset.name, "fingerprint": dataset.fingerprint, "key": _result_key(workspace, dataset, part)}
-
-
-def _can_compute(block: Block) -> bool:
-    return block.method != ""
 
 
 def request_of(dataset: str, part: Part) -> analyses.Request | None:

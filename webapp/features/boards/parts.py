@@ -50,11 +50,12 @@ OVERVIEW = (
 
 @dataclass(frozen=True)
 class Filled:
-    """A part with what it shows; or why it shows nothing, as a sentence."""
+    """A part with what it shows; or why it shows nothing, as a sentence. missing: because it has not been computed."""
 
     part: Part
     content: dict[str, Any] | None
     problem: str = ""
+    missing: bool = False
 
 
 def fill(workspace: Workspace, dataset: Dataset, part: Part) -> Filled:
@@ -67,7 +68,8 @@ def fill(workspace: Workspace, dataset: Dataset, part: Part) -> Filled:
     except MotionscapeError as error:
         return Filled(part, None, str(error))
     if content is None:
-        return Filled(part, None, f"{block.label}: not computed yet with these settings.")
+        where = "" if block.method else " It is computed on its own page."
+        return Filled(part, None, f"{block.label}: not computed yet with these settings.{where}", missing=True)
     return Filled(part, content)
 
 

@@ -124,6 +124,14 @@ def test_a_block_stays_as_it_was_until_it_is_renewed(ask, board, workspace):
     assert fresh["state"] == "current" and [clip["name"] for clip in fresh["content"]["clips"]] == ["a"]
 
 
+def test_nothing_is_offered_to_compute_where_nothing_was_chosen(workspace):
+    workspace.open("walks")
+    for kind, words in (("hits", "search, then add it again"), ("stage", "select something")):
+        found = contents.answer(workspace, "walks", Part(kind))
+        assert found.state == "broken" and words in found.words
+    assert contents.answer(workspace, "walks", Part("motifs")).state == "missing"
+
+
 def test_map_and_sweep_say_what_lights_and_fades_them(ask, board, workspace):
     dataset = workspace.open("walks")
     analyses.run(workspace, analyses.Request("walks", "map"))
