@@ -112,6 +112,10 @@ def test_a_dead_worker_is_noticed_and_can_be_replaced(show, workspace):
     job = slow_job(workspace)
     expect(page.locator(".job", has_text="Demo: long")).to_be_visible()
     psutil.Process(wait_for(lambda: workspace.jobs.get(job.id).pid, 60)).kill()
+    # it starts by itself, once
+    again = wait_for(lambda: next((new for new in workspace.jobs.list(9) if new.alive and new.id != job.id), None), 60)
+    assert again.key == job.key
+    psutil.Process(wait_for(lambda: workspace.jobs.get(again.id).pid, 60)).kill()
     failed = page.locator(".job-failed", has_text="Demo: long")
     expect(failed).to_contain_text("worker stopped")
     failed.get_by_role("button", name="Try again").click()

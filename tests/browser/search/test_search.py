@@ -78,7 +78,7 @@ def test_from_nothing_to_a_hit_and_its_link(show, workspace) -> None:
     expect(page.locator("#search-level")).to_have_value("interval")
     first, second = hits(page)[:2]
     expect(page.locator(".search-hit.explained").first).to_be_visible(timeout=PATIENCE)
-    assert "Most alike: " in page.locator(".search-why").first.get_attribute("aria-label")
+    expect(page.locator(".search-why").first).to_have_attribute("aria-label", re.compile("Most alike: "))
     page.locator(".search-open").nth(1).click()
     wait_for_stage(page, "Query and")
     wait_for_link(page, hit=second)
