@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
+from pathlib import Path
 
 from dash import Dash, Input, Output, State, html, no_update
 from dash.development.base_component import Component
 
+from core.caching import RecentCache
 from core.retrieval.storage import Storage, storage_of
 from core.workspace import Workspace
 from webapp.features.search import names
@@ -58,9 +61,17 @@ def indexes_of(workspace: Workspace, dataset: str, view: Mapping[str, str] | Non
     for method in ENGINES:
         wanted = settings.in_link(PAGE, {**settings.request_of(PAGE, dataset, view).parameters, "method": method})
         others = {k: text for k, text in (view or {}).items() if k not in settings.keys(PAGE)}
-        index = settings.result_of(workspace, PAGE, dataset, others | wanted)
-        found[method] = storage_of(index, query) if index is not None else None
+        shown = others | wanted
+        key = settings.key_of(workspace, PAGE, dataset, shown)
+        index = settings.result_of(workspace, PAGE, dataset, shown)
+        if key is None or index is None:
+            found[method] = None
+        else:  # its query is timed by searching, which a page that only opens again need not do
+            found[method] = _storages.get_or_compute((workspace.path, key), partial(storage_of, index, query))
     return found
+
+
+_storages: RecentCache[tuple[Path, str], Storage] = RecentCache(16)  # by workspace and key of the index
 
 
 def result(workspace: Workspace, dataset: str, view: Mapping[str, str] | None) -> list[Component]:

@@ -49,6 +49,8 @@ def test_every_engine_has_a_row_and_those_with_patterns_a_table(workspace):
     indexes = storage.indexes_of(workspace, "demo", {"look": "indexes"})
     assert list(indexes) == ["bounded-edit", "parts", "printed"]
     assert indexes["printed"] is None and indexes["bounded-edit"].nodes == () and indexes["parts"].library > 0
+    again = storage.indexes_of(workspace, "demo", {"look": "indexes", "hits": "20"})
+    assert again["parts"] is indexes["parts"]  # nothing is searched again to time it
     shown = str(storage.result(workspace, "demo", {"look": "indexes", "search-method": "parts"}))
     assert "not built" in shown and "Bounded edit" in shown and size(indexes["parts"].maps) in shown
     assert indexes["parts"].query > 0 and f"{indexes['parts'].query * 1e3:.0f} ms" not in ("0 ms", "")
