@@ -6903,6 +6903,7 @@
   var UPLOAD_PROGRESS = "upload-progress";
   var UPLOAD_SUMMARY = "upload-summary";
   var UPLOAD_LIST = "upload-list";
+  var UPLOAD_NAME = "upload-name";
   var UPLOAD = (
     /** @type {StoreId<Upload>} */
     "upload"
@@ -7693,9 +7694,9 @@
     else if (tries) setTimeout(() => whenShown(then, tries - 1), 50);
   }
   register("upload", {
-    // What is typed meanwhile stays.
+    // What is typed meanwhile stays, and nothing comes between the letters of who types.
     /** @param {string | null} suggested @param {string | null} typed */
-    name: (suggested, typed) => suggested && (typed || suggested),
+    name: (suggested, typed) => suggested && document.activeElement?.id === UPLOAD_NAME ? clientside.no_update : suggested && (typed || suggested),
     // The dialog was closed: what was not imported is thrown away. After an import the files belong to the job.
     /** @param {boolean} opened @param {string | null} imported */
     closed(opened, imported) {

@@ -198,9 +198,10 @@ function whenShown(then, tries = 60) {
 }
 
 register("upload", {
-  // What is typed meanwhile stays.
+  // What is typed meanwhile stays, and nothing comes between the letters of who types.
   /** @param {string | null} suggested @param {string | null} typed */
-  name: (suggested, typed) => suggested && (typed || suggested),
+  name: (suggested, typed) =>
+    suggested && document.activeElement?.id === ids.UPLOAD_NAME ? clientside.no_update : suggested && (typed || suggested),
   // The dialog was closed: what was not imported is thrown away. After an import the files belong to the job.
   /** @param {boolean} opened @param {string | null} imported */
   closed(opened, imported) {

@@ -69,7 +69,8 @@ def _basins(weights: np.ndarray, ridge: float) -> np.ndarray:
     """Basins of the U-matrix whose passes are ``ridge`` standard deviations above their bottoms.
 
     Nodes come by rising height. One without a neighbour below it begins a basin; any other joins that of the neighbour
-    it is most like, and makes one of the basins that meet there and are too shallow.
+    it is most like. Where that basin is too shallow, it becomes part of the deepest that meets it there; the others
+    that are too shallow become part of the node's own, so that every region is in one piece.
     """
     heights = u_matrix(weights)
     nx, ny = heights.shape
@@ -90,11 +91,13 @@ def _basins(weights: np.ndarray, ridge: float) -> np.ndarray:
             basin[node] = node
             continue
         apart = [float(np.linalg.norm(weights[x, y] - weights[divmod(other, ny)])) for other in lower]
-        basin[node] = bottom(lower[int(np.argmin(apart))])
-        deepest, *others = sorted({bottom(other) for other in lower}, key=lambda at: (flat[at], at))
-        for other in others:
+        own = basin[node] = bottom(lower[int(np.argmin(apart))])
+        meeting = sorted({bottom(other) for other in lower}, key=lambda at: (flat[at], at))
+        if flat[node] - flat[own] <= least:
+            own = basin[own] = meeting[0]
+        for other in meeting[1:]:
             if flat[node] - flat[other] <= least:
-                basin[other] = deepest
+                basin[other] = own  # they touch here and perhaps nowhere else
     return np.array([bottom(node) for node in range(nx * ny)]).reshape(nx, ny)
 
 

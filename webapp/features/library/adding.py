@@ -146,6 +146,11 @@ def request_for(
     return requests.import_request(check_name(new), token, **options)
 
 
+def suggested_name(workspace: Workspace, upload: Mapping[str, Any]) -> str:
+    """A free name for the dataset of an upload, by its folder or first file; it also stands for one left empty."""
+    return workspace.free_name(str(upload.get("name") or ""))
+
+
 def register(app: Dash, workspace: Workspace) -> None:
     """The dialog's callbacks."""
     _open(app, workspace)
@@ -193,7 +198,7 @@ def _choose(app: Dash, workspace: Workspace) -> None:
             return no_update, ""
         only_labels = upload.get("done") and upload.get("labels") and not upload.get("recordings")
         target = f"{INTO}{chosen}" if only_labels and target == NEW and chosen else no_update
-        return target, workspace.free_name(str(upload.get("name") or ""))
+        return target, suggested_name(workspace, upload)
 
     app.clientside_callback(
         ClientsideFunction("upload", "name"),
@@ -249,7 +254,8 @@ def _ask(app: Dash, workspace: Workspace) -> None:
         if problem := problem_of(upload, name):
             return problem, no_update, no_update
         try:
-            request = request_for(upload, name, new or "", labels, reading.import_options(*how))
+            new = (new or "").strip() or suggested_name(workspace, upload or {})
+            request = request_for(upload, name, new, labels, reading.import_options(*how))
             if name:
                 changes.start(workspace, request)
             else:
