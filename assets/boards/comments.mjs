@@ -22,6 +22,7 @@ export class Comments {
     this.node = element("aside", "boards-comments");
     this.node.setAttribute("aria-label", "Comments");
     this.node.hidden = true;
+    this.node.addEventListener("keydown", (event) => event.key === "Escape" && this.close()); // what is written stays
     this.block = "";
     this.title = "";
     this.last = "";

@@ -4677,6 +4677,7 @@
       this.node = element("aside", "boards-comments");
       this.node.setAttribute("aria-label", "Comments");
       this.node.hidden = true;
+      this.node.addEventListener("keydown", (event) => event.key === "Escape" && this.close());
       this.block = "";
       this.title = "";
       this.last = "";
