@@ -7,6 +7,7 @@ import socket
 import sqlite3
 import subprocess
 import sys
+import time
 from contextlib import closing
 
 import pytest
@@ -151,6 +152,7 @@ def test_redis_killed_in_the_middle_loses_no_job(workspace, engine, tmp_path):
     (tmp_path / "gate").touch()
     wait_for(lambda: state_of(workspace, running) == "done")  # its worker does not need Redis
     looking(workspace, lambda: state_of(workspace, waiting) == "done")  # the same worker took it, being awake
+    time.sleep(2.0)  # until that worker has seen that nothing is left
     last = jobs.start(workspace, toy_method.request(seconds=0.2))  # now all of them sleep
     assert state_of(workspace, last) == "queued"
     engine.start_redis()  # with nothing in it
