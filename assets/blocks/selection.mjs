@@ -18,6 +18,9 @@ export function motifsIn(selection) {
 export const meets = ([clip, start, end], [name, from, to]) =>
   clip === name && 2 * (Math.min(end, to) - Math.max(start, from)) >= Math.min(end - start, to - from);
 
+/** Whether most of something has a label, from words such as "walk (80 %)". @param {string | undefined} words @param {string} label */
+export const isMostly = (words, label) => Boolean(words?.startsWith(`${label} (`));
+
 /** @param {Segment} stretch @param {Segment[]} motion */
 export const isIn = (stretch, motion) => motion.some((one) => meets(stretch, one));
 

@@ -30,9 +30,9 @@
     mod
   ));
 
-  // node_modules/regenerator-runtime/runtime.js
+  // ../../../tmp/wt/review/assets/node_modules/regenerator-runtime/runtime.js
   var require_runtime = __commonJS({
-    "node_modules/regenerator-runtime/runtime.js"(exports, module) {
+    "../../../tmp/wt/review/assets/node_modules/regenerator-runtime/runtime.js"(exports, module) {
       var runtime = (function(exports2) {
         "use strict";
         var Op = Object.prototype;
@@ -4349,6 +4349,7 @@
     return new Set(text ? text.split("-").map(Number) : []);
   }
   var meets = ([clip, start3, end], [name, from, to]) => clip === name && 2 * (Math.min(end, to) - Math.max(start3, from)) >= Math.min(end - start3, to - from);
+  var isMostly = (words4, label) => Boolean(words4?.startsWith(`${label} (`));
   var isIn = (stretch, motion) => motion.some((one) => meets(stretch, one));
   function motionOf(selection, motifs2) {
     const chosen3 = motifsIn(selection);
@@ -5952,7 +5953,7 @@
     let motion = [];
     let among2 = null;
     const show6 = () => {
-      const wanted2 = label ? content.actions.filter((action) => action.label?.startsWith(`${label} (`)).map(({ id }) => `action ${id}`) : [];
+      const wanted2 = label ? content.actions.filter((action) => isMostly(action.label, label)).map(({ id }) => `action ${id}`) : [];
       lit4(/* @__PURE__ */ new Set([...keys, ...wanted2]), motion, clip, among2);
     };
     return {
@@ -6261,7 +6262,7 @@
     items: motif.motions.map(([clip, start3, end], k) => ({ clip, start: start3, end, label: clip, warp: motif.warps[k] ?? null }))
   });
   var choose = (context, motif) => context.select({ motif: motif.id }, playingOf(motif));
-  var fits = (motif, label, among2) => (!label || Boolean(motif.label?.startsWith(`${label} (`))) && (!among2 || motif.motions.some(([clip]) => among2.has(clip)));
+  var fits = (motif, label, among2) => (!label || isMostly(motif.label, label)) && (!among2 || motif.motions.some(([clip]) => among2.has(clip)));
   var factsOf = (motif) => [
     motif.name,
     `${motif.count} motions of ${motif.seconds.toFixed(1)} s${motif.label ? `, mostly ${motif.label}` : ""}`
@@ -6442,7 +6443,7 @@
     place5.append(element("p", "muted", `Like ${query2}`), tableOf(["Clip", "Seconds", "Score", "Frames", "Mostly", "Motion"], rows2, hits.length ? "" : "Nothing is like it."));
     return {
       light: (_selection, motion) => hits.forEach(({ clip, start: start3, end }, k) => rows2[k].classList.toggle("chosen", isIn([clip, start3, end], motion))),
-      narrow: (label, among2) => hits.forEach((hit, k) => rows2[k].classList.toggle("faint", isFaint(among2, hit.clip) || Boolean(label) && !hit.label.startsWith(`${label} (`)))
+      narrow: (label, among2) => hits.forEach((hit, k) => rows2[k].classList.toggle("faint", isFaint(among2, hit.clip) || Boolean(label) && !isMostly(hit.label, label)))
     };
   }
 

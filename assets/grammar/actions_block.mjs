@@ -1,5 +1,6 @@
 // Every clip as a string of actions.
 import { drawRows } from "../blocks/rows.mjs";
+import { isMostly } from "../blocks/selection.mjs";
 import { clock } from "../shared/words.mjs";
 /** @import { ActionsContent, Draw, Segment } from "../blocks/types.d.ts" */
 
@@ -28,7 +29,7 @@ export function drawActions(place, content, context) {
   /** @type {Set<string> | null} */
   let among = null;
   const show = () => {
-    const wanted = label ? content.actions.filter((action) => action.label?.startsWith(`${label} (`)).map(({ id }) => `action ${id}`) : [];
+    const wanted = label ? content.actions.filter((action) => isMostly(action.label, label)).map(({ id }) => `action ${id}`) : [];
     lit(new Set([...keys, ...wanted]), motion, clip, among);
   };
   return {

@@ -1,5 +1,5 @@
 // The blocks about motifs: what they have in common, the table of motifs and the big numbers.
-import { motifsToLight, motionOf } from "../blocks/selection.mjs";
+import { isMostly, motifsToLight, motionOf } from "../blocks/selection.mjs";
 import { tableOf, tableRow } from "../blocks/table.mjs";
 import { tipOn } from "../blocks/tip.mjs";
 import { element } from "../shared/dom.mjs";
@@ -21,7 +21,7 @@ export const choose = (context, motif) => context.select({ motif: motif.id }, pl
  * @param {string} label
  * @param {Set<string> | null} among
  */
-export const fits = (motif, label, among) => (!label || Boolean(motif.label?.startsWith(`${label} (`))) && (!among || motif.motions.some(([clip]) => among.has(clip)));
+export const fits = (motif, label, among) => (!label || isMostly(motif.label, label)) && (!among || motif.motions.some(([clip]) => among.has(clip)));
 
 /** @param {MotifContent} motif */
 export const factsOf = (motif) => [

@@ -1,6 +1,6 @@
 // The hits of a search, best first.
 import { isFaint } from "../blocks/rows.mjs";
-import { isIn } from "../blocks/selection.mjs";
+import { isIn, isMostly } from "../blocks/selection.mjs";
 import { tableOf, tableRow } from "../blocks/table.mjs";
 import { element } from "../shared/dom.mjs";
 /** @import { Draw } from "../blocks/types.d.ts" */
@@ -16,6 +16,6 @@ export function drawHits(place, { query, hits }, context) {
   place.append(element("p", "muted", `Like ${query}`), tableOf(["Clip", "Seconds", "Score", "Frames", "Mostly", "Motion"], rows, hits.length ? "" : "Nothing is like it."));
   return {
     light: (_selection, motion) => hits.forEach(({ clip, start, end }, k) => rows[k].classList.toggle("chosen", isIn([clip, start, end], motion))),
-    narrow: (label, among) => hits.forEach((hit, k) => rows[k].classList.toggle("faint", isFaint(among, hit.clip) || (Boolean(label) && !hit.label.startsWith(`${label} (`)))),
+    narrow: (label, among) => hits.forEach((hit, k) => rows[k].classList.toggle("faint", isFaint(among, hit.clip) || (Boolean(label) && !isMostly(hit.label, label)))),
   };
 }

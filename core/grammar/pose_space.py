@@ -149,10 +149,8 @@ def pose_space(
         raise AnalysisError("the dataset has no clips, so there are no poses")
     frames = _frames_to_mirror(clips) if mirrored else None
     rows = Rows()  # of every clip, and after each those of its mirror image
-    weighting, counts = (
-        _weighting(clips, frames, analysis_fps, pose, velocity, partial(report, "reading recordings")),
-        [],
-    )
+    weighting = _weighting(clips, frames, analysis_fps, pose, velocity, partial(report, "reading recordings"))
+    counts = []
     for k, clip in enumerate(clips):
         sampled = resample(clip, analysis_fps)
         counts.append(sampled.n_frames)

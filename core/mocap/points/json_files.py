@@ -100,15 +100,14 @@ def holds_points(document: Any) -> bool:
 
 def read_json(path: str | Path) -> tuple[Points, bool]:
     """Points of a JSON file, or of all files of its take, and whether they have names. Raises RecordingError."""
-    files = frame_files(Path(path))
-    document = _document(files[0])
-    if len(files) > 1 and _is_frame(files[0], document):
-        frames = [_points_of_frame(document), *(_points_of_frame(_document(file)) for file in files[1:])]
-        take = take_of(files[0])
-        name = (take[1] if take else "") or Path(path).parent.name
-        note = f"{len(files)} files, each a frame"
-        return _of_frames(path, name, frames, None, None, (note,))
-    document = document if files[0] == Path(path) else _document(Path(path))
+    path = Path(path)
+    document, take = _document(path), take_of(path)
+    if take and (is_frame_file(path) or not holds_points(document)):  # else it is numbered, and a recording by itself
+        files = frame_files(path)
+        if len(files) > 1 and _points_of_frame(_document(files[0])) is not None:
+            frames = [_points_of_frame(_document(file)) for file in files]
+            note = f"{len(files)} files, each a frame"
+            return _of_frames(path, take[1] or path.parent.name, frames, None, None, (note,))
     name = recording_format(path)[0]
     fps = _rate(document)
     array, names = _whole_array(document)
@@ -124,11 +123,6 @@ def read_json(path: str | Path) -> tuple[Points, bool]:
     if not frames:
         raise RecordingError(path, "no points in this JSON", "frames of joints with x, y and z")
     return _of_frames(path, name, frames, fps or rate_of(np.array(times)), names, ())
-
-
-def _is_frame(path: Path, document: Any) -> bool:
-    """Whether a file whose name is numbered is one frame of a take, not a whole recording of several that are."""
-    return _points_of_frame(document) is not None and (is_frame_file(path) or not holds_points(document))
 
 
 def _document(path: Path) -> Any:

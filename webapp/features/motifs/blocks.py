@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+from core.mocap.clip import Label
 from core.mocap.dataset import Dataset
 from core.motifs.graph import Motif
 from core.workspace import MotifNote, Workspace
@@ -47,13 +48,11 @@ def graph(
     return {
         "motifs": [
             {
-                **_motif(dataset, motif, notes),
+                **_motif(dataset, motif, notes, by_clip),
                 "part": parts[motif.id],
-                "label": majority_label(motif.segments, by_clip),
                 "place": places[i].tolist(),
                 "size": sizes[i].round(1).tolist(),
                 "icon": _icon(dataset, motif),
-                **_motions(motif),
             }
             for i, motif in enumerate(found.motifs)
         ],
@@ -73,12 +72,10 @@ def motif_table(
     return {
         "motifs": [
             {
-                **_motif(dataset, motif, notes),
+                **_motif(dataset, motif, notes, by_clip),
                 "clips": len({segment.clip for segment in motif.segments}),
-                "label": majority_label(motif.segments, by_clip),
                 "note": notes[motif.id].note if motif.id in notes else "",
                 "strip": segment_filmstrip(dataset, motif.segments[motif.medoid]),
-                **_motions(motif),
             }
             for motif in ordered[:MOST_STRIPS]
         ],
@@ -98,12 +95,7 @@ def matrix(
     order = [motif for part in found.components("weak") for motif in part]
     by_id, at = {motif.id: motif for motif in found.motifs}, {motif: k for k, motif in enumerate(order)}
     return {
-        "motifs": [
-            _motif(dataset, by_id[motif], notes)
-            | {"label": majority_label(by_id[motif].segments, by_clip)}
-            | _motions(by_id[motif])
-            for motif in order
-        ],
+        "motifs": [_motif(dataset, by_id[motif], notes, by_clip) for motif in order],
         "cells": sorted([at[e.source], at[e.target], e.count] for e in found.edges),
     }
 
@@ -128,7 +120,10 @@ def segments(content: Mapping[str, Any]) -> Iterator[tuple[str, int, int]]:
         yield from (tuple(own[k]) for own in motions if k < len(own))
 
 
-def _motif(dataset: Dataset, motif: Motif, notes: Mapping[int, MotifNote]) -> dict[str, Any]:
+def _motif(
+    dataset: Dataset, motif: Motif, notes: Mapping[int, MotifNote], by_clip: dict[str, list[Label]]
+) -> dict[str, Any]:
+    """What all blocks say of a motif; ``label``: of most of it."""
     rates = {clip.name: clip.fps for clip in dataset.clips}
     seconds = sum(segment.n_frames / rates[segment.clip] for segment in motif.segments) / motif.n_motions
     return {
@@ -137,6 +132,8 @@ def _motif(dataset: Dataset, motif: Motif, notes: Mapping[int, MotifNote]) -> di
         "colour": motif_colour(motif.id),
         "count": motif.n_motions,
         "seconds": round(seconds, 2),
+        "label": majority_label(motif.segments, by_clip),
+        **_motions(motif),
     }
 
 
