@@ -30,9 +30,9 @@
     mod
   ));
 
-  // ../../../tmp/wt/review/assets/node_modules/regenerator-runtime/runtime.js
+  // node_modules/regenerator-runtime/runtime.js
   var require_runtime = __commonJS({
-    "../../../tmp/wt/review/assets/node_modules/regenerator-runtime/runtime.js"(exports, module) {
+    "node_modules/regenerator-runtime/runtime.js"(exports, module) {
       var runtime = (function(exports2) {
         "use strict";
         var Op = Object.prototype;
